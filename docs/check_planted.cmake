@@ -10,8 +10,9 @@ set(failures 0)
 function(run name page docstring expected)
   file(WRITE "${root}/README.md" "# One page {#mainpage}\n\n${page}\n")
   file(WRITE "${root}/validation/references.bib" "@book{Known2000,\n  title = {A title},\n  year = {2000}\n}\n")
-  file(WRITE "${root}/include/granum/p.hpp"
-    "#pragma once\n/// What stands here.\nnamespace granum {\n/// ${docstring}\ndouble f(double pressure);\n}\n")
+  file(WRITE "${root}/docs/architecture.md" "# Floors {#architecture}\n\n| floor | module | holds |\n| --- | --- | --- |\n| 1 | `p` | what ${module} does |\n")
+  file(WRITE "${root}/include/granum/p/p.hpp"
+    "#pragma once\n\n/// What stands here.\nnamespace granum::p {\n/// ${docstring}\ndouble f(double pressure);\n}\n")
   execute_process(COMMAND "${CMAKE_COMMAND}" "-DROOT=${root}" "-DOUTPUT=${SCRATCH}/out" "-DDOXYGEN=${DOXYGEN}"
     "-DDOXYFILE=${DOXYFILE}" "-DMATHJAX=${MATHJAX}" -P "${CMAKE_CURRENT_LIST_DIR}/make_docs.cmake"
     RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)

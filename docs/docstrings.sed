@@ -1,6 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Docstrings as doxygen reads them: headings of their own, angle brackets as they stand, and keys of sources that lead to
 # their entry on the page of sources.
+# What stands before the namespace is about the file; the namespace's own sentence stands in docs/architecture.md.
+/^\/\/\/ \\file\n/ {
+  P
+  D
+}
+1,/^namespace/ {
+  /^$/ {
+    N
+    s/^\n\/\/\//\n\/\/\/ \\file\n\/\/\//
+    P
+    D
+  }
+}
 /\/\/\// {
   s/^( *\/\/\/ )Assumes  +/\1\\assumes /
   s/^( *\/\/\/ )Accuracy  +/\1\\accuracy /

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what granum needs and this machine lacks:  scripts/setup.sh run|python|web|test|tidy|bench|solvers
+# Installs what granum needs and this machine lacks:  scripts/setup.sh run|python|docs|web|test|tidy|bench|solvers
 # This is the only place that names the packages, as Debian 12 and 13 and Ubuntu 24.04 do. What matters is whether the
 # system offers them, not what it is called. Checked by tests/setup/check_setup.cmake
 # Exit codes: 0 all there, 2 usage, 3 something is missing and cannot be installed from here.
@@ -13,10 +13,11 @@ run_packages=(
 )
 python_packages=("${run_packages[@]}" python3-dev python3-numpy python3-matplotlib pybind11-dev python3-pytest python3-hypothesis mypy
   python3-pip python3-wheel)
+docs_packages=("${python_packages[@]}" doxygen doxygen-awesome-css libjs-mathjax)
 web_packages=("${run_packages[@]}" clang lld wasi-libc libclang-rt-dev-wasm32 libc++-dev-wasm32 binaryen
   nodejs chromium)
 command -v npm >/dev/null || web_packages+=(npm) # some packages of nodejs bring it along
-test_packages=("${python_packages[@]}" doctest-dev librapidcheck-dev clang-format doxygen doxygen-awesome-css libjs-mathjax
+test_packages=("${docs_packages[@]}" doctest-dev librapidcheck-dev clang-format
   clang libclang-rt-dev libc++-dev libc++abi-dev libbenchmark-dev dpkg-dev file pkg-config)
 tidy_packages=("${test_packages[@]}" clang-tidy)
 bench_packages=("${run_packages[@]}" libbenchmark-dev python3-numpy)
@@ -27,13 +28,14 @@ solvers_packages=("${bench_packages[@]}" libhypre-dev libsuitesparse-dev libtril
 case "${1:-}" in
 run) packages=("${run_packages[@]}") ;;
 python) packages=("${python_packages[@]}") ;;
+docs) packages=("${docs_packages[@]}") ;;
 web) packages=("${web_packages[@]}") ;;
 test) packages=("${test_packages[@]}") ;;
 tidy) packages=("${tidy_packages[@]}") ;;
 bench) packages=("${bench_packages[@]}") ;;
 solvers) packages=("${solvers_packages[@]}") ;;
 *)
-  echo "usage: scripts/setup.sh run|python|web|test|tidy|bench|solvers" >&2
+  echo "usage: scripts/setup.sh run|python|docs|web|test|tidy|bench|solvers" >&2
   exit 2
   ;;
 esac

@@ -2,7 +2,7 @@
 # Types of the package. SI everywhere; what each name means stands in its documentation.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
-from typing import Any, Literal, Optional, Union
+from typing import Any, Generic, Literal, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +15,7 @@ from ._errors import Stopped as Stopped
 
 __all__ = [
     "AnisotropyEstimate",
+    "AxialStress",
     "CarriedContacts",
     "Compression",
     "ContactCounts",
@@ -31,21 +32,27 @@ __all__ = [
     "Fabric",
     "FabricMeasures",
     "FileError",
+    "Fit",
     "Forces",
     "Frames",
     "Gradation",
+    "GroundStress",
     "Inference",
+    "Interior",
     "InvalidArgument",
     "Isotropic",
     "IsotropicAverages",
     "IsotropicModuli",
+    "KnownSand",
     "Ladder",
     "LawCheck",
     "LikelihoodEstimate",
     "Measured",
+    "MeasuredLaw",
     "MeasuredRows",
     "Measurement",
     "Microstructure",
+    "Mineral",
     "Moduli",
     "ModulusErrors",
     "Network",
@@ -90,6 +97,8 @@ __all__ = [
     "fabric_density",
     "fabric_measures",
     "fabric_polar_cosine_quantile",
+    "failure_ratio",
+    "fit",
     "flat_punch",
     "formats",
     "frames",
@@ -97,6 +106,8 @@ __all__ = [
     "from_lammps",
     "from_yade",
     "gradation",
+    "ground_stress",
+    "hardin",
     "hertz_mindlin",
     "infer",
     "isotropic",
@@ -104,9 +115,15 @@ __all__ = [
     "isotropic_projection",
     "isotropy_p_value",
     "jenkins_shear_modulus",
+    "known_sands",
     "measure",
+    "measured_laws",
     "mindlin_stiffness_ratio",
+    "minerals",
     "murphy_coordination_number",
+    "norris_johnson",
+    "norris_johnson_stress",
+    "overlap_contacts",
     "packing",
     "packing_answer",
     "pair_radius",
@@ -120,11 +137,14 @@ __all__ = [
     "rough_sphere",
     "rungs",
     "sample_normals",
+    "sand_shear_modulus",
+    "saturated",
     "shear",
     "soft_sand",
     "specimen",
     "sphere",
     "stiff_sand",
+    "stress_on_path",
     "symmetry_distances",
     "thomsen_parameters",
     "transversely_isotropic_projection",
@@ -134,14 +154,21 @@ __all__ = [
     "uniform_stress",
     "uniform_stress_kinematic",
     "verify",
+    "void_ratio_of_relative_density",
+    "walton_uniaxial",
+    "walton_uniaxial_stress",
+    "water_and_air_bulk_modulus",
     "__version__",
 ]
 __version__: str
 
 # A float of a call with numbers alone, an array of a call with arrays.
-_Numbers = Any
+_N = TypeVar("_N", float, NDArray[np.float64])
+_Array = NDArray[np.float64]
 _Path = Union[str, PathLike[str]]
 _RungName = Union[int, str]
+_Range = Optional[tuple[Optional[float], Optional[float]]]
+_TurningSpring = Union[None, float, tuple[float, str], Literal["marshall"]]
 _Modulus = Literal["K", "G_hh", "G_vh", "E_v", "E_h", "C11", "C33", "C12", "C13"]
 
 class _Result:
@@ -165,6 +192,18 @@ class AnisotropyEstimate(_Result):
     def notes(self) -> list[str]: ...
     @property
     def standard_error(self) -> float: ...
+
+class AxialStress(_Result, Generic[_N]):
+    @property
+    def errors(self) -> dict[tuple[int, ...], str]: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def shape(self) -> tuple[int, ...]: ...
+    @property
+    def stress_v(self) -> _N: ...
+    @property
+    def stress_h(self) -> _N: ...
 
 class CarriedContacts(_Result):
     @property
@@ -323,47 +362,47 @@ class EngineeringModuli(_Result):
     @property
     def bulk_modulus(self) -> float: ...
 
-class Estimate(_Result):
+class Estimate(_Result, Generic[_N]):
     @property
-    def C11(self) -> _Numbers: ...
+    def C11(self) -> _N: ...
     @property
-    def C12(self) -> _Numbers: ...
+    def C12(self) -> _N: ...
     @property
-    def C13(self) -> _Numbers: ...
+    def C13(self) -> _N: ...
     @property
-    def C33(self) -> _Numbers: ...
+    def C33(self) -> _N: ...
     @property
-    def C44(self) -> _Numbers: ...
+    def C44(self) -> _N: ...
     @property
-    def C66(self) -> _Numbers: ...
+    def C66(self) -> _N: ...
     @property
-    def E_h(self) -> _Numbers: ...
+    def E_h(self) -> _N: ...
     @property
-    def E_v(self) -> _Numbers: ...
+    def E_v(self) -> _N: ...
     @property
-    def G_hh(self) -> _Numbers: ...
+    def G_hh(self) -> _N: ...
     @property
-    def G_vh(self) -> _Numbers: ...
+    def G_vh(self) -> _N: ...
     @property
-    def bulk_modulus(self) -> _Numbers: ...
+    def bulk_modulus(self) -> _N: ...
     @property
     def errors(self) -> dict[tuple[int, ...], str]: ...
     @property
     def notes(self) -> list[str]: ...
     @property
-    def nu_hh(self) -> _Numbers: ...
+    def nu_hh(self) -> _N: ...
     @property
-    def nu_hv(self) -> _Numbers: ...
+    def nu_hv(self) -> _N: ...
     @property
-    def nu_vh(self) -> _Numbers: ...
+    def nu_vh(self) -> _N: ...
     @property
-    def relative_error(self) -> Optional[ModulusErrors]: ...
+    def relative_error(self) -> Optional[ModulusErrors[_N]]: ...
     @property
     def shape(self) -> tuple[int, ...]: ...
     @property
     def stiffness(self) -> NDArray[np.float64]: ...
 
-class Exponents(_Result):
+class Exponents(_Result, Generic[_N]):
     @property
     def errors(self) -> dict[tuple[int, ...], str]: ...
     @property
@@ -371,11 +410,11 @@ class Exponents(_Result):
     @property
     def shape(self) -> tuple[int, ...]: ...
     @property
-    def stress_h(self) -> _Numbers: ...
+    def stress_h(self) -> _N: ...
     @property
-    def stress_v(self) -> _Numbers: ...
+    def stress_v(self) -> _N: ...
     @property
-    def sum(self) -> _Numbers: ...
+    def sum(self) -> _N: ...
 
 class Fabric(_Result):
     @property
@@ -405,6 +444,30 @@ class FabricMeasures(_Result):
     def anisotropy(self) -> float: ...
     @property
     def mean_cos_2gamma(self) -> float: ...
+    @property
+    def notes(self) -> list[str]: ...
+
+class Fit(_Result):
+    @property
+    def coefficient(self) -> Measured: ...
+    @property
+    def exponent_i(self) -> Optional[Measured]: ...
+    @property
+    def exponent_j(self) -> Optional[Measured]: ...
+    @property
+    def exponent_sum(self) -> Measured: ...
+    @property
+    def parameters(self) -> list[str]: ...
+    @property
+    def covariance(self) -> NDArray[np.float64]: ...
+    @property
+    def r_squared(self) -> Optional[float]: ...
+    @property
+    def residuals(self) -> NDArray[np.float64]: ...
+    @property
+    def rms_relative_residual(self) -> float: ...
+    @property
+    def degrees_of_freedom(self) -> int: ...
     @property
     def notes(self) -> list[str]: ...
 
@@ -444,6 +507,24 @@ class Gradation(_Result):
     @property
     def uniformity(self) -> float: ...
 
+class GroundStress(_Result, Generic[_N]):
+    @property
+    def errors(self) -> dict[tuple[int, ...], str]: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def shape(self) -> tuple[int, ...]: ...
+    @property
+    def stress_v(self) -> _N: ...
+    @property
+    def stress_h(self) -> _N: ...
+    @property
+    def total_v(self) -> _N: ...
+    @property
+    def total_h(self) -> _N: ...
+    @property
+    def pore_pressure(self) -> _N: ...
+
 class Inference(_Result):
     @property
     def alone(self) -> list[Optional[Measured]]: ...
@@ -480,6 +561,18 @@ class Inference(_Result):
     @property
     def would_determine(self) -> Optional[str]: ...
     def plot(self, ax: Any = ..., *, quantity: str = ..., pressure: ArrayLike) -> Any: ...
+    @overload
+    def predict(  # type: ignore[misc]
+        self,
+        quantity: str,
+        *,
+        pressure: Optional[float] = ...,
+        stress_v: Optional[float] = ...,
+        stress_h: Optional[float] = ...,
+        void_ratio: Optional[float] = ...,
+        specimen: str = ...,
+    ) -> MeasuredRows[float]: ...
+    @overload
     def predict(
         self,
         quantity: str,
@@ -489,7 +582,17 @@ class Inference(_Result):
         stress_h: Optional[ArrayLike] = ...,
         void_ratio: Optional[ArrayLike] = ...,
         specimen: str = ...,
-    ) -> MeasuredRows: ...
+    ) -> MeasuredRows[_Array]: ...
+
+class Interior(_Result):
+    @property
+    def grains(self) -> int: ...
+    @property
+    def void_ratio(self) -> float: ...
+    @property
+    def microstructure(self) -> Microstructure: ...
+    @property
+    def stress(self) -> NDArray[np.float64]: ...
 
 class Isotropic:
     @property
@@ -514,9 +617,9 @@ class IsotropicAverages(_Result):
     @property
     def voigt(self) -> Isotropic: ...
 
-class IsotropicModuli(_Result):
+class IsotropicModuli(_Result, Generic[_N]):
     @property
-    def bulk_modulus(self) -> _Numbers: ...
+    def bulk_modulus(self) -> _N: ...
     @property
     def errors(self) -> dict[tuple[int, ...], str]: ...
     @property
@@ -524,7 +627,25 @@ class IsotropicModuli(_Result):
     @property
     def shape(self) -> tuple[int, ...]: ...
     @property
-    def shear_modulus(self) -> _Numbers: ...
+    def shear_modulus(self) -> _N: ...
+
+class KnownSand(_Result):
+    @property
+    def key(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def source(self) -> str: ...
+    @property
+    def mineral(self) -> str: ...
+    @property
+    def d50(self) -> Optional[float]: ...
+    @property
+    def uniformity(self) -> Optional[float]: ...
+    @property
+    def least_void_ratio(self) -> Optional[float]: ...
+    @property
+    def largest_void_ratio(self) -> Optional[float]: ...
 
 class Ladder(_Result):
     @property
@@ -575,7 +696,21 @@ class Measured(_Result):
     @property
     def value(self) -> float: ...
 
-class MeasuredRows(_Result):
+class MeasuredLaw(_Result):
+    @property
+    def key(self) -> str: ...
+    @property
+    def sand(self) -> str: ...
+    @property
+    def source(self) -> str: ...
+    @property
+    def formula(self) -> str: ...
+    @property
+    def bias(self) -> float: ...
+    @property
+    def rms_log10(self) -> float: ...
+
+class MeasuredRows(_Result, Generic[_N]):
     @property
     def errors(self) -> dict[tuple[int, ...], str]: ...
     @property
@@ -583,9 +718,9 @@ class MeasuredRows(_Result):
     @property
     def shape(self) -> tuple[int, ...]: ...
     @property
-    def standard_error(self) -> _Numbers: ...
+    def standard_error(self) -> _N: ...
     @property
-    def value(self) -> _Numbers: ...
+    def value(self) -> _N: ...
 
 class Measurement(_Result):
     @property
@@ -597,6 +732,8 @@ class Measurement(_Result):
     @property
     def forces(self) -> Optional[Forces]: ...
     @property
+    def interior(self) -> Optional[Interior]: ...
+    @property
     def law(self) -> Optional[NormalLaw]: ...
     @property
     def law_check(self) -> Optional[LawCheck]: ...
@@ -607,7 +744,7 @@ class Measurement(_Result):
     @property
     def notes(self) -> list[str]: ...
     @property
-    def rungs(self) -> dict[str, Estimate]: ...
+    def rungs(self) -> dict[str, Estimate[float]]: ...
     @property
     def sizes(self) -> Sizes: ...
     @property
@@ -633,21 +770,39 @@ class Microstructure(_Result):
     @property
     def sliding_fraction(self) -> float: ...
 
-class Moduli(_Result):
+class Mineral(_Result):
     @property
-    def bulk_modulus(self) -> _Numbers: ...
+    def key(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def source(self) -> str: ...
+    @property
+    def shear_modulus(self) -> float: ...
+    @property
+    def poisson_ratio(self) -> float: ...
+    @property
+    def bulk_modulus(self) -> float: ...
+    @property
+    def density(self) -> float: ...
+    @property
+    def modulus_spread(self) -> float: ...
+
+class Moduli(_Result, Generic[_N]):
+    @property
+    def bulk_modulus(self) -> _N: ...
     @property
     def errors(self) -> dict[tuple[int, ...], str]: ...
     @property
-    def shear_modulus(self) -> _Numbers: ...
+    def shear_modulus(self) -> _N: ...
 
-class ModulusErrors(_Result):
+class ModulusErrors(_Result, Generic[_N]):
     @property
-    def G_hh(self) -> _Numbers: ...
+    def G_hh(self) -> _N: ...
     @property
-    def G_vh(self) -> _Numbers: ...
+    def G_vh(self) -> _N: ...
     @property
-    def bulk_modulus(self) -> _Numbers: ...
+    def bulk_modulus(self) -> _N: ...
 
 class Network(_Result):
     @property
@@ -678,26 +833,50 @@ class Network(_Result):
     def shear_modulus(self) -> float: ...
     @property
     def symmetry(self) -> SymmetryDistances: ...
+
 class NormalLaw:
     @property
     def alpha(self) -> float: ...
     @property
+    def bulk_modulus(self) -> float: ...
+    @property
     def coefficient(self) -> float: ...
-    def contact_radius(self, overlap: ArrayLike) -> _Numbers: ...
-    def energy(self, overlap: ArrayLike) -> _Numbers: ...
-    def exponent_at_force(self, force: ArrayLike) -> _Numbers: ...
-    def force(self, overlap: ArrayLike) -> _Numbers: ...
+    @overload
+    def contact_radius(self, overlap: float) -> float: ...  # type: ignore[misc]
+    @overload
+    def contact_radius(self, overlap: ArrayLike) -> _Array: ...
+    @overload
+    def energy(self, overlap: float) -> float: ...  # type: ignore[misc]
+    @overload
+    def energy(self, overlap: ArrayLike) -> _Array: ...
+    @overload
+    def exponent_at_force(self, force: float) -> float: ...  # type: ignore[misc]
+    @overload
+    def exponent_at_force(self, force: ArrayLike) -> _Array: ...
+    @overload
+    def force(self, overlap: float) -> float: ...  # type: ignore[misc]
+    @overload
+    def force(self, overlap: ArrayLike) -> _Array: ...
     @property
     def force_exponent(self) -> float: ...
-    def overlap(self, force: ArrayLike) -> _Numbers: ...
+    @overload
+    def overlap(self, force: float) -> float: ...  # type: ignore[misc]
+    @overload
+    def overlap(self, force: ArrayLike) -> _Array: ...
     @property
     def poisson_ratio(self) -> float: ...
     @property
     def profile_constant(self) -> float: ...
     @property
     def shear_modulus(self) -> float: ...
-    def stiffness_at_force(self, force: ArrayLike) -> _Numbers: ...
-    def stiffness_at_overlap(self, overlap: ArrayLike) -> _Numbers: ...
+    @overload
+    def stiffness_at_force(self, force: float) -> float: ...  # type: ignore[misc]
+    @overload
+    def stiffness_at_force(self, force: ArrayLike) -> _Array: ...
+    @overload
+    def stiffness_at_overlap(self, overlap: float) -> float: ...  # type: ignore[misc]
+    @overload
+    def stiffness_at_overlap(self, overlap: ArrayLike) -> _Array: ...
     @property
     def stiffness_exponent(self) -> float: ...
     def times(self, factor: float) -> NormalLaw: ...
@@ -738,49 +917,49 @@ class Packing:
     def __deepcopy__(self, arg0: object) -> Packing: ...
     def plot(self, ax: Any = ..., *, across: int = ..., up: int = ...) -> Any: ...
 
-class PackingAnswer(_Result):
+class PackingAnswer(_Result, Generic[_N]):
     @property
-    def bulk_density(self) -> Range: ...
+    def bulk_density(self) -> Range[_N]: ...
     @property
-    def bulk_modulus(self) -> Range: ...
+    def bulk_modulus(self) -> Range[_N]: ...
     @property
-    def compression_wave_speed(self) -> Range: ...
+    def compression_wave_speed(self) -> Range[_N]: ...
     @property
-    def contact_softness(self) -> Range: ...
+    def contact_softness(self) -> Range[_N]: ...
     @property
-    def coordination_number(self) -> Range: ...
+    def coordination_number(self) -> Range[_N]: ...
     @property
-    def damping_ratio(self) -> Range: ...
+    def damping_ratio(self) -> Range[_N]: ...
     @property
-    def horizontal_compression_wave_speed(self) -> Range: ...
+    def horizontal_compression_wave_speed(self) -> Range[_N]: ...
     @property
-    def horizontal_exponent(self) -> Range: ...
+    def horizontal_exponent(self) -> Range[_N]: ...
     @property
-    def horizontal_shear_modulus(self) -> Range: ...
+    def horizontal_shear_modulus(self) -> Range[_N]: ...
     @property
-    def horizontal_shear_wave_speed(self) -> Range: ...
+    def horizontal_shear_wave_speed(self) -> Range[_N]: ...
     @property
-    def horizontal_young_modulus(self) -> Range: ...
+    def horizontal_young_modulus(self) -> Range[_N]: ...
     @property
-    def mechanical_coordination_number(self) -> Range: ...
+    def mechanical_coordination_number(self) -> Range[_N]: ...
     @property
-    def modulus_ratio(self) -> Range: ...
+    def modulus_ratio(self) -> Range[_N]: ...
     @property
-    def poisson_ratio(self) -> Range: ...
+    def poisson_ratio(self) -> Range[_N]: ...
     @property
-    def rattler_fraction(self) -> Range: ...
+    def rattler_fraction(self) -> Range[_N]: ...
     @property
-    def shear_modulus(self) -> Range: ...
+    def shear_modulus(self) -> Range[_N]: ...
     @property
-    def shear_wave_speed(self) -> Range: ...
+    def shear_wave_speed(self) -> Range[_N]: ...
     @property
-    def strained_shear_modulus(self) -> Range: ...
+    def strained_shear_modulus(self) -> Range[_N]: ...
     @property
-    def stress_exponent(self) -> Range: ...
+    def stress_exponent(self) -> Range[_N]: ...
     @property
-    def vertical_exponent(self) -> Range: ...
+    def vertical_exponent(self) -> Range[_N]: ...
     @property
-    def young_modulus(self) -> Range: ...
+    def young_modulus(self) -> Range[_N]: ...
     @property
     def errors(self) -> dict[tuple[int, ...], str]: ...
     @property
@@ -788,7 +967,7 @@ class PackingAnswer(_Result):
     @property
     def shape(self) -> tuple[int, ...]: ...
     @property
-    def shares(self) -> dict[str, _Numbers]: ...
+    def shares(self) -> dict[str, _N]: ...
 
 class PathPoint(_Result):
     @property
@@ -830,13 +1009,13 @@ class ProbeResult(_Result):
     @property
     def unbalanced_force_ratio(self) -> float: ...
 
-class Range(_Result):
+class Range(_Result, Generic[_N]):
     @property
-    def high(self) -> _Numbers: ...
+    def high(self) -> _N: ...
     @property
-    def low(self) -> _Numbers: ...
+    def low(self) -> _N: ...
     @property
-    def value(self) -> _Numbers: ...
+    def value(self) -> _N: ...
 
 class RoseBin(_Result):
     @property
@@ -872,7 +1051,7 @@ class RungAssessment(_Result):
     @property
     def error_source(self) -> str: ...
     @property
-    def estimate(self) -> Optional[Estimate]: ...
+    def estimate(self) -> Optional[Estimate[float]]: ...
     @property
     def largest_error(self) -> Optional[float]: ...
     @property
@@ -963,6 +1142,25 @@ class Verdict(_Result):
     @property
     def measured(self) -> str: ...
 
+@overload
+def answer(  # type: ignore[misc]
+    *,
+    law: NormalLaw,
+    radius: float,
+    void_ratio: float,
+    coordination_number: float,
+    pressure: Optional[float] = None,
+    stress_v: Optional[float] = None,
+    stress_h: Optional[float] = None,
+    fabric_anisotropy: float = 0.0,
+    tangential_ratio: Optional[float] = None,
+    mechanical_coordination_number: Optional[float] = None,
+    rattler_fraction: Optional[float] = None,
+    contact_means: Optional[ContactMeans] = None,
+    strict: bool = False,
+    rung: _RungName,
+) -> Estimate[float]: ...
+@overload
 def answer(
     *,
     law: NormalLaw,
@@ -979,7 +1177,7 @@ def answer(
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
     rung: _RungName,
-) -> Estimate: ...
+) -> Estimate[_Array]: ...
 def bulk_density(*, grain_density: float, void_ratio: float, pore_density: float = ...) -> float: ...
 def carried_contacts(
     *,
@@ -992,32 +1190,78 @@ def carried_contacts(
     rattler_fraction: float,
     to_pressure: float,
 ) -> CarriedContacts: ...
+@overload
+def cement_at_contacts(  # type: ignore[misc]
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    cement_shear_modulus: float,
+    cement_poisson_ratio: Optional[float] = None,
+    porosity: float,
+    coordination_number: float,
+    cement_saturation: float,
+    strict: bool = False,
+    bulk_modulus: Optional[float] = None,
+    cement_bulk_modulus: Optional[float] = None,
+) -> IsotropicModuli[float]: ...
+@overload
 def cement_at_contacts(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     cement_shear_modulus: ArrayLike,
-    cement_poisson_ratio: ArrayLike,
+    cement_poisson_ratio: Optional[ArrayLike] = None,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
     cement_saturation: ArrayLike,
     strict: bool = False,
-) -> IsotropicModuli: ...
+    bulk_modulus: Optional[ArrayLike] = None,
+    cement_bulk_modulus: Optional[ArrayLike] = None,
+) -> IsotropicModuli[_Array]: ...
+@overload
+def cement_in_surface_layer(  # type: ignore[misc]
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    cement_shear_modulus: float,
+    cement_poisson_ratio: Optional[float] = None,
+    porosity: float,
+    coordination_number: float,
+    cement_saturation: float,
+    strict: bool = False,
+    bulk_modulus: Optional[float] = None,
+    cement_bulk_modulus: Optional[float] = None,
+) -> IsotropicModuli[float]: ...
+@overload
 def cement_in_surface_layer(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     cement_shear_modulus: ArrayLike,
-    cement_poisson_ratio: ArrayLike,
+    cement_poisson_ratio: Optional[ArrayLike] = None,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
     cement_saturation: ArrayLike,
     strict: bool = False,
-) -> IsotropicModuli: ...
+    bulk_modulus: Optional[ArrayLike] = None,
+    cement_bulk_modulus: Optional[ArrayLike] = None,
+) -> IsotropicModuli[_Array]: ...
 def compress(specimen: Specimen, pressures: ArrayLike) -> Compression: ...
-def cone(*, shear_modulus: float, poisson_ratio: float, slope: float) -> NormalLaw: ...
+def cone(
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    slope: float,
+    bulk_modulus: Optional[float] = None,
+) -> NormalLaw: ...
 def contact_law(
-    shape: str, *, shear_modulus: float, poisson_ratio: float, radius: Optional[float] = None, **kwargs: float
+    shape: str,
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    radius: Optional[float] = None,
+    bulk_modulus: Optional[float] = None,
+    **kwargs: float,
 ) -> NormalLaw: ...
 def contact_prior(
     *,
@@ -1028,16 +1272,30 @@ def contact_prior(
     contact_means: Optional[ContactMeans] = None,
     preparation: Optional[str] = None,
 ) -> ContactPrior: ...
+@overload
+def digby(  # type: ignore[misc]
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    porosity: float,
+    coordination_number: float,
+    pressure: float,
+    bond_radius_ratio: float,
+    strict: bool = False,
+    bulk_modulus: Optional[float] = None,
+) -> IsotropicModuli[float]: ...
+@overload
 def digby(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
     pressure: ArrayLike,
     bond_radius_ratio: ArrayLike,
     strict: bool = False,
-) -> IsotropicModuli: ...
+    bulk_modulus: Optional[ArrayLike] = None,
+) -> IsotropicModuli[_Array]: ...
 def engineering_moduli(stiffness: ArrayLike) -> EngineeringModuli: ...
 def estimate(
     *,
@@ -1070,6 +1328,26 @@ def estimate(
 def estimate_anisotropy(normals: ArrayLike) -> AnisotropyEstimate: ...
 def estimate_anisotropy_by_likelihood(normals: ArrayLike) -> LikelihoodEstimate: ...
 def expected_contact_means(sizes: Distribution, *, rattler_fraction: float = ...) -> ContactMeans: ...
+@overload
+def exponents(  # type: ignore[misc]
+    *,
+    law: NormalLaw,
+    radius: float,
+    void_ratio: float,
+    coordination_number: float,
+    pressure: Optional[float] = None,
+    stress_v: Optional[float] = None,
+    stress_h: Optional[float] = None,
+    fabric_anisotropy: float = 0.0,
+    tangential_ratio: Optional[float] = None,
+    mechanical_coordination_number: Optional[float] = None,
+    rattler_fraction: Optional[float] = None,
+    contact_means: Optional[ContactMeans] = None,
+    strict: bool = False,
+    rung: _RungName,
+    modulus: _Modulus,
+) -> Exponents[float]: ...
+@overload
 def exponents(
     *,
     law: NormalLaw,
@@ -1087,18 +1365,70 @@ def exponents(
     strict: bool = False,
     rung: _RungName,
     modulus: _Modulus,
-) -> Exponents: ...
-def fabric_cumulative_probability(*, polar_cosine: ArrayLike, anisotropy: ArrayLike) -> _Numbers: ...
-def fabric_density(*, polar_angle: ArrayLike, anisotropy: ArrayLike) -> _Numbers: ...
+) -> Exponents[_Array]: ...
+@overload
+def fabric_cumulative_probability(  # type: ignore[misc]
+    *, polar_cosine: float, anisotropy: float
+) -> float: ...
+@overload
+def fabric_cumulative_probability(*, polar_cosine: ArrayLike, anisotropy: ArrayLike) -> _Array: ...
+@overload
+def fabric_density(*, polar_angle: float, anisotropy: float) -> float: ...  # type: ignore[misc]
+@overload
+def fabric_density(*, polar_angle: ArrayLike, anisotropy: ArrayLike) -> _Array: ...
 def fabric_measures(
     *, anisotropy: float = ..., F33: float = ..., P2_coefficient: float = ..., mean_cos_2gamma: float = ...
 ) -> FabricMeasures: ...
-def fabric_polar_cosine_quantile(*, probability: ArrayLike, anisotropy: ArrayLike) -> _Numbers: ...
-def flat_punch(*, shear_modulus: float, poisson_ratio: float, punch_radius: float) -> NormalLaw: ...
+@overload
+def fabric_polar_cosine_quantile(*, probability: float, anisotropy: float) -> float: ...  # type: ignore[misc]
+@overload
+def fabric_polar_cosine_quantile(*, probability: ArrayLike, anisotropy: ArrayLike) -> _Array: ...
+@overload
+def failure_ratio(  # type: ignore[misc]
+    *, path: Literal["txc", "rtxc", "rtxe", "txe"], friction_angle: float
+) -> float: ...
+@overload
+def failure_ratio(*, path: Literal["txc", "rtxc", "rtxe", "txe"], friction_angle: ArrayLike) -> _Array: ...
+def fit(
+    *,
+    shear_modulus: ArrayLike,
+    stress_i: ArrayLike,
+    stress_j: ArrayLike,
+    void_ratio: ArrayLike,
+    atmospheric_pressure: float,
+    void_ratio_function: str = "hardin-richart-round",
+    weights: Literal["relative", "absolute"] = "relative",
+    sum_only: bool = False,
+) -> Fit: ...
+def flat_punch(
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    punch_radius: float,
+    bulk_modulus: Optional[float] = None,
+) -> NormalLaw: ...
 def formats() -> dict[str, str]: ...
 def frames(
     *files: _Path, box: Optional[ArrayLike] = None, columns: Optional[Mapping[str, str]] = None
 ) -> Frames: ...
+@overload
+def free_spin(  # type: ignore[misc]
+    *,
+    law: NormalLaw,
+    radius: float,
+    void_ratio: float,
+    coordination_number: float,
+    pressure: Optional[float] = None,
+    stress_v: Optional[float] = None,
+    stress_h: Optional[float] = None,
+    fabric_anisotropy: float = 0.0,
+    tangential_ratio: Optional[float] = None,
+    mechanical_coordination_number: Optional[float] = None,
+    rattler_fraction: Optional[float] = None,
+    contact_means: Optional[ContactMeans] = None,
+    strict: bool = False,
+) -> Estimate[float]: ...
+@overload
 def free_spin(
     *,
     law: NormalLaw,
@@ -1114,22 +1444,84 @@ def free_spin(
     rattler_fraction: Optional[ArrayLike] = None,
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
-) -> Estimate: ...
+) -> Estimate[_Array]: ...
 def from_lammps(
     lmp: Any, *, contacts: Union[str, Sequence[str]] = (), columns: Optional[Mapping[str, str]] = None
 ) -> Packing: ...
 def from_yade(scene: Any) -> Packing: ...
 def gradation(radius: ArrayLike) -> Gradation: ...
+@overload
+def ground_stress(  # type: ignore[misc]
+    *,
+    depth: float,
+    unit_weight: float,
+    saturated_unit_weight: Optional[float] = None,
+    water_table: Optional[float] = None,
+    water_unit_weight: Optional[float] = None,
+    earth_pressure_at_rest: float,
+    surcharge: float = 0.0,
+    strict: bool = False,
+) -> GroundStress[float]: ...
+@overload
+def ground_stress(
+    *,
+    depth: ArrayLike,
+    unit_weight: ArrayLike,
+    saturated_unit_weight: Optional[ArrayLike] = None,
+    water_table: Optional[ArrayLike] = None,
+    water_unit_weight: Optional[ArrayLike] = None,
+    earth_pressure_at_rest: ArrayLike,
+    surcharge: ArrayLike = 0.0,
+    strict: bool = False,
+) -> GroundStress[_Array]: ...
+@overload
+def hardin(  # type: ignore[misc]
+    *,
+    coefficient: float,
+    exponent_i: float,
+    exponent_j: float,
+    atmospheric_pressure: float,
+    stress_i: float,
+    stress_j: float,
+    void_ratio: float,
+    void_ratio_function: str = "hardin-richart-round",
+) -> float: ...
+@overload
+def hardin(
+    *,
+    coefficient: ArrayLike,
+    exponent_i: ArrayLike,
+    exponent_j: ArrayLike,
+    atmospheric_pressure: ArrayLike,
+    stress_i: ArrayLike,
+    stress_j: ArrayLike,
+    void_ratio: ArrayLike,
+    void_ratio_function: str = "hardin-richart-round",
+) -> _Array: ...
+@overload
+def hertz_mindlin(  # type: ignore[misc]
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    porosity: float,
+    coordination_number: float,
+    pressure: float,
+    no_slip_fraction: float = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[float] = None,
+) -> IsotropicModuli[float]: ...
+@overload
 def hertz_mindlin(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
     pressure: ArrayLike,
     no_slip_fraction: ArrayLike = 1.0,
     strict: bool = False,
-) -> IsotropicModuli: ...
+    bulk_modulus: Optional[ArrayLike] = None,
+) -> IsotropicModuli[_Array]: ...
 def infer(
     *,
     law: NormalLaw,
@@ -1159,15 +1551,29 @@ def isotropic(*, bulk_modulus: float, shear_modulus: float) -> Isotropic: ...
 def isotropic_averages(stiffness: ArrayLike) -> IsotropicAverages: ...
 def isotropic_projection(stiffness: ArrayLike) -> Isotropic: ...
 def isotropy_p_value(normals: ArrayLike) -> float: ...
+@overload
+def jenkins_shear_modulus(  # type: ignore[misc]
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    porosity: float,
+    coordination_number: float,
+    pressure: float,
+    strict: bool = False,
+    bulk_modulus: Optional[float] = None,
+) -> IsotropicModuli[float]: ...
+@overload
 def jenkins_shear_modulus(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     porosity: ArrayLike,
     coordination_number: ArrayLike,
     pressure: ArrayLike,
     strict: bool = False,
-) -> IsotropicModuli: ...
+    bulk_modulus: Optional[ArrayLike] = None,
+) -> IsotropicModuli[_Array]: ...
+def known_sands() -> dict[str, KnownSand]: ...
 def measure(
     packing: Packing,
     *,
@@ -1181,11 +1587,80 @@ def measure(
     stiffness_from: Optional[Literal["overlap", "force", "ratio"]] = None,
     network: bool = True,
     prestress: bool = False,
+    window: Union[None, Literal["auto"], Sequence[_Range]] = "auto",
+    rolling_stiffness: _TurningSpring = None,
+    twisting_stiffness: _TurningSpring = None,
+    grain_bulk_modulus: Optional[float] = None,
 ) -> Measurement: ...
-def mindlin_stiffness_ratio(poisson_ratio: ArrayLike) -> _Numbers: ...
+def measured_laws() -> dict[str, MeasuredLaw]: ...
+@overload
+def mindlin_stiffness_ratio(poisson_ratio: float) -> float: ...  # type: ignore[misc]
+@overload
+def mindlin_stiffness_ratio(poisson_ratio: ArrayLike) -> _Array: ...
+def minerals() -> dict[str, Mineral]: ...
+@overload
+def murphy_coordination_number(  # type: ignore[misc]
+    *, porosity: float, relation: Literal["table", "quadratic", "exponential"]
+) -> float: ...
+@overload
 def murphy_coordination_number(
     *, porosity: ArrayLike, relation: Literal["table", "quadratic", "exponential"]
-) -> _Numbers: ...
+) -> _Array: ...
+@overload
+def norris_johnson(  # type: ignore[misc]
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    porosity: float,
+    coordination_number: float,
+    hydrostatic_strain: float,
+    uniaxial_strain: float,
+    no_slip_fraction: float = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[float] = None,
+) -> Estimate[float]: ...
+@overload
+def norris_johnson(
+    *,
+    shear_modulus: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
+    porosity: ArrayLike,
+    coordination_number: ArrayLike,
+    hydrostatic_strain: ArrayLike,
+    uniaxial_strain: ArrayLike,
+    no_slip_fraction: ArrayLike = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
+) -> Estimate[_Array]: ...
+@overload
+def norris_johnson_stress(  # type: ignore[misc]
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    porosity: float,
+    coordination_number: float,
+    hydrostatic_strain: float,
+    uniaxial_strain: float,
+    no_slip_fraction: float = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[float] = None,
+    path: Literal["hydrostatic_first", "uniaxial_first", "simultaneous"],
+) -> AxialStress[float]: ...
+@overload
+def norris_johnson_stress(
+    *,
+    shear_modulus: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
+    porosity: ArrayLike,
+    coordination_number: ArrayLike,
+    hydrostatic_strain: ArrayLike,
+    uniaxial_strain: ArrayLike,
+    no_slip_fraction: ArrayLike = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
+    path: Literal["hydrostatic_first", "uniaxial_first", "simultaneous"],
+) -> AxialStress[_Array]: ...
+def overlap_contacts(packing: Packing, *, law: Optional[NormalLaw] = None) -> Packing: ...
 def packing(
     *,
     position: ArrayLike,
@@ -1205,6 +1680,35 @@ def packing(
     twisting_stiffness: Optional[ArrayLike] = None,
     body: Optional[Sequence[int]] = None,
 ) -> Packing: ...
+@overload
+def packing_answer(  # type: ignore[misc]
+    *,
+    law: NormalLaw,
+    radius: float,
+    void_ratio: float,
+    coordination_number: Optional[float] = ...,
+    pressure: Optional[float] = ...,
+    stress_v: Optional[float] = ...,
+    stress_h: Optional[float] = ...,
+    fabric_anisotropy: float = ...,
+    tangential_ratio: Optional[float] = ...,
+    mechanical_coordination_number: Optional[float] = ...,
+    rattler_fraction: Optional[float] = ...,
+    contact_means: Optional[ContactMeans] = ...,
+    strict: bool = ...,
+    preparation: Optional[str] = ...,
+    grain_density: Optional[float] = ...,
+    saturation: float = ...,
+    uncertainty: Optional[Mapping[str, float]] = ...,
+    grain_shape: str = ...,
+    sand: Optional[str] = ...,
+    uniformity: Optional[float] = ...,
+    least_void_ratio: Optional[float] = ...,
+    largest_void_ratio: Optional[float] = ...,
+    d50: Optional[float] = ...,
+    shear_strain: Optional[float] = ...,
+) -> PackingAnswer[float]: ...
+@overload
 def packing_answer(
     *,
     law: NormalLaw,
@@ -1231,11 +1735,16 @@ def packing_answer(
     largest_void_ratio: Optional[ArrayLike] = ...,
     d50: Optional[ArrayLike] = ...,
     shear_strain: Optional[ArrayLike] = ...,
-) -> PackingAnswer: ...
+) -> PackingAnswer[_Array]: ...
 def pair_radius(*, radius_i: float, radius_j: float) -> float: ...
 def plane_waves(stiffness: ArrayLike, *, bulk_density: float, direction: ArrayLike) -> PlaneWaves: ...
 def power_law(
-    *, shear_modulus: float, poisson_ratio: float, alpha: float, profile_constant: float
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    alpha: float,
+    profile_constant: float,
+    bulk_modulus: Optional[float] = None,
 ) -> NormalLaw: ...
 def probe(
     specimen: Specimen,
@@ -1247,6 +1756,24 @@ def probe(
 def read(
     *files: _Path, box: Optional[ArrayLike] = None, columns: Optional[Mapping[str, str]] = None
 ) -> Packing: ...
+@overload
+def relaxed(  # type: ignore[misc]
+    *,
+    law: NormalLaw,
+    radius: float,
+    void_ratio: float,
+    coordination_number: float,
+    pressure: Optional[float] = None,
+    stress_v: Optional[float] = None,
+    stress_h: Optional[float] = None,
+    fabric_anisotropy: float = 0.0,
+    tangential_ratio: Optional[float] = None,
+    mechanical_coordination_number: Optional[float] = None,
+    rattler_fraction: Optional[float] = None,
+    contact_means: Optional[ContactMeans] = None,
+    strict: bool = False,
+) -> Estimate[float]: ...
+@overload
 def relaxed(
     *,
     law: NormalLaw,
@@ -1262,14 +1789,47 @@ def relaxed(
     rattler_fraction: Optional[ArrayLike] = None,
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
-) -> Estimate: ...
+) -> Estimate[_Array]: ...
 def rose(normals: ArrayLike, *, anisotropy: float, bins: int) -> list[RoseBin]: ...
 def rotate(stiffness: ArrayLike, *, rotation: ArrayLike) -> NDArray[np.float64]: ...
 def rough_sphere(
-    *, shear_modulus: float, poisson_ratio: float, radius: float, roughness: float
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    radius: float,
+    roughness: float,
+    bulk_modulus: Optional[float] = None,
 ) -> NormalLaw: ...
 def rungs() -> list[Rung]: ...
 def sample_normals(*, anisotropy: float, count: int, seed: int) -> NDArray[np.float64]: ...
+@overload
+def sand_shear_modulus(  # type: ignore[misc]
+    *,
+    law: str,
+    void_ratio: float,
+    pressure: float,
+    uniformity: float = 1.5,
+    d50: float = 0.0004,
+    strict: bool = False,
+) -> IsotropicModuli[float]: ...
+@overload
+def sand_shear_modulus(
+    *,
+    law: str,
+    void_ratio: ArrayLike,
+    pressure: ArrayLike,
+    uniformity: ArrayLike = 1.5,
+    d50: ArrayLike = 0.0004,
+    strict: bool = False,
+) -> IsotropicModuli[_Array]: ...
+@overload
+def saturated(  # type: ignore[misc]
+    stiffness: float, *, grain_bulk_modulus: float, fluid_bulk_modulus: float, void_ratio: float
+) -> Estimate[float]: ...
+@overload
+def saturated(
+    stiffness: ArrayLike, *, grain_bulk_modulus: float, fluid_bulk_modulus: float, void_ratio: float
+) -> Estimate[_Array]: ...
 def shear(
     specimen: Specimen,
     *,
@@ -1280,17 +1840,32 @@ def shear(
     largest_strain: Optional[float] = None,
     inertial_number: Optional[float] = None,
 ) -> Shearing: ...
+@overload
+def soft_sand(  # type: ignore[misc]
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    critical_porosity: float,
+    coordination_number: float,
+    pressure: float,
+    no_slip_fraction: float = 1.0,
+    strict: bool = False,
+    porosity: float,
+    bulk_modulus: Optional[float] = None,
+) -> IsotropicModuli[float]: ...
+@overload
 def soft_sand(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     critical_porosity: ArrayLike,
     coordination_number: ArrayLike,
     pressure: ArrayLike,
     no_slip_fraction: ArrayLike = 1.0,
     strict: bool = False,
     porosity: ArrayLike,
-) -> IsotropicModuli: ...
+    bulk_modulus: Optional[ArrayLike] = None,
+) -> IsotropicModuli[_Array]: ...
 def specimen(
     *,
     law: NormalLaw,
@@ -1305,23 +1880,75 @@ def specimen(
     sizes: Optional[Distribution] = None,
     wall_friction: Optional[float] = None,
 ) -> Specimen: ...
-def sphere(*, shear_modulus: float, poisson_ratio: float, radius: float) -> NormalLaw: ...
+def sphere(
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    radius: float,
+    bulk_modulus: Optional[float] = None,
+) -> NormalLaw: ...
+@overload
+def stiff_sand(  # type: ignore[misc]
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    critical_porosity: float,
+    coordination_number: float,
+    pressure: float,
+    no_slip_fraction: float = 1.0,
+    strict: bool = False,
+    porosity: float,
+    bulk_modulus: Optional[float] = None,
+) -> IsotropicModuli[float]: ...
+@overload
 def stiff_sand(
     *,
     shear_modulus: ArrayLike,
-    poisson_ratio: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
     critical_porosity: ArrayLike,
     coordination_number: ArrayLike,
     pressure: ArrayLike,
     no_slip_fraction: ArrayLike = 1.0,
     strict: bool = False,
     porosity: ArrayLike,
-) -> IsotropicModuli: ...
+    bulk_modulus: Optional[ArrayLike] = None,
+) -> IsotropicModuli[_Array]: ...
+@overload
+def stress_on_path(  # type: ignore[misc]
+    *, path: Literal["txc", "rtxc", "rtxe", "txe"], pressure: float, eta: float, strict: bool = False
+) -> AxialStress[float]: ...
+@overload
+def stress_on_path(
+    *, path: Literal["txc", "rtxc", "rtxe", "txe"], pressure: ArrayLike, eta: ArrayLike, strict: bool = False
+) -> AxialStress[_Array]: ...
 def symmetry_distances(stiffness: ArrayLike) -> SymmetryDistances: ...
 def thomsen_parameters(stiffness: ArrayLike, *, weak: bool = ...) -> ThomsenParameters: ...
+@overload
+def transversely_isotropic_projection(  # type: ignore[misc]
+    stiffness: float, *, axis: Optional[float] = ...
+) -> Estimate[float]: ...
+@overload
 def transversely_isotropic_projection(
     stiffness: ArrayLike, *, axis: Optional[ArrayLike] = ...
-) -> Estimate: ...
+) -> Estimate[_Array]: ...
+@overload
+def uniform_strain(  # type: ignore[misc]
+    *,
+    law: NormalLaw,
+    radius: float,
+    void_ratio: float,
+    coordination_number: float,
+    pressure: Optional[float] = None,
+    stress_v: Optional[float] = None,
+    stress_h: Optional[float] = None,
+    fabric_anisotropy: float = 0.0,
+    tangential_ratio: Optional[float] = None,
+    mechanical_coordination_number: Optional[float] = None,
+    rattler_fraction: Optional[float] = None,
+    contact_means: Optional[ContactMeans] = None,
+    strict: bool = False,
+) -> Estimate[float]: ...
+@overload
 def uniform_strain(
     *,
     law: NormalLaw,
@@ -1337,7 +1964,25 @@ def uniform_strain(
     rattler_fraction: Optional[ArrayLike] = None,
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
-) -> Estimate: ...
+) -> Estimate[_Array]: ...
+@overload
+def uniform_strain_kinematic(  # type: ignore[misc]
+    *,
+    law: NormalLaw,
+    radius: float,
+    void_ratio: float,
+    coordination_number: float,
+    pressure: Optional[float] = None,
+    stress_v: Optional[float] = None,
+    stress_h: Optional[float] = None,
+    fabric_anisotropy: float = 0.0,
+    tangential_ratio: Optional[float] = None,
+    mechanical_coordination_number: Optional[float] = None,
+    rattler_fraction: Optional[float] = None,
+    contact_means: Optional[ContactMeans] = None,
+    strict: bool = False,
+) -> Estimate[float]: ...
+@overload
 def uniform_strain_kinematic(
     *,
     law: NormalLaw,
@@ -1353,7 +1998,21 @@ def uniform_strain_kinematic(
     rattler_fraction: Optional[ArrayLike] = None,
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
-) -> Estimate: ...
+) -> Estimate[_Array]: ...
+@overload
+def uniform_strain_moduli(  # type: ignore[misc]
+    *,
+    law: NormalLaw,
+    radius: float,
+    porosity: float,
+    coordination_number: float,
+    pressure: float,
+    tangential_ratio: Optional[float] = None,
+    contact_means: Optional[ContactMeans] = None,
+    strict: bool = False,
+    out: Optional[Sequence[NDArray[np.float64]]] = None,
+) -> Moduli[float]: ...
+@overload
 def uniform_strain_moduli(
     *,
     law: NormalLaw,
@@ -1365,7 +2024,25 @@ def uniform_strain_moduli(
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
     out: Optional[Sequence[NDArray[np.float64]]] = None,
-) -> Moduli: ...
+) -> Moduli[_Array]: ...
+@overload
+def uniform_stress(  # type: ignore[misc]
+    *,
+    law: NormalLaw,
+    radius: float,
+    void_ratio: float,
+    coordination_number: float,
+    pressure: Optional[float] = None,
+    stress_v: Optional[float] = None,
+    stress_h: Optional[float] = None,
+    fabric_anisotropy: float = 0.0,
+    tangential_ratio: Optional[float] = None,
+    mechanical_coordination_number: Optional[float] = None,
+    rattler_fraction: Optional[float] = None,
+    contact_means: Optional[ContactMeans] = None,
+    strict: bool = False,
+) -> Estimate[float]: ...
+@overload
 def uniform_stress(
     *,
     law: NormalLaw,
@@ -1381,7 +2058,25 @@ def uniform_stress(
     rattler_fraction: Optional[ArrayLike] = None,
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
-) -> Estimate: ...
+) -> Estimate[_Array]: ...
+@overload
+def uniform_stress_kinematic(  # type: ignore[misc]
+    *,
+    law: NormalLaw,
+    radius: float,
+    void_ratio: float,
+    coordination_number: float,
+    pressure: Optional[float] = None,
+    stress_v: Optional[float] = None,
+    stress_h: Optional[float] = None,
+    fabric_anisotropy: float = 0.0,
+    tangential_ratio: Optional[float] = None,
+    mechanical_coordination_number: Optional[float] = None,
+    rattler_fraction: Optional[float] = None,
+    contact_means: Optional[ContactMeans] = None,
+    strict: bool = False,
+) -> Estimate[float]: ...
+@overload
 def uniform_stress_kinematic(
     *,
     law: NormalLaw,
@@ -1397,9 +2092,66 @@ def uniform_stress_kinematic(
     rattler_fraction: Optional[ArrayLike] = None,
     contact_means: Optional[ContactMeans] = None,
     strict: bool = False,
-) -> Estimate: ...
+) -> Estimate[_Array]: ...
 def verify(
     scene: Union[None, Mapping[str, Any], _Path] = None,
     *,
     progress: Union[None, Literal["tqdm"], Callable[[float, str], object]] = None,
 ) -> Study: ...
+@overload
+def void_ratio_of_relative_density(  # type: ignore[misc]
+    *, relative_density: float, least_void_ratio: float, largest_void_ratio: float
+) -> float: ...
+@overload
+def void_ratio_of_relative_density(
+    *, relative_density: ArrayLike, least_void_ratio: ArrayLike, largest_void_ratio: ArrayLike
+) -> _Array: ...
+@overload
+def walton_uniaxial(  # type: ignore[misc]
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    porosity: float,
+    coordination_number: float,
+    uniaxial_strain: float,
+    no_slip_fraction: float = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[float] = None,
+) -> Estimate[float]: ...
+@overload
+def walton_uniaxial(
+    *,
+    shear_modulus: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
+    porosity: ArrayLike,
+    coordination_number: ArrayLike,
+    uniaxial_strain: ArrayLike,
+    no_slip_fraction: ArrayLike = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
+) -> Estimate[_Array]: ...
+@overload
+def walton_uniaxial_stress(  # type: ignore[misc]
+    *,
+    shear_modulus: float,
+    poisson_ratio: Optional[float] = None,
+    porosity: float,
+    coordination_number: float,
+    uniaxial_strain: float,
+    no_slip_fraction: float = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[float] = None,
+) -> AxialStress[float]: ...
+@overload
+def walton_uniaxial_stress(
+    *,
+    shear_modulus: ArrayLike,
+    poisson_ratio: Optional[ArrayLike] = None,
+    porosity: ArrayLike,
+    coordination_number: ArrayLike,
+    uniaxial_strain: ArrayLike,
+    no_slip_fraction: ArrayLike = 1.0,
+    strict: bool = False,
+    bulk_modulus: Optional[ArrayLike] = None,
+) -> AxialStress[_Array]: ...
+def water_and_air_bulk_modulus(saturation: float) -> float: ...

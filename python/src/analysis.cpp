@@ -13,9 +13,7 @@
 #include "keywords.hpp"
 #include "packing.hpp"
 #include "rows.hpp"
-#include "studies/analyse/materials.hpp"
 #include "studies/analyse/measured_frame.hpp"
-#include "studies/analyse/overlaps.hpp"
 
 namespace granum::python {
 
@@ -214,6 +212,17 @@ void show_part(py::class_<MeasuredFrame>& type, const char* name, std::optional<
       documentation);
 }
 
+void bind_interior(py::module_& module) {
+  using analysis::InteriorMeasures;
+  py::class_<InteriorMeasures> type(module, "Interior",
+                                    "The part of a packing away from walls, which the closed forms take.");
+  type.def_readonly("grains", &InteriorMeasures::grains, "With their centres inside.")
+      .def_readonly("void_ratio", &InteriorMeasures::void_ratio, "Of the inside [1].")
+      .def_readonly("microstructure", &InteriorMeasures::micro,
+                    "C_n, z*, rattlers, a and sliding of the inside.");
+  show_matrix(type, "stress", &InteriorMeasures::stress, "By the contacts [Pa], (3, 3).");
+}
+
 void bind_measurement(py::module_& module) {
   py::class_<MeasuredFrame> type(
       module, "Measurement",
@@ -229,6 +238,7 @@ void bind_measurement(py::module_& module) {
   show_part(type, "forces", &Measurement::forces, "Forces of the contacts.");
   show_part(type, "law_check", &Measurement::law_check, "Forces against overlaps.");
   show_part(type, "law", &Measurement::law, "Of contacts of grains of the equivalent radius.");
+  show_part(type, "interior", &Measurement::interior, "Of the window; None where the whole was taken.");
   show_part(type, "network", &Measurement::network, "Rung 4; None where no grain bears load.");
   type.def_property_readonly(
           "microstructure", [](const MeasuredFrame& f) { return f.packing.microstructure(); },
@@ -248,92 +258,6 @@ void bind_measurement(py::module_& module) {
       });
 }
 
-enum : std::size_t {
-  packing_at,
-  law_at,
-  grain_shear_modulus_at,
-  grain_poisson_ratio_at,
-  materials_at,
-  tangential_ratio_at,
-  friction_coefficient_at,
-  grain_density_at,
-  stiffness_from_at,
-  network_at,
-  prestress_at,
-};
-
-/// The law of two grains of any material and radius that a law between two of them stands for.
-analysis::LawFamily family_of(const contact::NormalLaw& law) {
-  return [law](const contact::GrainMaterial& grain, double radius) { return law.of(grain, radius); };
-}
-
-std::optional<double> number_if_given(const Arguments& a, std::size_t at, const char* name) {
-  return a.given(at) ? std::optional(number_of(name, a[at])) : std::nullopt;
-}
-
-packing::StiffnessFrom stiffness_from(const std::string& name) {
-  using packing::StiffnessFrom;
-  static constexpr std::pair<const char*, StiffnessFrom> all[] = {
-      {"overlap", StiffnessFrom::overlap}, {"force", StiffnessFrom::force}, {"ratio", StiffnessFrom::ratio}};
-  for (const auto& [known, from] : all)
-    if (name == known)
-      return from;
-  throw InvalidArgument("stiffness_from is one of overlap, force, ratio, not " + name);
-}
-
-studies::MaterialsByType materials_by_type(const Arguments& a) {
-  studies::MaterialsByType out;
-  for (const auto& [type, material] : a.as<std::map<long, std::pair<double, double>>>(
-           materials_at, "a dict of types and their (shear modulus, Poisson's ratio)"))
-    out[type] = {material.first, material.second};
-  return out;
-}
-
-analysis::Given given_of(const Arguments& a, const Packing& packing) {
-  analysis::Given given{
-      .grain_shear_modulus = number_if_given(a, grain_shear_modulus_at, "grain_shear_modulus"),
-      .grain_density = number_if_given(a, grain_density_at, "grain_density"),
-      .law_assumed = !a.given(law_at),
-      .tangential_ratio = number_if_given(a, tangential_ratio_at, "tangential_ratio"),
-      .friction_coefficient = number_if_given(a, friction_coefficient_at, "friction_coefficient")};
-  if (const auto ratio = number_if_given(a, grain_poisson_ratio_at, "grain_poisson_ratio"))
-    given.grain_poisson_ratio = *ratio;
-  if (a.given(law_at)) {
-    if (a.given(grain_shear_modulus_at) || a.given(grain_poisson_ratio_at) || a.given(materials_at))
-      throw py::type_error("law says what the grains are made of: leave out grain_shear_modulus, "
-                           "grain_poisson_ratio and materials");
-    const auto& law = a.as<const contact::NormalLaw&>(law_at, "a contact law");
-    given.law_family = family_of(law);
-    given.grain_shear_modulus = law.grain().shear_modulus;
-    given.grain_poisson_ratio = law.grain().poisson_ratio;
-  }
-  if (a.given(materials_at))
-    given.materials = studies::materials_of(packing, materials_by_type(a));
-  if (a.given(stiffness_from_at))
-    given.stiffness_from = stiffness_from(a.text(stiffness_from_at));
-  return given;
-}
-
-py::object measure(const Arguments& a) {
-  const SharedPacking packing = a.as<SharedPacking>(packing_at, "a Packing");
-  const analysis::Given given = given_of(a, *packing);
-  analysis::Wanted wanted = analysis::everything();
-  wanted.network->stop_requested = stop_on_signal();
-  wanted.network->prestress = a.flag(prestress_at);
-  if (a.given(network_at) && !a.flag(network_at))
-    wanted.network.reset();
-  MeasuredFrame frame;
-  {
-    const py::gil_scoped_release unlocked;
-    if (packing->has(io::Finding::contacts_unknown))
-      frame = studies::measure_frame(studies::with_overlap_contacts(*packing, given), given, wanted);
-    else
-      frame = studies::measure_frame(*packing, given, wanted);
-  }
-  throw_if_signalled();
-  return py::cast(std::move(frame));
-}
-
 } // namespace
 
 void bind_analysis(py::module_& module) {
@@ -341,62 +265,8 @@ void bind_analysis(py::module_& module) {
   bind_fabric_parts(module);
   bind_forces(module);
   bind_network(module);
+  bind_interior(module);
   bind_measurement(module);
-  define(module, {"measure",
-                  {{"packing"},
-                   {"law", "None"},
-                   {"grain_shear_modulus", "None"},
-                   {"grain_poisson_ratio", "None"},
-                   {"materials", "None"},
-                   {"tangential_ratio", "None"},
-                   {"friction_coefficient", "None"},
-                   {"grain_density", "None"},
-                   {"stiffness_from", "None"},
-                   {"network", "True"},
-                   {"prestress", "False"}},
-                  &measure,
-                  std::string() + R"(What one packing tells: contacts, fabric, stress, both 6 x 6, every rung.
-
-Other threads run meanwhile, and Ctrl-C ends it within a second.
-
-Parameters
-----------
-packing : Packing
-    As read() or packing() makes it. Without contacts, overlapping spheres are taken to touch.
-law : NormalLaw, optional
-    Contact law and material of the grains; spheres take the radii of the packing. Without it, what the forces
-    show against the overlaps.
-grain_shear_modulus, grain_poisson_ratio : float, optional
-    Material of spheres, instead of a law: G_g [Pa] and nu_g [1].
-materials : dict, optional
-    Of spheres of several types: {type: (shear modulus [Pa], Poisson's ratio [1])}.
-tangential_ratio : float, optional
-    k_t/k_n [1]; without it that of the no-slip contact.
-friction_coefficient : float, optional
-    Between grains [1]; without it as the forces show it.
-grain_density : float, optional
-    Of the grains' solid [kg/m3].
-stiffness_from : {"overlap", "force", "ratio"}, optional
-    What k_n of the network is taken from; without it the overlaps, or the forces if those have few digits.
-network : bool
-    Solve the contact network, rung 4: the part that takes the time.
-prestress : bool
-    Add the stiffness that the contact forces make.
-
-Returns
--------
-Measurement
-
-Raises
-------
-InvalidArgument
-    For a packing or a number that cannot be.
-)" +
-                      notes("The network's linear response is exact to 1e-10 of its largest entry; affine "
-                            "and relaxed parts as "
-                            "[AgnolinRoux2007c].",
-                            "analysis::measure", "analysis/measure.hpp"),
-                  1});
 }
 
 } // namespace granum::python

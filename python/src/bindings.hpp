@@ -20,9 +20,14 @@ void bind_contact_prior(py::module_& module);
 void bind_packing_answer(py::module_& module);
 void bind_inverse(py::module_& module);
 void bind_rock_physics(py::module_& module);
+void bind_uniaxial(py::module_& module);
+void bind_ground(py::module_& module);
+void bind_sands(py::module_& module);
+void bind_hardin(py::module_& module);
 void bind_packing(py::module_& module);
 void bind_io(py::module_& module);
 void bind_analysis(py::module_& module);
+void bind_measure(py::module_& module);
 void bind_triaxial(py::module_& module);
 void bind_studies(py::module_& module);
 

@@ -8,12 +8,15 @@
 #include <vector>
 
 #include <granum/contact/laws.hpp>
+#include <granum/contact/minerals.hpp>
 #include <granum/contact/pair.hpp>
 #include <granum/core/error.hpp>
+#include <granum/elastic/isotropic.hpp>
 
 #include "bindings.hpp"
 #include "docstrings.hpp"
 #include "keywords.hpp"
+#include "material.hpp"
 #include "rows.hpp"
 
 namespace granum::python {
@@ -94,6 +97,9 @@ only the power family f = c d^(1+1/alpha) has raises InvalidArgument for another
       .def_property_readonly(
           "poisson_ratio", [](const NormalLaw& l) { return l.grain().poisson_ratio; },
           "nu_g of the grains [1].")
+      .def_property_readonly(
+          "bulk_modulus", [](const NormalLaw& l) { return contact::bulk_modulus(l.grain()); },
+          "K_s of the grains [Pa]; the largest number for nu_g = 0.5.")
       .def(
           "times", [](const NormalLaw& l, double factor) { return NormalLaw(power_law(l).times(factor)); },
           py::arg("factor"), "The power law of another coefficient, c times a factor [1].")
@@ -145,6 +151,18 @@ InvalidArgument
     For a number that no grain can have.
 )";
 
+/// The law; what it refuses of the grains has the name that was typed.
+NormalLaw made_of(const Arguments& a, const contact::LawRow& row, double radius,
+                  const std::vector<double>& values) {
+  try {
+    return row.make(grain_of(a), radius, values);
+  } catch (const InvalidArgument& error) {
+    const Argument grain[] = {{"shear_modulus", a[0], "grain_shear_modulus"},
+                              {"poisson_ratio", a[1], "grain_poisson_ratio"}};
+    throw as_typed(error, grain);
+  }
+}
+
 /// The function that makes a law of the table, whose numbers it takes by their names.
 void define_maker(py::module_& module, const contact::LawRow& row) {
   std::vector<Keyword> keywords{{"shear_modulus"}, {"poisson_ratio"}};
@@ -163,16 +181,22 @@ void define_maker(py::module_& module, const contact::LawRow& row) {
     std::vector<double> values;
     for (const contact::LawParameter& parameter : row.parameters)
       values.push_back(number_of(parameter.name.c_str(), a[k++]));
-    return py::cast(row.make(grain_of(a), radius, values));
+    return py::cast(made_of(a, row, radius, values));
   };
-  define(module, {row.maker.c_str(), keywords, make,
-                  row.title + "\n" + material + numbers + law_result +
-                      notes(row.source, "contact::" + row.cpp_name, row.header)});
+  define(module, with_bulk_modulus({row.maker.c_str(), keywords, make,
+                                    row.title + "\n" + material + numbers + law_result +
+                                        notes(row.source, "contact::" + row.cpp_name, row.header)}));
 }
 
 /// Any law of the table by its name.
-NormalLaw contact_law(const std::string& shape, double shear_modulus, double poisson_ratio,
-                      std::optional<double> radius, const py::kwargs& numbers) {
+NormalLaw contact_law(const std::string& shape, double shear_modulus, std::optional<double> poisson_ratio,
+                      std::optional<double> radius, std::optional<double> bulk_modulus,
+                      const py::kwargs& numbers) {
+  if (poisson_ratio.has_value() == bulk_modulus.has_value())
+    throw py::type_error("contact_law() takes one of poisson_ratio and bulk_modulus");
+  const double ratio =
+      poisson_ratio ? *poisson_ratio
+                    : elastic::Isotropic::from_bulk_and_shear(*bulk_modulus, shear_modulus).poisson_ratio();
   const std::optional<contact::Shape> known = contact::find_shape(shape);
   if (!known)
     throw InvalidArgument("contact law '" + shape + "' is not one of " + contact::shape_names());
@@ -188,7 +212,7 @@ NormalLaw contact_law(const std::string& shape, double shear_modulus, double poi
   if (numbers.size() > values.size())
     throw py::type_error("the contact law " + shape +
                          " takes no such number: " + std::string(py::str(py::list(numbers))));
-  return row.make({shear_modulus, poisson_ratio}, radius.value_or(0), values);
+  return row.make({shear_modulus, ratio}, radius.value_or(0), values);
 }
 
 void define_contact_law(py::module_& module) {
@@ -201,19 +225,57 @@ void define_contact_law(py::module_& module) {
   }
   module.def(
       "contact_law", &contact_law, py::arg("shape"), py::kw_only(), py::arg("shear_modulus"),
-      py::arg("poisson_ratio"), py::arg("radius") = py::none(),
+      py::arg("poisson_ratio") = py::none(), py::arg("radius") = py::none(),
+      py::arg("bulk_modulus") = py::none(),
       ("Contact law of two equal grains, by its name.\n\nParameters\n----------\nshape : str\n    One of " +
        contact::shape_names() + R"(, as the options and scenes of the program name them.
 shear_modulus : float
     G_g > 0 of the grains' material [Pa].
-poisson_ratio : float
-    nu_g of it, -1 < nu_g <= 0.5 [1].
+poisson_ratio : float, optional
+    nu_g of it, -1 < nu_g <= 0.5 [1]; or bulk_modulus.
 radius : float, optional
     R > 0 of each grain [m], of laws that depend on it.
+bulk_modulus : float, optional
+    K > 0 of the grains' material [Pa], in the place of Poisson's ratio.
 **kwargs : float
     What the law is made of, each in SI [unit]:
 )" + known +
        law_result + notes("", "contact::law_of", "contact/laws.hpp"))
+          .c_str());
+}
+
+void bind_minerals(py::module_& module) {
+  using contact::Mineral;
+  py::class_<Mineral>(module, "Mineral", "A solid that grains are often made of.")
+      .def_readonly("key", &Mineral::key, "Its name on a command line.")
+      .def_readonly("name", &Mineral::name, "For people.")
+      .def_readonly("source", &Mineral::source, "Key in validation/references.bib.")
+      .def_property_readonly(
+          "shear_modulus", [](const Mineral& m) { return m.material.shear_modulus; }, "G_g [Pa].")
+      .def_property_readonly(
+          "poisson_ratio", [](const Mineral& m) { return m.material.poisson_ratio; }, "nu_g [1].")
+      .def_property_readonly(
+          "bulk_modulus", [](const Mineral& m) { return contact::bulk_modulus(m.material); }, "K_s [Pa].")
+      .def_readonly("density", &Mineral::density, "[kg/m3]")
+      .def_readonly("modulus_spread", &Mineral::modulus_spread,
+                    "How far pieces of that name differ in G_g, over G_g [1]: a judgement.");
+  module.def(
+      "minerals",
+      [] {
+        py::dict all;
+        for (const Mineral& mineral : contact::minerals())
+          all[mineral.key] = py::cast(&mineral, py::return_value_policy::reference);
+        return all;
+      },
+      (R"(Solids that grains are often made of, as options of the program name them.
+
+Returns
+-------
+dict of Mineral
+    By their keys: quartz, feldspar, calcite, dolomite, glass, steel.
+)" + notes("Of minerals the averages over all directions of a crystal. [Mavko2009] [Makse2004] "
+           "[BudynasNisbett2011]",
+           "contact::minerals", "contact/minerals.hpp"))
           .c_str());
 }
 
@@ -225,6 +287,7 @@ void bind_contact(py::module_& module) {
     if (!row.maker.empty())
       define_maker(module, row);
   define_contact_law(module);
+  bind_minerals(module);
   module.def(
       "mindlin_stiffness_ratio",
       [](const py::object& nu) { return map("poisson_ratio", nu, contact::mindlin_stiffness_ratio); },

@@ -7,6 +7,7 @@
 #include <granum/elastic/engineering_moduli.hpp>
 #include <granum/elastic/mandel.hpp>
 #include <granum/elastic/projection.hpp>
+#include <granum/elastic/saturation.hpp>
 #include <granum/elastic/symmetry.hpp>
 #include <granum/elastic/thomsen.hpp>
 #include <granum/elastic/wave_speeds.hpp>
@@ -304,12 +305,58 @@ ThomsenParameters
           .c_str());
 }
 
+void bind_saturation(py::module_& module) {
+  module.def(
+      "saturated",
+      [](const py::object& c, double grain_bulk_modulus, double fluid_bulk_modulus, double void_ratio) {
+        return constants(elastic::saturated(elastic::transversely_isotropic_projection(stiffness(c)),
+                                            {.grain_bulk_modulus = grain_bulk_modulus,
+                                             .fluid_bulk_modulus = fluid_bulk_modulus,
+                                             .void_ratio = void_ratio}));
+      },
+      py::arg("stiffness"), py::kw_only(), py::arg("grain_bulk_modulus"), py::arg("fluid_bulk_modulus"),
+      py::arg("void_ratio"),
+      (std::string("Undrained stiffness of a packing whose pores are filled, by Gassmann.\n") +
+       stiffness_parameter + R"(grain_bulk_modulus : float
+    K_s > 0 of the grains' solid [Pa]; bulk_modulus of a law or a mineral.
+fluid_bulk_modulus : float
+    K_f > 0 of what fills the pores [Pa].
+void_ratio : float
+    e > 0 [1].
+
+Returns
+-------
+Estimate
+    Of the stiffness, made symmetric about axis 3, with full pores.
+)" + raises_invalid("For another shape, or a number out of range.") +
+       notes("One solid, connected pores; shear moduli stay. [Gassmann1951] [Mavko2009]",
+             "elastic::saturated", "elastic/saturation.hpp"))
+          .c_str());
+  module.def("water_and_air_bulk_modulus", &elastic::water_and_air_bulk_modulus, py::arg("saturation"),
+             (R"(Bulk modulus of water and air mixed finely, as in the pores of moist ground.
+
+Parameters
+----------
+saturation : float
+    Share of the pores' volume that is water, in [0, 1] [1].
+
+Returns
+-------
+float
+    1/(S/K_w + (1 - S)/K_a) [Pa]: 2.18 GPa of water alone, 0.142 MPa of air.
+)" + raises_invalid("For a saturation outside of [0, 1].") +
+              notes("Menisci between grains are not in it. [Mavko2009]",
+                    "elastic::water_and_air_bulk_modulus", "elastic/saturation.hpp"))
+                 .c_str());
+}
+
 } // namespace
 
 void bind_elastic(py::module_& module) {
   bind_symmetry(module);
   bind_projections(module);
   bind_waves(module);
+  bind_saturation(module);
 }
 
 } // namespace granum::python

@@ -23,9 +23,14 @@ PYBIND11_MODULE(_granum, module) {
   bind_packing_answer(module);
   bind_inverse(module);
   bind_rock_physics(module);
+  bind_uniaxial(module);
+  bind_ground(module);
+  bind_sands(module);
+  bind_hardin(module);
   bind_packing(module);
   bind_io(module);
   bind_analysis(module);
+  bind_measure(module);
   bind_triaxial(module);
   bind_studies(module);
 }

@@ -2,7 +2,6 @@
 #include <pybind11/pybind11.h>
 
 #include <cstddef>
-#include <limits>
 
 #include <granum/rock_physics/contact_cement.hpp>
 #include <granum/rock_physics/coordination_relations.hpp>
@@ -14,18 +13,14 @@
 #include "bindings.hpp"
 #include "docstrings.hpp"
 #include "keywords.hpp"
-#include "rows.hpp"
+#include "material.hpp"
+#include "moduli.hpp"
 
 namespace granum::python {
 
 namespace {
 
 using rock_physics::SpherePacking;
-
-struct ModuliRow {
-  double bulk_modulus = std::numeric_limits<double>::quiet_NaN();
-  double shear_modulus = std::numeric_limits<double>::quiet_NaN();
-};
 
 /// Keywords that are all columns, with `strict` behind them.
 py::object moduli(const Arguments& a, std::span<const Argument> columns, std::size_t strict_at,
@@ -109,41 +104,40 @@ std::array<Argument, 6> sphere_columns(const Arguments& a) {
 }
 
 void bind_hertz_mindlin(py::module_& module) {
-  define(
-      module,
-      {"hertz_mindlin", sphere_keywords,
-       [](const Arguments& a) {
-         return moduli(a, sphere_columns(a), 6,
-                       [](const double* x) { return rock_physics::hertz_mindlin(sphere_packing(x)); });
-       },
-       sphere_documentation("Random packing of equal spheres under uniform strain, with slip (Walton 1987).",
-                            no_slip_parameter,
-                            notes("[Walton1987] [Mavko2009]", "rock_physics::hertz_mindlin",
-                                  "rock_physics/hertz_mindlin.hpp"))});
-  define(
-      module,
-      {"jenkins_shear_modulus",
-       {{"shear_modulus"},
-        {"poisson_ratio"},
-        {"porosity"},
-        {"coordination_number"},
-        {"pressure"},
-        {"strict", "False"}},
-       [](const Arguments& a) -> py::object {
-         const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
-                                     {"porosity", a[2]},      {"coordination_number", a[3]},
-                                     {"pressure", a[4]},      {"no_slip_fraction", 0.0}};
-         const Rows<ModuliRow> rows =
-             answer_rows(columns, a.flag(5), ModuliRow{}, [](const double* x, Notes&) {
-               return ModuliRow{ModuliRow{}.bulk_modulus,
-                                rock_physics::jenkins_shear_modulus(sphere_packing(x))};
-             });
-         return py::cast(rows);
-       },
-       sphere_documentation(
-           "Shear modulus of frictionless spheres whose pairs may leave the mean strain (Jenkins 2005).\n\n"
-           "The bulk modulus is NaN: there is no such formula.",
-           "", notes("[Jenkins2005]", "rock_physics::jenkins_shear_modulus", "rock_physics/jenkins.hpp"))});
+  define(module, with_bulk_modulus(
+                     {"hertz_mindlin", sphere_keywords,
+                      [](const Arguments& a) {
+                        return moduli(a, sphere_columns(a), 6, [](const double* x) {
+                          return rock_physics::hertz_mindlin(sphere_packing(x));
+                        });
+                      },
+                      sphere_documentation(
+                          "Random packing of equal spheres under uniform strain, with slip (Walton 1987).",
+                          no_slip_parameter,
+                          notes("[Walton1987] [Mavko2009]", "rock_physics::hertz_mindlin",
+                                "rock_physics/hertz_mindlin.hpp"))}));
+  define(module, with_bulk_modulus(
+                     {"jenkins_shear_modulus",
+                      {{"shear_modulus"},
+                       {"poisson_ratio"},
+                       {"porosity"},
+                       {"coordination_number"},
+                       {"pressure"},
+                       {"strict", "False"}},
+                      [](const Arguments& a) -> py::object {
+                        const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
+                                                    {"porosity", a[2]},      {"coordination_number", a[3]},
+                                                    {"pressure", a[4]},      {"no_slip_fraction", 0.0}};
+                        return moduli_of_shear(columns, a.flag(5), [](const double* x, Notes&) {
+                          return rock_physics::jenkins_shear_modulus(sphere_packing(x));
+                        });
+                      },
+                      sphere_documentation("Shear modulus of frictionless spheres whose pairs may leave the "
+                                           "mean strain (Jenkins 2005).\n\n"
+                                           "The bulk modulus is NaN: there is no such formula.",
+                                           "",
+                                           notes("[Jenkins2005]", "rock_physics::jenkins_shear_modulus",
+                                                 "rock_physics/jenkins.hpp"))}));
 }
 
 void bind_bounds(py::module_& module) {
@@ -175,39 +169,40 @@ void bind_bounds(py::module_& module) {
   keywords[2].name = "critical_porosity";
   keywords.push_back({"porosity"});
   for (const auto& bound : bounds)
-    define(module, {bound.name, keywords, bound.call,
-                    std::string(bound.what) + "\n" + bound_parameters + strict_and_result +
-                        notes(bound.source, std::string("rock_physics::") + bound.name,
-                              "rock_physics/sand_bounds.hpp")});
+    define(module, with_bulk_modulus({bound.name, keywords, bound.call,
+                                      std::string(bound.what) + "\n" + bound_parameters + strict_and_result +
+                                          notes(bound.source, std::string("rock_physics::") + bound.name,
+                                                "rock_physics/sand_bounds.hpp")}));
 }
 
 void bind_digby(py::module_& module) {
-  define(module, {"digby",
-                  {{"shear_modulus"},
-                   {"poisson_ratio"},
-                   {"porosity"},
-                   {"coordination_number"},
-                   {"pressure"},
-                   {"bond_radius_ratio"},
-                   {"strict", "False"}},
-                  [](const Arguments& a) {
-                    const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
-                                                {"porosity", a[2]},      {"coordination_number", a[3]},
-                                                {"pressure", a[4]},      {"bond_radius_ratio", a[5]}};
-                    return moduli(a, columns, 6, [](const double* x) {
-                      return rock_physics::digby({.shear_modulus = x[0],
-                                                  .poisson_ratio = x[1],
-                                                  .porosity = x[2],
-                                                  .coordination_number = x[3],
-                                                  .pressure = x[4],
-                                                  .bond_radius_ratio = x[5]});
-                    });
-                  },
-                  sphere_documentation(
-                      "Equal spheres bonded over small discs before the pressure came (Digby 1981).",
-                      "bond_radius_ratio : array_like\n    Radius of the bonds by that of the grains, in "
-                      "[0, 1) [1].\n",
-                      notes("[Digby1981]", "rock_physics::digby", "rock_physics/digby.hpp"))});
+  define(module, with_bulk_modulus(
+                     {"digby",
+                      {{"shear_modulus"},
+                       {"poisson_ratio"},
+                       {"porosity"},
+                       {"coordination_number"},
+                       {"pressure"},
+                       {"bond_radius_ratio"},
+                       {"strict", "False"}},
+                      [](const Arguments& a) {
+                        const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
+                                                    {"porosity", a[2]},      {"coordination_number", a[3]},
+                                                    {"pressure", a[4]},      {"bond_radius_ratio", a[5]}};
+                        return moduli(a, columns, 6, [](const double* x) {
+                          return rock_physics::digby({.shear_modulus = x[0],
+                                                      .poisson_ratio = x[1],
+                                                      .porosity = x[2],
+                                                      .coordination_number = x[3],
+                                                      .pressure = x[4],
+                                                      .bond_radius_ratio = x[5]});
+                        });
+                      },
+                      sphere_documentation(
+                          "Equal spheres bonded over small discs before the pressure came (Digby 1981).",
+                          "bond_radius_ratio : array_like\n    Radius of the bonds by that of the grains, in "
+                          "[0, 1) [1].\n",
+                          notes("[Digby1981]", "rock_physics::digby", "rock_physics/digby.hpp"))}));
 }
 
 template <rock_physics::CementScheme scheme>
@@ -248,12 +243,19 @@ cement_saturation : array_like
 )";
   const std::string source = notes("[DvorkinNur1994] [DvorkinNur1996]", "rock_physics::contact_cement",
                                    "rock_physics/contact_cement.hpp");
-  define(module, {"cement_at_contacts", keywords, cement<rock_physics::CementScheme::at_contacts>,
-                  "Spheres with all cement in discs around their contacts (Dvorkin and Nur 1996).\n" +
-                      parameters + strict_and_result + source});
-  define(module, {"cement_in_surface_layer", keywords, cement<rock_physics::CementScheme::surface_layer>,
-                  "Spheres with cement evenly on their surface (Dvorkin and Nur 1996).\n" + parameters +
-                      strict_and_result + source});
+  define(module, with_bulk_modulus(
+                     with_bulk_modulus(
+                         {"cement_at_contacts", keywords, cement<rock_physics::CementScheme::at_contacts>,
+                          "Spheres with all cement in discs around their contacts (Dvorkin and Nur 1996).\n" +
+                              parameters + strict_and_result + source}),
+                     "cement_"));
+  define(module,
+         with_bulk_modulus(
+             with_bulk_modulus({"cement_in_surface_layer", keywords,
+                                cement<rock_physics::CementScheme::surface_layer>,
+                                "Spheres with cement evenly on their surface (Dvorkin and Nur 1996).\n" +
+                                    parameters + strict_and_result + source}),
+             "cement_"));
 }
 
 void bind_coordination(py::module_& module) {

@@ -4,8 +4,10 @@
 import doctest
 import inspect
 import runpy
+import shutil
 
 import granum
+import numpy as np
 import pytest
 
 
@@ -65,3 +67,91 @@ def test_examples_print_what_they_should(source, name, capsys):
     printed = capsys.readouterr().out.splitlines()
     for line in EXAMPLES[name]:
         assert line in printed
+
+
+def site(source, script):
+    """Names of a script of docs/site."""
+    return runpy.run_path(str(source / "docs" / "site" / f"{script}.py"))
+
+
+def parts_of(value):
+    """What the attributes of an object hold; what a rough law has none of raises."""
+    for name in dir(value):
+        if not name.startswith("_"):
+            try:
+                yield getattr(value, name)
+            except granum.InvalidArgument:
+                pass
+
+
+def kinds_reached(values, depth=3):
+    """The classes of the package that these objects are of, and those that their attributes and elements are of."""
+    kinds = set()
+    for value in values:
+        if type(value).__module__.startswith("granum"):
+            kinds.add(type(value).__name__)
+            if depth and not isinstance(value, (granum.Frames, granum.Compression, granum.Shearing)):
+                kinds |= kinds_reached(parts_of(value), depth - 1)
+        elif isinstance(value, (list, tuple)):
+            kinds |= kinds_reached(value[:1], depth)
+        elif isinstance(value, dict):
+            kinds |= kinds_reached(list(value.values())[:1], depth)
+    return kinds
+
+
+BLOCKS = 79
+
+
+def test_every_example_of_the_site_prints_what_it_says(source, monkeypatch):
+    monkeypatch.chdir(source)
+    blocks = {}
+    for name, text in site(source, "python_pages")["examples"]().items():
+        blocks.setdefault(text, []).append(name)
+    assert len(blocks) == BLOCKS
+    unseen = []
+    for text, names in blocks.items():
+        names_at_first = {"granum": granum, "np": np}
+        test = doctest.DocTestParser().get_doctest(text, names_at_first, names[0], "examples.txt", 0)
+        output = []
+        runner = doctest.DocTestRunner()
+        runner.run(test, out=output.append, clear_globs=False)
+        assert runner.failures == 0, "".join(output)
+        made = kinds_reached(list(test.globs.values()))
+        for name in names:
+            of_class = inspect.isclass(getattr(granum, name)) and name in made
+            if f"granum.{name}" not in text and not of_class:
+                unseen.append(name)
+    assert not unseen
+
+
+def test_every_public_name_has_a_page_with_its_docstring_and_example(source, tmp_path):
+    pages = site(source, "python_pages")
+    pages["write"](tmp_path / "pages")
+    for name in set(granum.__all__) - {"__version__"}:
+        page = (tmp_path / "pages" / f"python_{name}.md").read_text()
+        assert page.startswith(f"# {name} (Python) {{#python_{name}}}\n")
+        _, documentation = pages["signature"](name, getattr(granum, name))
+        assert pages["escaped"](documentation.split()[0]) in page
+        assert pages["examples"]()[name].splitlines()[0].split("  # doctest")[0] in page
+        for parameter in ("law", "pressure", "stiffness"):
+            if f"\n{parameter} : " in documentation:
+                assert f"<dt>{parameter} : " in page, (name, parameter)
+
+
+def test_a_name_without_example_makes_no_site(source, tmp_path):
+    copy = tmp_path / "site"
+    shutil.copytree(source / "docs" / "site", copy)
+    text = (copy / "examples.txt").read_text()
+    (copy / "examples.txt").write_text(text.replace("== digby", "== dogby"))
+    pages = runpy.run_path(str(copy / "python_pages.py"))
+    with pytest.raises(SystemExit, match="digby"):
+        pages["write"](tmp_path / "pages")
+
+
+def test_notebooks_become_pages_with_their_pictures(source, tmp_path):
+    site(source, "notebook_pages")["write"](source, tmp_path / "pages", tmp_path / "pictures")
+    notebooks = sorted((source / "examples" / "notebooks").glob("*.ipynb"))
+    assert len(list((tmp_path / "pages").glob("notebook_*.md"))) == len(notebooks) == 5
+    assert len(list((tmp_path / "pictures").glob("*.png"))) >= 5
+    first = (tmp_path / "pages" / f"notebook_{notebooks[0].stem}.md").read_text()
+    assert "granum.packing_answer(" in first and first.count("<img") >= 1

@@ -177,3 +177,10 @@ def test_both_stresses_keep_their_names_and_arrays_name_what_was_typed():
         assert error.value.name == name
     errors = granum.uniform_strain(**{**STATE, "pressure": np.array([1e5, -1.0])}).errors
     assert list(errors) == [(1,)] and errors[(1,)].startswith("pressure = ")
+
+
+def test_laws_name_the_material_as_it_was_typed():
+    with pytest.raises(granum.InvalidArgument, match="^shear_modulus = -1 "):
+        granum.sphere(shear_modulus=-1, poisson_ratio=0.15, radius=0.5e-3)
+    with pytest.raises(granum.InvalidArgument, match="^poisson_ratio = 0.6 "):
+        granum.cone(shear_modulus=30e9, poisson_ratio=0.6, slope=0.4)

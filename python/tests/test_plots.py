@@ -89,7 +89,7 @@ def notebooks(source):
 
 def test_the_notebooks_print_and_draw_what_they_hold(source, capsys):
     paths = notebooks(source)
-    assert len(paths) == 5
+    assert len(paths) == 6
     run = runpy.run_path(str(source / "examples" / "notebooks" / "run.py"))
     code = run["main"](["--check", *map(str, paths)])
     assert code == 0, capsys.readouterr().out

@@ -55,6 +55,13 @@ KEYS = {
 }
 
 
+SANDS = {
+    "a void ratio alone": ({"void_ratio": 0.71}, ["--void-ratio=0.71"]),
+    "a grading": ({"void_ratio": 0.6, "uniformity": 3.1}, ["--void-ratio=0.6", "--uniformity=3.1"]),
+    "a name": ({"void_ratio": 0.75, "sand": "toyoura"}, ["--void-ratio=0.75", "--sand=toyoura"]),
+}
+
+
 def as_program_says(number):
     """NaN of Python is null in JSON."""
     return None if number != number else number
@@ -100,3 +107,27 @@ def test_a_law_that_nobody_gives_is_read_off_the_forces(run_program, dump, packi
     found = granum.measure(packing, network=False)
     assert found.network is None
     assert found.law.shear_modulus == frame["grain"]["shear_modulus"]
+
+
+@pytest.mark.parametrize("sand", SANDS)
+@pytest.mark.parametrize("stresses", [(100e3, 100e3), (217e3, 91e3)])
+def test_a_sand_is_the_same_to_the_bit(run_program, sand, stresses):
+    numbers, options = SANDS[sand]
+    v, h = stresses
+    grain = {"shear_modulus": 44e9, "poisson_ratio": 0.074}
+    state = ["--grain-shear-modulus=44e9Pa", "--grain-poisson-ratio=0.074", "--radius=1e-4m", "--strain=2e-4"]
+    said = run_program("estimate", *options, *state, f"--stress-v={v!r}Pa", f"--stress-h={h!r}Pa")["answer"]
+    answer = granum.packing_answer(
+        law=granum.sphere(**grain, radius=1e-4),
+        radius=1e-4,
+        stress_v=v,
+        stress_h=h,
+        grain_density=2650,
+        shear_strain=2e-4,
+        grain_shape="sand",
+        **numbers,
+    )
+    for key in ("shear_modulus", "young_modulus", "bulk_modulus", "poisson_ratio", "shear_wave_speed",
+                "compression_wave_speed", "stress_exponent", "strained_shear_modulus", "damping_ratio", "slip_strain"):
+        for end in ("value", "low", "high"):
+            assert getattr(getattr(answer, key), end) == said[key][end], (key, end)

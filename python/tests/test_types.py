@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The types that editors and checkers see are those of the package."""
 
+import json
 import os
 import pathlib
 import re
@@ -31,7 +32,38 @@ def test_the_examples_have_the_right_types(source, tmp_path):
     assert code == 0 and f"{len(examples)} source files" in said, said
     wrong = tmp_path / "wrong.py"
     wrong.write_text(
-        examples[1].read_text() + "granum.measure(1)\ngranum.sphere(shear_modulus=1e9)\nfound.colour\n"
+        examples[1].read_text() + "granum.measure(1)\ngranum.sphere(poisson_ratio=0.1)\nfound.colour\n"
     )
     code, said = run("mypy", "--strict", str(wrong), cwd=tmp_path)
     assert code == 1 and said.count("error:") == 4, said
+
+
+def test_the_notebooks_have_the_right_types(source, tmp_path):
+    notebooks = sorted((source / "examples" / "notebooks").glob("*.ipynb"))
+    for notebook in notebooks:
+        cells = json.loads(notebook.read_text())["cells"]
+        code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+        (tmp_path / f"notebook_{notebook.stem}.py").write_text("\n".join(code) + "\n")
+    files = sorted(tmp_path.glob("notebook_*.py"))
+    # matplotlib of Debian 12 comes without types
+    code, said = run("mypy", "--strict", "--ignore-missing-imports", *map(str, files), cwd=tmp_path)
+    assert code == 0 and f"{len(notebooks)} source files" in said, said
+
+
+def test_numbers_give_floats_and_arrays_give_arrays(tmp_path):
+    (tmp_path / "shapes.py").write_text(
+        """
+import granum
+
+law = granum.sphere(shear_modulus=30e9, poisson_ratio=0.15, radius=5e-4)
+beads = granum.packing_answer(law=law, radius=5e-4, void_ratio=0.6, pressure=1e5)
+path = granum.packing_answer(law=law, radius=5e-4, void_ratio=0.6, pressure=[1e5, 2e5])
+reveal_type(beads.shear_modulus.value)
+reveal_type(path.shear_modulus.value)
+reveal_type(law.force(1e-6))
+reveal_type(law.force([1e-6]))
+"""
+    )
+    code, said = run("mypy", "--strict", "shapes.py", cwd=tmp_path)
+    revealed = re.findall(r'Revealed type is "([\w.]+)', said)
+    assert code == 0 and revealed == ["builtins.float", "numpy.ndarray"] * 2, said

@@ -157,9 +157,6 @@ double contact_stiffness(const contact::NormalLaw& law, double area, double load
 /// b at the mean contact force of a valid state; without contacts at no force.
 double local_exponent(const State& state);
 
-/// The same, or the largest that the relaxation factors are calibrated with.
-double calibrated_exponent(const State& state);
-
 /// The law as one of the power family, for what is known of that alone.
 /// \throws   InvalidArgument for another law, naming what was asked for
 const contact::PowerLaw& power_law_of(const State& state, const char* asked);

@@ -50,10 +50,6 @@ constexpr double infinite = 1e9;
 constexpr double largest_stress_ratio = 2.2, largest_anisotropy = 0.25;
 /// Of the lengths of branches over their mean: C_u = 4.
 constexpr double largest_branch_deviation = 0.51;
-/// What the factors are off by at b = 1, where they are those of b = 1/2, growing evenly from there: G, over
-/// (1 - h)^2, too stiff; K. Of rough packings, z* from 5.0 to 6.3: validation/rough_contact/README.md.
-constexpr double shear_beyond = 2.0, bulk_beyond = 0.06;
-
 /// A factor with its slopes by its n coefficients, then by z* and r.
 template <std::size_t n>
 using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, static_cast<int>(n) + 2, 1>>;
@@ -164,7 +160,7 @@ double log_stress_ratio(const State& s) { return s.stress_h > 0 ? std::log(s.str
 
 Stretch stretch_of(const State& s, double shear) {
   const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
-  const double b = kernel::calibrated_exponent(s);
+  const double b = kernel::up_to_half(kernel::local_exponent(s));
   const double log_fabric = std::log(F.F33 / F.F11), log_stress = log_stress_ratio(s);
   const double logarithm =
       kernel::log_stretch(shear, b, log_fabric, log_stress, kernel::stretch_coefficients);
@@ -188,12 +184,6 @@ void note_state(const State& s, double z, Validity& validity) {
         "mean overlap is %.3g diameters: beyond 0.01 the closed forms, which take branches to be "
         "as long as the diameter, are too stiff",
         overlap));
-  if (const double b = kernel::local_exponent(s); b > largest_calibrated_exponent)
-    validity.add(detail::formatted("contacts stiffen as f^%.3g: the relaxation factors are calibrated up to "
-                                   "f^0.5, and taken from there; "
-                                   "they are then too large, by up to 70 %% of G where contacts are few, and "
-                                   "the stated error is as wide",
-                                   b));
   const double ratio = s.stress_h > 0 ? std::max(s.stress_v / s.stress_h, s.stress_h / s.stress_v) : 1;
   if (ratio > largest_stress_ratio || std::abs(s.fabric_anisotropy) > largest_anisotropy)
     validity.add(
@@ -221,44 +211,58 @@ void note_bound(const kernel::RelaxedConstants<double>& strained,
         100 * excess));
 }
 
-/// Both factors at z* >= 0, r >= 0, 0 <= b <= 0.5, not checked.
+struct StiffContacts {
+  double exponent; ///< b
+  Stiffening stiffening;
+};
+
+StiffContacts contacts_of(const State& s) {
+  return {.exponent = kernel::local_exponent(s), .stiffening = stiffening_of(s.law)};
+}
+
+/// Takes the losses beyond b = 1/2 from factors that lack them, and adds to their errors what is not known
+/// there; of rough grains also below.
+RelaxingFactors with_stiffening(RelaxingFactors factors, const StiffContacts& contacts) {
+  const double b = contacts.exponent;
+  const bool rough = contacts.stiffening == Stiffening::rough;
+  const kernel::LossBeyondHalf& loss = rough ? kernel::loss_of_rough : kernel::loss_of_powers;
+  const double h = factors.shear.value;
+  factors.shear.value *= kernel::beyond_half(h, b, loss.shear, loss.power);
+  factors.bulk.value *= kernel::beyond_half(h, b, loss.bulk, loss.power);
+  const double unknown = (1 - h) * kernel::unknown_beyond_half(b, rough);
+  const auto& [shear, bulk] = rough ? kernel::rough_errors : kernel::power_law_errors;
+  factors.shear.error = std::hypot(factors.shear.error, shear * unknown);
+  factors.bulk.error = std::hypot(factors.bulk.error, bulk * unknown);
+  return factors;
+}
+
+/// Both factors at z* >= 0, r >= 0, 0 <= b <= 1, not checked.
 /// \param    branch_variance   as the kernel's function of that name; 0 of equal grains
-RelaxingFactors relaxing_factors(double z, double r, double b, double branch_variance) {
+RelaxingFactors relaxing_factors(double z, double r, const StiffContacts& contacts, double branch_variance) {
   if (!(z > isostatic(r)))
     return {};
   const double near_z = std::min(z, infinite), near_r = std::min(r, infinite);
   const Dual<0> of_equal = kernel::coordination_of_equal(variable<0>(near_z, 0), branch_variance);
-  RelaxingFactor shear = shear_factor(of_equal.value(), near_r, b);
+  RelaxingFactor shear = shear_factor(of_equal.value(), near_r, contacts.exponent);
   shear = with_size_scatter(shear, kernel::shear_sizes, kernel::looseness(near_z) * kernel::size_shift_error,
                             shear.by_coordination, branch_variance);
-  return {.shear = shear, .bulk = bulk_factor(near_z, near_r, b, branch_variance)};
+  return with_stiffening(
+      {.shear = shear, .bulk = bulk_factor(near_z, near_r, contacts.exponent, branch_variance)}, contacts);
 }
 
 /// The same for a state, the errors complete with what unequal stresses add.
 RelaxingFactors relaxing_factors(const State& s, double z) {
-  RelaxingFactors factors = relaxing_factors(z, s.tangential_ratio, kernel::calibrated_exponent(s),
-                                             kernel::branch_variance(s.contacts));
+  RelaxingFactors factors =
+      relaxing_factors(z, s.tangential_ratio, contacts_of(s), kernel::branch_variance(s.contacts));
   const double stresses = std::abs(log_stress_ratio(s));
   factors.shear.error = std::hypot(factors.shear.error, kernel::shear_by_stress * stresses);
   factors.bulk.error = std::hypot(factors.bulk.error, kernel::bulk_by_stress * stresses);
-  const double beyond = 2 * (kernel::local_exponent(s) - kernel::calibrated_exponent(s));
-  const double lost = 1 - factors.shear.value;
-  factors.shear.error = std::hypot(factors.shear.error, shear_beyond * lost * lost * beyond);
-  factors.bulk.error = std::hypot(factors.bulk.error, bulk_beyond * beyond);
   return factors;
 }
 
 RelaxationFactor published(const RelaxingFactor& factor) { return {factor.value, factor.error}; }
 
 } // namespace
-
-namespace kernel {
-
-double calibrated_exponent(const State& s) {
-  return std::min(local_exponent(s), largest_calibrated_exponent);
-}
-
-} // namespace kernel
 
 double mechanical_coordination_number(double coordination_number, double rattler_fraction) {
   require_non_negative("coordination_number", coordination_number);
@@ -276,12 +280,16 @@ double scatter_share_of_preparation() {
   return recipes * recipes / (recipes * recipes + packings * packings);
 }
 
+Stiffening stiffening_of(const contact::NormalLaw& law) {
+  return law.constant_exponent() ? Stiffening::power_law : Stiffening::rough;
+}
+
 Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
-                      double stiffness_exponent) {
+                      double stiffness_exponent, Stiffening stiffening) {
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
   const double r = require_non_negative("tangential_ratio", tangential_ratio);
-  const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, largest_calibrated_exponent);
-  const RelaxingFactors factors = relaxing_factors(z, r, b, 0);
+  const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, 1);
+  const RelaxingFactors factors = relaxing_factors(z, r, {.exponent = b, .stiffening = stiffening}, 0);
   return {.shear = published(factors.shear), .bulk = published(factors.bulk), .validity = notes_of(z, r)};
 }
 

@@ -53,6 +53,15 @@ std::array<T, n> constants(const std::array<double, n>& values) {
   return numbers;
 }
 
+/// The largest b of the laws that the packings of the fit were made with. Beyond it networks of k_n ~ f^b on
+/// those packings, and packings of rough grains, say how the factors go on.
+inline constexpr double largest_own_exponent = 0.5;
+
+template <class T>
+T up_to_half(const T& b) {
+  return b > largest_own_exponent ? T(largest_own_exponent) : b;
+}
+
 /// Shear modulus of the network without tangential stiffness over its uniform-strain value, u = z - 6 > 0: of
 /// slope `slope` at the isostatic point and 1 far above. Below, continued to negative values.
 template <class T>
@@ -80,7 +89,8 @@ T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T
   const T power = ratio * ratio * root_ratio;
   const T near_share = 1.0 / (1.0 + power);
   const T growth = x / ((1.0 + bend * x) * (1.0 + hold * r));
-  const T near_coupling = strength * (1.0 - spread * b * b) * growth;
+  const T own = up_to_half(b);
+  const T near_coupling = strength * (1.0 - spread * own * own) * growth;
   const T coupling = near_share * near_coupling + (1.5 + 2.25 * r) / (1.0 + 1.0 / power);
   const T product = r * coupling;
   const T square = g0 * g0 + 4.0 * product;
@@ -92,24 +102,62 @@ T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T
   return g / (1.0 + 1.5 * r);
 }
 
+/// (2 - 2b)^power: from 1 at b = 1/2 to 0 at b = 1, where contacts are as stiff as their forces are large.
+template <class T>
+T left_to_one(const T& b, double power) {
+  using std::pow;
+  if (!(b > largest_own_exponent))
+    return T(1.0);
+  const T left = 2.0 - 2.0 * b;
+  return left > 0.0 ? T(pow(left, power)) : T(0.0);
+}
+
+/// What a factor loses from b = 1/2 on, where h is that of G there: the more, the more grains leave the mean
+/// strain.
+template <class T>
+T beyond_half(const T& h, const T& b, double loss, double power) {
+  using std::exp;
+  if (!(b > largest_own_exponent))
+    return T(1.0);
+  const T logarithm = -loss * (1.0 - h) * (1.0 - left_to_one(b, power));
+  return exp(logarithm);
+}
+
+/// What the errors beyond b = 1/2 are multiplied by, next to 1 - h: of power laws as far beyond as b is, of
+/// rough contacts, whose packings are not those of smooth ones, from b = 1/3 on, by the root.
+inline double unknown_beyond_half(double b, bool rough) {
+  constexpr double smooth = 1.0 / 3;
+  return rough ? std::sqrt(b > smooth ? (b - smooth) / (1 - smooth) : 0.0) : 1 - left_to_one(b, 1);
+}
+
+/// Both losses of a law, and how early beyond b = 1/2 they come.
+struct LossBeyondHalf {
+  double shear, bulk, power;
+};
+/// Contacts of one b at every force, on packings that something else made.
+inline constexpr LossBeyondHalf loss_of_powers{power_law_loss, 0, 1};
+/// Rough contacts in packings of their own, whose forces scatter more.
+inline constexpr LossBeyondHalf loss_of_rough{rough_losses[0], rough_losses[1], 2};
+
 /// What the scatter of forces costs K is divided by this.
 template <class T>
 T scatter_distance(const T& z, const T& b, const BulkCoefficients<T>& c) {
   const auto& [scatter, pole, tangential, tangential_pole, own, stiffening] = c;
-  return z - pole + stiffening * b;
+  return z - pole + stiffening * up_to_half(b);
 }
 
 /// K/K(uniform strain, k_n of the mean force): the network is nearly as stiff as its forces, scaled with the
 /// pressure, allow (the lower bound of bulk_modulus_bounds). Their scatter costs the first term, less of it
-/// where contacts stiffen with their force; their tangential part, the softer r is the more, the second. Both
-/// fade for z -> infinity; at the isostatic point K has a jump.
+/// where contacts stiffen with their force, and nothing at b = 1; their tangential part, the softer r is the
+/// more, the second. Both fade for z -> infinity; at the isostatic point K has a jump.
 template <class T>
 T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>& c) {
   const auto& [scatter, scatter_pole, tangential, tangential_pole, own, stiffening] = c;
   const T d1 = scatter_distance(z, b, c);
   const T d2 = z - tangential_pole;
   const T square = d2 * d2;
-  const T lost = scatter / d1 + tangential / (square * (r + own * square));
+  const T uneven = scatter * left_to_one(b, bulk_scatter_power);
+  const T lost = uneven / d1 + tangential / (square * (r + own * square));
   return 1.0 / (1.0 + lost);
 }
 
@@ -118,7 +166,8 @@ T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>&
 /// \param    loss   size_loss, or what a fit tries in its place
 template <class T>
 T size_bulk_share(const T& z, const T& b, const T& loss, double variance, const BulkCoefficients<T>& c) {
-  return 1.0 / (1.0 + loss * variance / scatter_distance(z, b, c));
+  const T uneven = loss * variance * left_to_one(b, bulk_scatter_power);
+  return 1.0 / (1.0 + uneven / scatter_distance(z, b, c));
 }
 
 /// What the scatter of K between unequal grains grows with: of the powers 1/2, 3/4 and 1 of the variance 3/4

@@ -47,10 +47,10 @@ kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& g
           growing(frozen.C44)};
 }
 
-/// The exponent that the factors are taken at, with its slopes by the stresses, which change the mean force.
-Dual calibrated_exponent(const State& s, const Growth& growth) {
-  const double b = kernel::calibrated_exponent(s);
-  if (s.law.constant_exponent() || b != kernel::local_exponent(s))
+/// b at the mean force, with its slopes by the stresses, which change that force.
+Dual growing_exponent(const State& s, const Growth& growth) {
+  const double b = kernel::local_exponent(s);
+  if (s.law.constant_exponent())
     return {b, Vector2d::Zero()};
   const double by_force = s.law.exponent_slope_at_force(mean_contact_force(s));
   return {b, by_force * (1 - density_growth(s, growth)) * pressure_slopes(s)};
@@ -59,18 +59,22 @@ Dual calibrated_exponent(const State& s, const Growth& growth) {
 kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth& growth) {
   const auto constant = [](double value) { return Dual(value, Vector2d::Zero()); };
   const Dual z_star(z, growth.mechanical_coordination_number * pressure_slopes(s));
-  const Dual r = constant(s.tangential_ratio), b = calibrated_exponent(s, growth);
-  const Dual shear =
+  const Dual r = constant(s.tangential_ratio), b = growing_exponent(s, growth);
+  const kernel::LossBeyondHalf& loss =
+      s.law.constant_exponent() ? kernel::loss_of_powers : kernel::loss_of_rough;
+  const Dual of_half =
       kernel::shear_relaxation(kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r,
                                b, kernel::constants<Dual>(kernel::shear_coefficients));
+  const Dual shear = of_half * kernel::beyond_half(of_half, b, loss.shear, loss.power);
   const auto of_bulk = kernel::constants<Dual>(kernel::bulk_coefficients);
   const Dual bulk = kernel::bulk_relaxation(z_star, r, b, of_bulk) *
                     kernel::size_bulk_share(z_star, b, constant(kernel::size_loss),
-                                            kernel::branch_variance(s.contacts), of_bulk);
+                                            kernel::branch_variance(s.contacts), of_bulk) *
+                    kernel::beyond_half(of_half, b, loss.bulk, loss.power);
   const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
   const Dual log_stress(std::log(s.stress_v / s.stress_h), Vector2d(1, -1));
-  const Dual stretch = kernel::log_stretch(shear, b, constant(std::log(F.F33 / F.F11)), log_stress,
-                                           kernel::constants<Dual>(kernel::stretch_coefficients));
+  const Dual stretch = kernel::log_stretch(shear, kernel::up_to_half(b), constant(std::log(F.F33 / F.F11)),
+                                           log_stress, kernel::constants<Dual>(kernel::stretch_coefficients));
   const kernel::RelaxedConstants<Dual> c =
       kernel::relax<Dual>(uniform_constants(s, growth), bulk, shear, stretch);
   return {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};
@@ -125,7 +129,7 @@ StressExponents relaxed_exponents(const State& state, double mechanical_coordina
                                   const Growth& growth, Modulus which) {
   require_finite(growth);
   const Relaxation factors =
-      relaxation(mechanical_coordination_number, state.tangential_ratio, kernel::calibrated_exponent(state));
+      relaxation(mechanical_coordination_number, state.tangential_ratio, kernel::local_exponent(state));
   effective::require_valid(state);
   require_positive("stress_v", state.stress_v, "Pa");
   if (!(factors.shear.value > 0))
@@ -149,7 +153,7 @@ PredictedPacking predict_packing(const ClosingGapLaw& law, const State& state, d
   double z = law.initial;
   for (int round = 0; round < 60; ++round) {
     const double force = load / (z * (1 - rattlers(z)));
-    const double b = std::min(state.law.exponent_at_force(force), largest_calibrated_exponent);
+    const double b = kernel::up_to_half(state.law.exponent_at_force(force));
     const double amplitude = law.amplitude * (1 - law.spread * b);
     z = law.initial + amplitude * std::pow(state.law.overlap(force) / diameter, law.exponent);
   }

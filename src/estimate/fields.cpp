@@ -105,6 +105,9 @@ constexpr FieldRow table[] = {
          "G at the strain over that at small strain", Shown::always, Spreading::logarithmic, 0, 1),
     pure(Field::damping_ratio, "damping_ratio", "D", "damping", "damping ratio at the strain", Shown::always,
          Spreading::difference, 0, 1),
+    pure(Field::slip_strain, "slip_strain", "g_slip", "slip_strain",
+         "strain at which slip at contacts takes 1 % of G", Shown::always, Spreading::logarithmic, 0,
+         unlimited),
 };
 static_assert(std::size(table) == field_count);
 

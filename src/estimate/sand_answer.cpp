@@ -8,6 +8,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
+#include <granum/effective/slip.hpp>
 #include <granum/sands/strain.hpp>
 
 #include "contacts.hpp"
@@ -82,6 +83,16 @@ void infer_contacts(Values& all, const Question& q, double G, double nu) {
   at(all, Field::contact_softness) = G / stiffness(z).G_vh();
 }
 
+/// Strain at which the contacts that are inferred have lost 1 % of G by slip.
+double slip_strain(Values& all, const Question& q) {
+  constexpr double loss = 0.01;
+  effective::State state = spheres_of(q);
+  const double z = at(all, Field::mechanical_coordination_number);
+  state.coordination_number = state.mechanical_coordination_number = z;
+  const effective::SlipOnset onset = effective::slip_onset(state, z, sands::grain_friction);
+  return effective::strain_of_slip_loss(onset, loss) / at(all, Field::contact_softness);
+}
+
 void set_strain(Values& all, const Question& q, const Moved& moved) {
   const sands::StrainAnswer strained = sands::strained({.strain = *q.shear_strain,
                                                         .void_ratio = q.state.void_ratio,
@@ -91,6 +102,7 @@ void set_strain(Values& all, const Question& q, const Moved& moved) {
   at(all, Field::modulus_ratio) = ratio;
   at(all, Field::strained_shear_modulus) = ratio * at(all, Field::shear_modulus);
   at(all, Field::damping_ratio) = sands::damping_ratio(ratio);
+  at(all, Field::slip_strain) = slip_strain(all, q);
 }
 
 bool is_strained(const Question& q) { return q.shear_strain && q.state.mean_stress() > 0; }
@@ -149,6 +161,7 @@ bool has(const FieldRow& row, const Question& q) {
   case Field::strained_shear_modulus:
   case Field::modulus_ratio:
   case Field::damping_ratio:
+  case Field::slip_strain:
     return is_strained(q);
   default:
     return !row.needs_density || q.grain_density;

@@ -224,12 +224,9 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
         " at " + std::to_string(found.degrees_of_freedom_) + " degrees of freedom; errors are taken " +
         short_text(found.widening_, 2) + " times as large" +
         (growth == SandGrowth::measured ? "; an exponent of its own, --growth fitted, may fit" : ""));
-  constexpr double bonded = 2.5;
   constexpr double stiffest_contacts = 2; // conforming grains of dry sands have up to 1.6
-  if (level > bonded)
-    found.validity_.add("G is " + short_text(level, 2) +
-                        " times that of sands of this density and stress: more than contacts without bonds "
-                        "have; the ground is cemented, or a value is of another unit or place");
+  if (const std::string remark = sands::level_remark(level); !remark.empty())
+    found.validity_.add(remark);
   else if (found.tells_contacts_ &&
            found.contacts(estimate::Field::contact_softness, first).low > stiffest_contacts)
     found.validity_.add(
@@ -237,11 +234,6 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
         short_text(found.contacts(estimate::Field::contact_softness, first).value, 2) +
         " times as stiff as those of smooth spheres: more than grains that only touch have; the ground is "
         "cemented, or a value is of another unit or place");
-  else if (level < 1 / bonded)
-    found.validity_.add(
-        "G is " + short_text(level, 2) +
-        " times that of sands of this density and stress: a value is of another unit or place, "
-        "or of large strain");
   return found;
 }
 

@@ -136,7 +136,7 @@ void PackingBuilder::take_bodies(const std::vector<GrainRow>& rows) {
       ++members[*grain.body];
   const auto shared = [&](const GrainRow& g) { return g.body && *g.body > 0 && members[*g.body] > 1; };
   const auto parts = static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), shared));
-  if (parts == 0 || members.size() < 2) // one molecule for all grains is none
+  if (parts == 0 || (members.size() == 1 && parts == rows.size())) // one molecule for all grains is none
     return;
   std::map<long, std::uint32_t> number;
   std::uint32_t bodies = 0;

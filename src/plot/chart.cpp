@@ -54,13 +54,16 @@ class Picture {
       right_ = 20 + legend_.widest() + 8;
     for (const SlopeTriangle& triangle : chart.triangles)
       right_ = std::max(right_, text_width(triangle.text) + 4); // behind the last points, whatever is there
+    add_asked_ticks();
     title_ = wrapped(chart.title, left_ + chart.width + right_ - 16, title_size);
     if (!title_.empty())
       top_ = 27 + title_line * static_cast<double>(title_.size());
   }
 
   [[nodiscard]] Canvas canvas() const {
-    const double width = left_ + chart_.width + right_;
+    const double widest =
+        chart_.legend_below ? 28 + legend_.widest() : 0; // a name may be longer than the plot
+    const double width = std::max(left_ + chart_.width + right_, widest);
     const double foot = top_ + chart_.height + bottom;
     Canvas out{.width = width, .height = foot, .title = title_, .content = x_axis() + y_axis() + frame()};
     for (std::size_t k = 0; k < drawn_.size(); ++k)
@@ -82,6 +85,28 @@ class Picture {
     for (const Series& series : chart.series)
       all.emplace_back(chart, series);
     return all;
+  }
+
+  /// A round tick gives its label up to one that was asked for where both would lie upon each other.
+  void add_asked_ticks() {
+    std::vector<Tick> asked;
+    for (const double number : chart_.x.asked) {
+      const double value = number / chart_.x.unit;
+      if (!AxisRange::drawable(chart_.x.scale, value) || x_.fraction(value) < 0 || x_.fraction(value) > 1)
+        continue;
+      const Tick tick{value, short_text(value, 4), ""};
+      const auto covered = [&](const Tick& other) {
+        return std::abs(at_x(other.value) - at_x(value)) <
+               (label_width(tick) + label_width(other)) / 2 + tick_gap;
+      };
+      if (std::any_of(asked.begin(), asked.end(), covered))
+        continue;
+      std::erase_if(x_ticks_, covered);
+      asked.push_back(tick);
+    }
+    x_ticks_.insert(x_ticks_.end(), asked.begin(), asked.end());
+    std::sort(x_ticks_.begin(), x_ticks_.end(),
+              [this](const Tick& a, const Tick& b) { return at_x(a.value) < at_x(b.value); });
   }
 
   /// The corners of a triangle in the units of the axes: along, then up.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/plot/page.hpp>
 
+#include <algorithm>
+
 #include <granum/plot/svg_text.hpp>
 
 #include "look.hpp"
@@ -9,6 +11,8 @@
 namespace granum::plot {
 
 namespace {
+
+constexpr std::string_view missing = "-";
 
 bool is_number(const std::string& cell) {
   const std::size_t first = cell.starts_with('-') || cell.starts_with('+') ? 1 : 0;
@@ -33,13 +37,13 @@ std::string html_element(const std::string& tag, const std::string& content, con
 }
 
 std::string html_paragraph(std::string_view text, const std::string& text_class) {
-  return html_element("p", svg_escaped(text), text_class);
+  return html_element("p", svg_escaped(printed_signs(text)), text_class);
 }
 
 std::string html_list(const std::vector<std::string>& items) {
   std::string content;
   for (const std::string& item : items)
-    content += html_element("li", svg_escaped(item));
+    content += html_element("li", svg_escaped(printed_signs(item)));
   return html_element("ul", content);
 }
 
@@ -64,16 +68,22 @@ std::string html_folded(std::string_view title, const std::string& content) {
 
 std::string html_table(const std::vector<std::string>& headings,
                        const std::vector<std::vector<std::string>>& rows) {
+  // A column without any word is one of numbers, of which some may be missing.
+  const auto words = [&](std::size_t k) {
+    return std::any_of(rows.begin(), rows.end(), [k](const auto& row) {
+      return k < row.size() && !is_number(row[k]) && row[k] != missing && !row[k].empty();
+    });
+  };
   std::string head;
   for (std::size_t k = 0; k < headings.size(); ++k) {
-    const bool numbers = !rows.empty() && k < rows.front().size() && is_number(rows.front()[k]);
+    const bool numbers = !rows.empty() && !words(k);
     head += html_element("th", svg_escaped(headings[k]), numbers ? "number" : "");
   }
   std::string body;
   for (const std::vector<std::string>& row : rows) {
     std::string cells;
-    for (const std::string& cell : row)
-      cells += html_element("td", svg_escaped(cell), is_number(cell) ? "number" : "");
+    for (std::size_t k = 0; k < row.size(); ++k)
+      cells += html_element("td", svg_escaped(row[k]), is_number(row[k]) || !words(k) ? "number" : "");
     body += html_element("tr", cells);
   }
   return "<div class=\"wide\" tabindex=\"0\">" + html_element("table", html_element("tr", head) + body) +

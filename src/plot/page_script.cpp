@@ -46,10 +46,19 @@ function points(svg) {
   return seen.get(svg);
 }
 
+// A series of a kind that is not listed itself has its colour from one that is: that is its shape.
 function nameOf(svg, series) {
-  const key = svg.querySelector(`.key[data-series="${series.dataset.series}"] text`);
-  return [key?.textContent, series.dataset.kind].filter(Boolean).join(", ");
+  const keys = [...svg.querySelectorAll(".key[data-series]")];
+  const alike = (key) => key.querySelector("[color]")?.getAttribute("color") === series.getAttribute("color");
+  const key = keys.find((one) => one.dataset.series === series.dataset.series) ??
+    (series.dataset.kind ? keys.find(alike) : undefined);
+  return [key?.querySelector("text").textContent, series.dataset.kind].filter(Boolean).join(", ");
 }
+// The unit in an axis' title, behind a blank: "p' [kPa]".
+const unitOf = (svg, axis) => {
+  const unit = words(svg, axis).match(/\[([^\]]+)\]/)?.[1];
+  return unit && unit !== "1" ? " " + unit : "";
+};
 function named(svg, series) {
   const name = nameOf(svg, series);
   return name ? name + ": " : "";
@@ -73,7 +82,8 @@ function ofChart(svg, frame, x, y, reach) {
   });
   const bar = error?.getBBox();
   const range = bar ? " \u00b1 " + short((up(bar.y) - up(bar.y + bar.height)) / 2) : "";
-  return named(svg, best.series) + short(up(best.y)) + range + " at " + short(across(best.x));
+  return named(svg, best.series) + short(up(best.y)) + range + unitOf(svg, "y-title") + " at " +
+    short(across(best.x)) + unitOf(svg, "x-title");
 }
 
 // of a rose, whose angles from the vertical are told in degrees,

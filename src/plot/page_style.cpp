@@ -60,9 +60,12 @@ summary { cursor: pointer; font-weight: 600; }
   body { max-width: none; font-size: 10.5pt; padding: 0; }
   .switch, .tip { display: none; }
   .unchosen { display: block; }
-  figure, .panel, tr { break-inside: avoid; }
+  .trio figure, .panel, tr { break-inside: avoid; }
   h2, h3 { break-after: avoid; }
-  .panels, .trio { grid-template-columns: 1fr 1fr; }
+  .first { display: block; }
+  .panels { grid-template-columns: 1fr 1fr; }
+  .trio { grid-template-columns: 1fr 1fr 1fr; gap: 0 1rem; }
+  .trio .panels { grid-template-columns: 1fr; }
 }
 )";
 }

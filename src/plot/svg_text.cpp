@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/plot/svg_text.hpp>
 
+#include <cctype>
 #include <charconv>
+#include <string>
 
 #include <granum/core/utf8.hpp>
 
@@ -16,7 +18,39 @@ std::string attribute_text(const SvgAttributes& attributes) {
   return text;
 }
 
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+struct PrintedSign {
+  std::string_view typed;
+  std::string_view printed;
+};
+constexpr PrintedSign printed_signs_table[] = {{"+-", "\u00b1"},        {"<=", "\u2264"},
+                                               {">=", "\u2265"},        {"alpha", "\u03b1"},
+                                               {"sigma_v", "\u03c3_v"}, {"sigma_h", "\u03c3_h"}};
+
 } // namespace
+
+std::string printed_signs(std::string_view text) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    std::string_view put = text.substr(at, 1);
+    std::size_t length = 1;
+    for (const PrintedSign& sign : printed_signs_table) {
+      const std::size_t end = at + sign.typed.size();
+      if (!text.substr(at).starts_with(sign.typed))
+        continue;
+      const bool within = is_word(sign.typed.front()) &&
+                          ((at > 0 && is_word(text[at - 1])) || (end < text.size() && is_word(text[end])));
+      if (!within) {
+        put = sign.printed;
+        length = sign.typed.size();
+      }
+    }
+    out += put;
+    at += length;
+  }
+  return out;
+}
 
 std::string svg_number(double value) {
   char buffer[400];

@@ -158,6 +158,16 @@ double stated_factor(const Sand& sand, double void_ratio, double mean_stress) {
   return std::min(most, std::exp(std::hypot(std::log(within), by_stress, by_density)));
 }
 
+std::string level_remark(double level) {
+  constexpr double far = 2.5;
+  const std::string times =
+      "G is " + short_text(level, 2) + " times that of sands of this density and stress: ";
+  if (level > far)
+    return times + "more than contacts without bonds have; the ground is cemented, or a value is of another "
+                   "unit or place";
+  return level < 1 / far ? times + "a value is of another unit or place, or of large strain" : std::string();
+}
+
 Validity outside_of_tests(const Sand& sand, double void_ratio, double mean_stress) {
   Validity notes;
   const auto note = [&](const char* what, double value, double low, double high, const char* unit) {

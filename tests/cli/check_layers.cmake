@@ -27,6 +27,7 @@ function(same of_one at_one of_other at_other)
 endfunction()
 
 set(soil --unit-weight 15kN/m3 --saturated-unit-weight 18.8kN/m3 --k0 0.5 --sand toyoura)
+set(span --depth 1m..21m --points 4)
 set(down --depth 1m..21m --points 5 --water-table 6m)
 states(plain --void-ratio 0.8 ${soil} ${down})
 
@@ -50,6 +51,20 @@ foreach(k_and_stress "0 92000" "1 130051.85")
     message(FATAL_ERROR "sigma_v at the end of a layer: ${found}, not ${stress}")
   endif()
 endforeach()
+
+# The water table as a column, of any row, is the option; a second one is refused with its line.
+file(WRITE "${FOLDER}/wet.csv" "top_m,e,unit_weight_kN/m3,saturated_unit_weight_kN/m3,k0,sand,water_table_m\n"
+  "0,0.80,15,18.8,0.5,toyoura,\n4,0.72,16,19.3,0.45,hostun,6\n10,0.65,17,20,0.4,,\n")
+states(wet --layers "${FOLDER}/wet.csv" ${span})
+states(by_option --layers layers.csv ${span} --water-table 6m)
+foreach(k RANGE 3)
+  same("${wet}" ${k} "${by_option}" ${k})
+endforeach()
+file(WRITE "${FOLDER}/two.csv" "top_m,e,water_table_m\n0,0.80,3\n4,0.72,6\n")
+execute_process(COMMAND "${PROGRAM}" sweep --layers "${FOLDER}/two.csv" ${span} RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE err)
+if(NOT (code EQUAL 3 AND err MATCHES "two.csv:3: "))
+  message(FATAL_ERROR "two water tables: exit code ${code}, ${err}")
+endif()
 
 # A row with its own ground is a depth of that ground.
 file(WRITE "${FOLDER}/sites.csv" "site,depth_m,e,unit_weight_kN/m3,saturated_unit_weight_kN/m3,water_table_m,k0,sand\n"

@@ -23,6 +23,18 @@ foreach(sweep "--from;50kPa;--to;400kPa" "--depth;1m..20m" "--path;txc;--from;10
 endforeach()
 check_picture(FALSE "published laws" sweep ${sand} --from 50kPa --to 400kPa --points 3 --laws --picture-of K)
 
+# Where nothing says what the grains are both stand in the picture by name, along a path and of a table.
+file(WRITE "${FOLDER}/rows.csv" "e,p_kPa\n0.65,50\n0.7,100\n")
+foreach(states "--void-ratio;0.7;--from;50kPa;--to;400kPa;--points;3" "--table;${FOLDER}/rows.csv")
+  foreach(text sand beads "published laws")
+    check_picture(TRUE ">${text}<" sweep ${states} --laws)
+  endforeach()
+  check_picture(FALSE ">answer<" sweep ${states} --laws)
+  check_picture(FALSE ">published laws<" sweep ${states})
+  check_picture(TRUE ">answer<" sweep ${states} --grain-shape sand)
+  check_picture(FALSE ">beads<" sweep ${states} --grain-shape sand)
+endforeach()
+
 # estimate draws around its state: over strain with each law of it, else over stress, both answers where nothing says which.
 set(state --void-ratio 0.7 --pressure 100kPa)
 foreach(text "shear strain [%]" darendeli menq ishibashi-zhang "asked for" range)
@@ -37,7 +49,7 @@ check_picture(FALSE "beads" estimate ${state} --grain-shape sand)
 set(report "${FOLDER}/report.html")
 execute_process(COMMAND "${PROGRAM}" estimate ${state} --uniformity 9 --report "${report}" --force RESULT_VARIABLE code OUTPUT_QUIET ERROR_QUIET)
 file(READ "${report}" page)
-foreach(text "sand (measured laws)" "Lo2021" "shear wave" "a C_u of 9 lies outside" "</svg>" "<pre>Small-strain stiffness")
+foreach(text "sand (measured laws)" "Lo2021: Lo, " "Kokusho, T. (1980)" "shear wave" "a C_u of 9 lies outside" "</svg>" "<pre>Small-strain stiffness")
   string(FIND "${page}" "${text}" at)
   if(NOT code EQUAL 0 OR at EQUAL -1)
     message(FATAL_ERROR "the report lacks ${text}, or exit code ${code}")

@@ -66,7 +66,7 @@ run(sweep --table sweep_few.csv --out "${FOLDER}/rows.csv" --picture "${FOLDER}/
 file(READ "${FOLDER}/rows.svg" svg)
 string(REGEX MATCHALL "<circle" circles "${svg}")
 list(LENGTH circles count)
-if(NOT (code EQUAL 0 AND count EQUAL 4 AND svg MATCHES ">p' \\[kPa\\]<" AND svg MATCHES ">range<"))
+if(NOT (code EQUAL 0 AND count EQUAL 4 AND svg MATCHES ">p' \\[kPa\\]<" AND svg MATCHES ">beads, range<"))
   fail("the picture of a table has ${count} circles") # three rows, and its legend
 endif()
 

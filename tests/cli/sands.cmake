@@ -64,6 +64,18 @@ granum_cli_test("sands: layers without tops" EXIT 3 STDERR "sweep_few\\.csv:[0-9
 granum_cli_test("sands: a table of stresses has no ground" EXIT 2 STDERR "--unit-weight goes with --depth, or with a table"
   ARGS sweep --table sweep_few.csv --unit-weight 17kN/m3)
 
+# ---- V_s that was measured stands beside that of the answer, and tells bonds
+granum_cli_test("sands: measured speeds of a table" EXIT 0 STDERR "line 4: [^\n]*cemented" JSON "states/0/shear_wave_speed/measured_over_answer=^0\\.84"
+  "states/1/shear_wave_speed/measured_over_answer=^0\\.99" "states/2/notes/0=7\\.4 times" "states/3/shear_wave_speed/measured_over_answer=MISSING"
+  ARGS sweep --table sand_rows.csv --json)
+granum_cli_test("sands: a column of the ratio" EXIT 0 STDERR "cemented" STDOUT "V_s \\(m/s\\),V_s_measured_over_answer,.*\nB,0\\.7,100,255,0\\.99"
+  ARGS sweep --table sand_rows.csv --grain-shape sand)
+granum_cli_test("sands: a measured speed of 0" EXIT 1 STDERR "V_s = 0 m/s" STDOUT "V_s = 0 m/s" ARGS sweep --table sand_speed_zero.csv)
+
+# ---- what slip at contacts takes
+granum_cli_test("sands: slip begins" EXIT 0 JSON "answer/slip_strain/value=^1\\.2[0-9]*e-05" ARGS estimate ${at} --strain 0.01% --json)
+granum_cli_test("sands: slip is asked for with strain" EXIT 0 JSON "answer/slip_strain=^$" ARGS estimate ${at} --grain-shape sand --json)
+
 # ---- infer
 set(measured infer --void-ratio 0.58 --pressure 50kPa --uniformity 1.48)
 granum_cli_test("sands: a forecast" EXIT 0 JSON "sand/predictions/0/G/value=^1[89]" "sand/tells_contacts=^(false|OFF)$" "grain_shape=^sand$"

@@ -25,7 +25,7 @@ using effective::relaxed;
 namespace {
 
 const std::vector<double> ratios{0.03, 0.1, 0.3, 0.6, 0.9189, 1.0};
-const std::vector<double> exponents{0, 1.0 / 3, 0.4, 0.5};
+const std::vector<double> exponents{0, 1.0 / 3, 0.4, 0.5, 0.6, 0.8, 1};
 
 double shear(double z, double r, double b = 0) { return relaxation(z, r, b).shear.value; }
 double bulk(double z, double r, double b = 0) { return relaxation(z, r, b).bulk.value; }
@@ -142,7 +142,7 @@ TEST_CASE("relaxation: the standard error") {
       for (double z = 4.15; z < 8.6; z += 0.1) {
         const effective::Relaxation inside = relaxation(z, r, b);
         CHECK(inside.shear.relative_error > 0.02);
-        CHECK(inside.shear.relative_error < 0.06);
+        CHECK(inside.shear.relative_error < (b > 0.5 ? 0.16 : 0.06));
         CHECK(inside.bulk.relative_error > 0.01);
         CHECK(inside.bulk.relative_error < 0.12);
         CHECK(inside.validity.ok());
@@ -159,7 +159,7 @@ TEST_CASE("relaxation: the standard error") {
 TEST_CASE("relaxation: refuses what no packing has") {
   CHECK_THROWS_AS((void)relaxation(-1, 0.9, 0.3), InvalidArgument);
   CHECK_THROWS_AS((void)relaxation(5, -0.1, 0.3), InvalidArgument);
-  CHECK_THROWS_AS((void)relaxation(5, 0.9, 0.6), InvalidArgument);
+  CHECK_THROWS_AS((void)relaxation(5, 0.9, 1.1), InvalidArgument);
   CHECK_THROWS_AS((void)relaxation(5, 0.9, -0.1), InvalidArgument);
   CHECK_THROWS_AS((void)relaxation(NAN, 0.9, 0.3), InvalidArgument);
 }
@@ -269,7 +269,38 @@ TEST_CASE("relaxed: notes on states outside the calibration") {
   CHECK_FALSE(relaxed(state_of(2, 0, 0.15, 1e8, 1e8), 5.9).validity.ok()); // overlaps of 2 %
 }
 
-TEST_CASE("relaxed: beyond b = 1/2 the stated error holds what rough packings were measured to be off by") {
+TEST_CASE("relaxation: beyond b = 1/2 the factors go on from there, rough contacts lower than power laws") {
+  using enum effective::Stiffening;
+  for (const double r : ratios)
+    for (double z = 4.1; z < 9; z += 0.1) {
+      CAPTURE(z);
+      CAPTURE(r);
+      for (const double b : {0.0, 1.0 / 3, 0.5})
+        CHECK(relaxation(z, r, b, rough).shear.value == shear(z, r, b));
+      for (const effective::Stiffening stiffening : {power_law, rough}) {
+        const effective::Relaxation half = relaxation(z, r, 0.5, stiffening),
+                                    more = relaxation(z, r, 0.5 + 1e-9, stiffening);
+        CHECK(more.shear.value == relative(half.shear.value, 1e-8));
+        CHECK(more.bulk.value == relative(half.bulk.value, 1e-8));
+        CHECK(more.shear.relative_error == relative(half.shear.relative_error, 1e-7));
+        CHECK(more.bulk.relative_error == relative(half.bulk.relative_error, 1e-7));
+        double before = half.shear.value;
+        for (const double b : {0.6, 0.8, 1.0}) {
+          const effective::Relaxation at = relaxation(z, r, b, stiffening);
+          CHECK(at.shear.value < before);
+          before = at.shear.value;
+          CHECK(at.shear.relative_error > half.shear.relative_error);
+        }
+      }
+      CHECK(relaxation(z, r, 0.8, rough).shear.value < shear(z, r, 0.8));
+      CHECK(bulk(z, r, 0.8) > bulk(z, r, 0.5));
+      // Contacts as stiff as their forces are large: without tangential forces K is that of uniform strain.
+      CHECK(bulk(z, 1e8, 1) == relative(1, 1e-5));
+      CHECK(bulk(z, 1e8, 0.5) < 0.96);
+    }
+}
+
+TEST_CASE("relaxed: rough packings, of other numbers of grains than those of the fit") {
   // The packings of validation/rough_contact/README.md.
   struct Row {
     double z, void_ratio, pressure, C_n, G, K;
@@ -291,13 +322,12 @@ TEST_CASE("relaxed: beyond b = 1/2 the stated error holds what rough packings we
                            .stress_h = row.pressure};
     CHECK(effective::contact_exponent(state) > 0.85);
     const effective::RelaxedEstimate rough = relaxed(state, row.z);
-    const double G_off = rough.stiffness.G_vh() / row.G - 1,
-                 K_off = rough.stiffness.bulk_modulus() / row.K - 1;
-    CHECK(G_off > 0.1);
-    CHECK(G_off < 1.5 * rough.relative_error.G_vh);
-    CHECK(rough.relative_error.G_vh < 1.7 * G_off); // as wide as that, not anything
-    CHECK(std::abs(K_off) < 2 * rough.relative_error.bulk_modulus);
-    CHECK(rough.validity.notes.size() >= 1);
+    CHECK(rough.stiffness.G_vh() == relative(row.G, 2 * rough.relative_error.G_vh));
+    CHECK(rough.stiffness.bulk_modulus() == relative(row.K, 2 * rough.relative_error.bulk_modulus));
+    // Wider than of smooth contacts, and no wider than the 23 % that opened ones are off by at most.
+    CHECK(rough.relative_error.G_vh > 0.04);
+    CHECK(rough.relative_error.G_vh < 0.23);
+    CHECK(rough.validity.ok());
   }
 }
 

@@ -51,8 +51,13 @@ TEST_CASE("relaxed exponents: of frozen contacts their sum is 1/(1+alpha), whate
 
 TEST_CASE("relaxed exponents: derivatives of the relaxed estimate along the path") {
   const std::vector<contact::NormalLaw> laws{
-      law_of(1, 0.15), law_of(2, 0.15), law_of(infinity, 0.15),
-      contact::RoughSphere({.shear_modulus = 30e9, .poisson_ratio = 0.15}, 5e-4, 20e-9)};
+      law_of(1, 0.15),
+      law_of(2, 0.15),
+      law_of(infinity, 0.15),
+      law_of(0.5, 0.15),
+      law_of(0.2, 0.15), // b = 2/3 and 5/6
+      contact::RoughSphere({.shear_modulus = 30e9, .poisson_ratio = 0.15}, 5e-4, 20e-9),
+      contact::RoughSphere({.shear_modulus = 30e9, .poisson_ratio = 0.15}, 5e-4, 200e-9)}; // b about 0.75
   for (const contact::NormalLaw& law : laws)
     for (const double a : {-0.2, 0.0, 0.15})
       for (const double ratio : {0.6, 1.0, 1.8})

@@ -50,6 +50,19 @@ TEST_CASE("a sand's own law gives level 1, its exponent and its ratio back") {
   CHECK(found.degrees_of_freedom() == 0);
 }
 
+TEST_CASE("forecasts are the answers of estimate for the sand that was found, to the bit") {
+  const SandInference found = infer_sand(
+      std::vector{measured(Quantity::G_vh, 90e6, 0.02, 50e3), measured(Quantity::V_p, 480, 0.01, 2e5)},
+      quartz({.uniformity = 1.48}));
+  for (const double p : {20e3, 100e3, 500e3}) {
+    const estimate::Answer answer = estimate::answer(found.question(at(p)));
+    CHECK(found.predict(Quantity::G_vh, at(p)).value == answer[Field::shear_modulus].value);
+    CHECK(found.predict(Quantity::V_s, at(p)).value == answer[Field::shear_wave_speed].value);
+    CHECK(found.predict(Quantity::V_p, at(p)).value == answer[Field::compression_wave_speed].value);
+    CHECK(found.predict(Quantity::K, at(p)).value == answer[Field::bulk_modulus].value);
+  }
+}
+
 TEST_CASE("an Ottawa sand: 222.1 MPa at 500 kPa are foretold from 68.3 at 50 within two stated errors") {
   const SandInference found =
       infer_sand(std::vector{measured(Quantity::G_vh, 68.3e6, 0, 50e3)}, quartz({.uniformity = 1.48}));

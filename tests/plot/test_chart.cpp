@@ -56,6 +56,16 @@ TEST_CASE("a chart becomes one well-formed SVG with its texts, and the same byte
   CHECK_FALSE(well_formed(picture.substr(0, picture.size() - 8)));
 }
 
+TEST_CASE("numbers that were asked for have their ticks, and round ones make room") {
+  Chart chart = chart_of({2.76, 34.47}, {587, 1003}, Scale::logarithmic);
+  const auto labels = [&chart] { return texts(svg(chart), "x-label"); };
+  CHECK(labels() == std::vector<std::string>{"5", "10", "20"});
+  chart.x.asked = {6.89, 34.47, 2.76, 100};
+  CHECK(labels() == std::vector<std::string>{"2.76", "5", "6.89", "10", "20", "34.47"});
+  chart.x.asked = {20.1, 20.2};
+  CHECK(labels() == std::vector<std::string>{"5", "10", "20.1"});
+}
+
 TEST_CASE("texts from outside cannot break the file") {
   Chart chart = chart_of({1, 2}, {1, 2});
   chart.title = "a < b & \"c\" > d\x01\n \xff \u03c3";

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <doctest/doctest.h>
+#include <granum/plot/svg_text.hpp>
 
 #include "well_formed.hpp"
 
@@ -65,10 +66,24 @@ TEST_CASE("numbers of a table stand to the right, and cells are escaped") {
   CHECK(contains(html, "<th class=\"number\">s</th>"));
   CHECK(contains(html, "<td>cone &amp; co</td>"));
   CHECK(contains(html, "<td class=\"number\">-0.1</td>"));
-  CHECK(contains(html, "<td>-</td>"));
+  CHECK(contains(html, "<td>-</td>")); // in a column of words
 }
 
 TEST_CASE("what is folded away stands under its title") {
   CHECK(html_folded("Table <2>", html_paragraph("x")) ==
         "<details><summary>Table &lt;2&gt;</summary>\n<p>x</p>\n</details>\n");
+}
+
+TEST_CASE("signs of a terminal are printed as such on a page, and names of columns stay") {
+  CHECK(printed_signs("s = 0.5 +- 0.1 <= 1/(1+alpha), of sigma_v") ==
+        "s = 0.5 \u00b1 0.1 \u2264 1/(1+\u03b1), of \u03c3_v");
+  CHECK(printed_signs("alphabet my_alpha sigma_v_kPa sigma_h") == "alphabet my_alpha sigma_v_kPa \u03c3_h");
+  CHECK(printed_signs("") == "");
+  CHECK(html_list({"1 +- 2"}) == "<ul><li>1 \u00b1 2</li>\n</ul>\n");
+}
+
+TEST_CASE("a column of numbers stays one where some are missing") {
+  const std::string html = html_table({"none", "some"}, {{"-", "-"}, {"-", "0.5"}});
+  CHECK(contains(html, "<th class=\"number\">some</th>"));
+  CHECK(contains(html, "<td class=\"number\">-</td>"));
 }

@@ -125,7 +125,7 @@ TEST_CASE("curves of the closed form that coincide are drawn once, others one by
   Scene scene;
   const CompressionStory one = compression_story(scene, both(), "figures");
   const Panel& of_spheres = one.panels.back();
-  CHECK(series(of_spheres, "closed form").name == "closed form, of all shapes");
+  CHECK(series(of_spheres, "closed form").name == "rung 3, of all shapes");
   std::vector<Compression> all = both();
   all.push_back(compression(Shape::cone, Density::dense, 0.5));
   const Panel of_two = compression_story(scene, all, "figures").panels.back();

@@ -12,6 +12,9 @@ namespace {
 
 namespace kernel = granum::effective::kernel;
 
+/// The least of b and 1/2, from where on other packings say how the factors go on.
+Real up_to_half(const Real& b) { return b < 0.5 ? b : Real(0.5); }
+
 /// The positive root h of ((2+3r)/2 h)^2 - g0 (2+3r)/2 h = r t.
 Real shear_factor(const Real& z, const Real& r, const Real& b) {
   const auto& c = kernel::shear_coefficients;
@@ -20,19 +23,21 @@ Real shear_factor(const Real& z, const Real& r, const Real& b) {
     return 0;
   const Real g0 = u > 0 ? c[0] * u / (1 + c[0] * u) : c[0] * u / (1 - c[1] * u);
   const Real near = 1 / (1 + pow(x / c[6], Real(5) / 2));
-  const Real t =
-      near * c[2] * (1 - c[5] * b * b) * x / ((1 + c[3] * x) * (1 + c[4] * r)) + (1 - near) * (6 + 9 * r) / 4;
-  return (g0 + sqrt(g0 * g0 + 4 * r * t)) / (2 + 3 * r);
+  const Real t = near * c[2] * (1 - c[5] * pow(up_to_half(b), 2)) * x / ((1 + c[3] * x) * (1 + c[4] * r)) +
+                 (1 - near) * (6 + 9 * r) / 4;
+  const Real h = (g0 + sqrt(g0 * g0 + 4 * r * t)) / (2 + 3 * r);
+  return b > 0.5 ? Real(h * exp(-kernel::power_law_loss * (1 - h) * (2 * b - 1))) : h;
 }
 
 Real bulk_factor(const Real& z, const Real& r, const Real& b) {
   const auto& c = kernel::bulk_coefficients;
   const Real x = z - c[3];
-  return 1 / (1 + c[0] / (z - c[1] + c[5] * b) + c[2] / (x * x * (r + c[4] * x * x)));
+  const Real left = b > 0.5 ? Real(pow(2 - 2 * b, Real(kernel::bulk_scatter_power))) : Real(1);
+  return 1 / (1 + c[0] * left / (z - c[1] + c[5] * up_to_half(b)) + c[2] / (x * x * (r + c[4] * x * x)));
 }
 
 void check_factors(Table& table, Draw& draw) {
-  const double r = draw.ratio(), b = draw.uniform_or(0, 0.5, {0.0, 1.0 / 3, 0.5});
+  const double r = draw.ratio(), b = draw.uniform_or(0, 1, {0.0, 1.0 / 3, 0.5, 1.0});
   const double z = draw.uniform_or(r > 0 ? 3.958 : 6.001, 14, {8.7, 14.0, 1e6});
   const auto factors = granum::effective::relaxation(z, r, b);
   const std::string at = said({{"z", z}, {"r", r}, {"b", b}});

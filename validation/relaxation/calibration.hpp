@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beyond_half.hpp"
 #include "code_scatter.hpp"
 #include "factor_fits.hpp"
 #include "scatter.hpp"
@@ -77,7 +78,8 @@ struct Result {
   double shear_by_stress = 0; ///< further error of G under unequal stresses, over |ln(stress_v/stress_h)|
   double bulk_by_stress = 0;  ///< the same of K
   SizeEffect sizes = {};
-  double bulk_codes = 0;      ///< scatter of K between codes, over kernel::looseness
+  double bulk_codes = 0; ///< scatter of K between codes, over kernel::looseness
+  BeyondHalf beyond = {};
   double stretch_scatter = 0; ///< what is left of ln C33/C11, over ln of the stretch
 };
 
@@ -134,8 +136,10 @@ inline EqualFit equal_fit(const Result& result) {
 /// \param    unequal      packings of unequal grains, and of equal ones made as they were
 /// \param    gradations   further ones, for the scatter of K between them
 /// \param    of_codes     packings that other codes made
+/// \param    stiff        networks of b up to 1
 inline Result fit_everything(const std::vector<Packing>& packings, const std::vector<Packing>& unequal,
-                             const std::vector<Packing>& gradations, const std::vector<Packing>& of_codes) {
+                             const std::vector<Packing>& gradations, const std::vector<Packing>& of_codes,
+                             const std::vector<StiffNetwork>& stiff) {
   Result result{.shear = fit_shear(packings, everything),
                 .bulk = fit_bulk(packings, everything),
                 .stretch = {},
@@ -149,6 +153,7 @@ inline Result fit_everything(const std::vector<Packing>& packings, const std::ve
   fit_sheared_scatter(packings, result);
   result.sizes = fit_size_effect(unequal, gradations, equal_fit(result), everything);
   result.bulk_codes = fit_code_scatter(of_codes, equal_fit(result), result.sizes);
+  result.beyond = fit_beyond_half(stiff, equal_fit(result), result.bulk_codes);
   return result;
 }
 

@@ -3,7 +3,6 @@
 // scatter, beside recipes and packings.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -18,23 +17,16 @@ inline bool is_calibrating_code(const Packing& p) { return p.preparation.starts_
 /// granum's own packings.
 inline double fit_code_scatter(const std::vector<Packing>& packings, const EqualFit& equal,
                                const SizeEffect& effect) {
-  double variance = 0.01;
-  for (int round = 0; round < 100; ++round) {
-    double left = 0, weights = 0;
-    for (const Packing& p : packings)
-      for (const Network& n : p.networks) {
-        if (!is_usual(p, n) || !is_calibrating_code(p))
-          continue;
+  std::vector<Deviation> deviations;
+  for (const Packing& p : packings)
+    for (const Network& n : p.networks)
+      if (is_usual(p, n) && is_calibrating_code(p)) {
         const Judged own = judged_bulk(p, n, equal, effect);
-        const double known = own.stated * own.stated;
-        const double row = std::pow(kernel::looseness(p.mechanical_coordination), 2);
-        const double weight = row / std::pow(known + variance * row, 2);
-        left += weight * (own.error * own.error - known);
-        weights += weight * row;
+        const double row = kernel::looseness(p.mechanical_coordination);
+        deviations.push_back(
+            {.squared = own.error * own.error, .known = own.stated * own.stated, .measure = row * row});
       }
-    variance = std::max(0.0, left / weights);
-  }
-  return std::sqrt(variance);
+  return further_scatter(deviations);
 }
 
 } // namespace relaxation

@@ -7,20 +7,20 @@
 //     relaxation_fit points FILES         measured and fitted factors as CSV, for a picture
 //     relaxation_fit besides FILES        what the void ratio and the stretch do, and errors by z*
 //
-// FILES: states.csv unequal.csv gradations.csv codes.csv
+// FILES: states.csv unequal.csv gradations.csv codes.csv exponents.csv rough.csv
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <iterator>
 #include <set>
 
 #include <granum/effective/relaxation.hpp>
-#include <granum/effective/relaxed_exponents.hpp>
-#include <granum/hardin/fit.hpp>
 
 #include "../claims.hpp"
 #include "besides.hpp"
 #include "calibration.hpp"
 #include "coverage.hpp"
+#include "exponents.hpp"
 #include "factor_errors.hpp"
 #include "gradations.hpp"
 #include "library_errors.hpp"
@@ -79,6 +79,21 @@ void print_scatter(const char* name, const ScatterParts& parts) {
               parts.packings.gain);
 }
 
+void print_beyond(const BeyondHalf& b) {
+  std::printf(
+      "/// Beyond b = 1/2: what G loses of power laws, G and K of rough contacts, and the power of what "
+      "K loses by\n"
+      "/// the scatter of forces.\n"
+      "inline constexpr double power_law_loss = %.9g;\n"
+      "inline constexpr std::array<double, 2> rough_losses{%.9g, %.9g};\n"
+      "inline constexpr double bulk_scatter_power = %.9g;\n"
+      "/// Errors of G and K there, over (1 - h) unknown_beyond_half: of power laws, of rough contacts.\n"
+      "inline constexpr std::array<double, 2> power_law_errors{%.9g, %.9g};\n"
+      "inline constexpr std::array<double, 2> rough_errors{%.9g, %.9g};\n\n",
+      b.power_law_loss, b.rough_shear_loss, b.rough_bulk_loss, b.scatter_power, b.power_law_errors[0],
+      b.power_law_errors[1], b.rough_errors[0], b.rough_errors[1]);
+}
+
 void print_coefficients(const Result& r) {
   std::printf(
       "// SPDX-License-Identifier: GPL-3.0-or-later\n"
@@ -126,6 +141,7 @@ void print_coefficients(const Result& r) {
       "/// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.\n"
       "inline constexpr double shear_by_stress = %.9g;\ninline constexpr double bulk_by_stress = %.9g;\n\n",
       r.shear_by_stress, r.bulk_by_stress);
+  print_beyond(r.beyond);
   std::printf("/// z_0, A, q, s, c, k and the scatter of z* of a ClosingGapLaw; in the comments the standard "
               "errors.\n");
   print_gaps("dense", r.dense);
@@ -157,106 +173,6 @@ FactorErrors cross_validate(const std::vector<Packing>& packings, const std::str
   }
   print_errors("left out by " + title + ", together", all);
   return all;
-}
-
-// ---- exponents ----
-
-granum::effective::MeasuredPacking measured(const Packing& p) {
-  return {.pressure = p.pressure,
-          .coordination_number = *p.state.coordination_number,
-          .mechanical_coordination_number = p.mechanical_coordination,
-          .void_ratio = p.state.void_ratio};
-}
-
-double own_shear_modulus(const Packing& p) {
-  for (const Network& n : p.networks)
-    if (n.ratio == p.state.tangential_ratio)
-      return isotropic_shear_modulus(n.stiffness);
-  throw std::runtime_error("no network of the specimen's own stiffness");
-}
-
-/// s from 10 to 100 kPa at the middle of the path, the growth of C_n and z* given by its two ends.
-double exponent_by_growth(const Packing& first, const Packing& last) {
-  State state = last.state;
-  state.stress_v = state.stress_h = std::sqrt(first.pressure * last.pressure);
-  state.coordination_number = std::sqrt(*first.state.coordination_number * *last.state.coordination_number);
-  state.void_ratio = (first.state.void_ratio + last.state.void_ratio) / 2;
-  state.fabric_anisotropy = 0;
-  const double z = (first.mechanical_coordination + last.mechanical_coordination) / 2;
-  return granum::effective::relaxed_exponents(
-             state, z, granum::effective::growth_between(measured(first), measured(last)),
-             granum::effective::Modulus::G_vh)
-      .sum();
-}
-
-/// The same from a closing-gap law alone.
-double exponent_by_law(const Packing& last, const granum::effective::ClosingGapLaw& law) {
-  State state = last.state;
-  const double middle = std::sqrt(10e3 * 100e3);
-  state.stress_v = state.stress_h = middle;
-  state.fabric_anisotropy = 0;
-  const auto packing = granum::effective::predict_packing(law, state, middle);
-  state.coordination_number = packing.coordination_number;
-  return granum::effective::relaxed_exponents(state, packing.mechanical_coordination_number, packing.growth,
-                                              granum::effective::Modulus::G_vh)
-      .sum();
-}
-
-/// s of a path, fitted as `granum verify` does.
-double fitted_exponent(const std::vector<const Packing*>& path) {
-  std::vector<granum::hardin::MeasuredModulus> rows;
-  for (const Packing* p : path)
-    rows.push_back({own_shear_modulus(*p), {p->pressure, p->pressure, p->state.void_ratio}});
-  return granum::hardin::fit_exponent_sum(rows,
-                                          {.atmospheric_pressure = 100e3,
-                                           .void_ratio_function = granum::hardin::VoidRatioFunction::none,
-                                           .weights = granum::hardin::Weights::absolute})
-      .fit()
-      .exponent_sum.value;
-}
-
-/// Largest differences between the fitted s and the predicted one, of dense and loose specimens.
-struct ExponentErrors {
-  double dense_cones = 0; ///< apart: their forces even out after friction is switched on, which no z* tells
-  double others = 0;
-};
-
-/// Prints s of every specimen with states from 10 to 100 kPa.
-ExponentErrors compare_exponents(const std::vector<Packing>& packings) {
-  std::printf("exponent s of G, 10 to 100 kPa: network by its ends, by the fit of verify; by the growth "
-              "found; by the "
-              "closing-gap law\n");
-  std::map<std::string, std::vector<const Packing*>> paths;
-  for (const Packing& p : packings)
-    if (p.pressure <= 100e3 && p.isotropic() && p.preparation != "cycle")
-      paths[p.contact + " " + p.preparation + " #" + std::to_string(p.seed)].push_back(&p);
-  ExponentErrors errors;
-  for (auto& [name, path] : paths) {
-    std::ranges::sort(path, {}, &Packing::pressure);
-    const Packing &first = *path.front(), &last = *path.back();
-    if (first.pressure != 10e3 || last.pressure != 100e3)
-      continue;
-    const double predicted = exponent_by_growth(first, last);
-    std::printf("  %-24s %.3f", name.c_str(),
-                std::log(own_shear_modulus(last) / own_shear_modulus(first)) / std::log(10.0));
-    if (path.size() < 3) {
-      std::printf("         %.3f\n", predicted);
-      continue;
-    }
-    const double network = fitted_exponent(path);
-    std::printf("  %.3f  %.3f", network, predicted);
-    const bool dense = first.preparation == "dense", loose = first.preparation == "loose";
-    if (dense || loose) {
-      double& worst = dense && first.contact == "cone" ? errors.dense_cones : errors.others;
-      worst = std::max(worst, std::abs(predicted - network));
-      std::printf("  %.3f", exponent_by_law(last, dense ? granum::effective::dense_closing_gaps()
-                                                        : granum::effective::loose_closing_gaps()));
-    }
-    std::printf("\n");
-  }
-  std::printf("  largest difference, dense and loose, growth given: %.3f; of dense cones %.3f\n",
-              errors.others, errors.dense_cones);
-  return errors;
 }
 
 // ---- check ----
@@ -361,9 +277,55 @@ void check_codes(const std::vector<Packing>& of_codes, const std::vector<Packing
                    "YADE: 55 % or more within one stated error, 90 % within two");
 }
 
+/// Networks with every b, and rough packings, of seeds that are never fitted.
+void check_beyond_half(const std::vector<StiffNetwork>& stiff, const Result& result, Claims& claims) {
+  const auto judge = [&](const std::string& what, const StiffChoice& chosen) {
+    const StiffReport r = report_of(stiff, equal_fit(result), result.bulk_codes, result.beyond, chosen);
+    print_report(what, r);
+    return r;
+  };
+  std::set<double> exponents;
+  std::set<std::string> recipes;
+  for (const StiffNetwork& n : stiff) {
+    if (!n.rough)
+      exponents.insert(n.b);
+    else if (!n.fitted())
+      recipes.insert(n.recipe());
+  }
+  for (const bool fitted : {true, false}) {
+    std::printf("networks with k_n ~ f^b, %s\n", fitted ? "fitted" : "of seeds never fitted");
+    for (const double b : exponents)
+      (void)judge("b = " + number(b, 3),
+                  [&](const StiffNetwork& n) { return !n.rough && n.b == b && n.fitted() == fitted; });
+  }
+  std::printf("packings of rough grains, of seeds never fitted\n");
+  for (const std::string& recipe : recipes)
+    (void)judge(recipe,
+                [&](const StiffNetwork& n) { return n.rough && !n.fitted() && n.recipe() == recipe; });
+  const StiffReport fitted_rough =
+      judge("fitted, together", [](const StiffNetwork& n) { return n.rough && n.fitted(); });
+  const StiffReport rough = judge("together", [](const StiffNetwork& n) { return n.rough && !n.fitted(); });
+  const StiffReport powers = judge("k_n ~ f^b beyond 1/2, together", [](const StiffNetwork& n) {
+    return !n.rough && !n.fitted() && n.beyond();
+  });
+  (void)fitted_rough;
+  const BeyondHalf& b = result.beyond;
+  claims.require(same(std::array{b.power_law_loss, b.scatter_power},
+                      std::array{kernel::power_law_loss, kernel::bulk_scatter_power}) &&
+                     same(std::array{b.rough_shear_loss, b.rough_bulk_loss}, kernel::rough_losses) &&
+                     same(b.power_law_errors, kernel::power_law_errors) &&
+                     same(b.rough_errors, kernel::rough_errors),
+                 "what the library knows beyond b = 1/2 is what these data say");
+  for (const StiffReport* r : {&rough, &powers})
+    for (const Coverage* c : {&r->coverage.shear, &r->coverage.bulk})
+      claims.require(c->one() >= 0.55 && c->two() >= 0.90,
+                     "beyond b = 1/2: 55 % or more within one stated error, 90 % within two");
+}
+
 int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfitted,
           const std::vector<Packing>& unequal, const std::vector<Packing>& gradations,
-          const std::vector<Packing>& of_codes, const Result& result) {
+          const std::vector<Packing>& of_codes, const std::vector<StiffNetwork>& stiff,
+          const Result& result) {
   std::printf("errors of the factors by k_t/k_n, all isotropic states\n");
   for (const double r : {0.0, 0.03, 0.1, 0.3, 0.6, 0.918918918918919, 1.0})
     print_errors("  k_t/k_n = " + number(r, 3),
@@ -414,6 +376,7 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfi
                  "z* = C_n/(1-x_0) within 2 % (" + number(100 * rattler_error, 2) + " %)");
   check_sizes(unequal, gradations, result, claims);
   check_codes(of_codes, packings, result, claims);
+  check_beyond_half(stiff, result, claims);
   return claims.failed() == 0 ? 0 : 1;
 }
 
@@ -430,10 +393,11 @@ void print_points(const std::vector<Packing>& packings, const Result& result) {
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 6) {
+  if (argc != 8) {
     std::fprintf(
         stderr,
-        "usage: %s coefficients|check|points|besides states.csv unequal.csv gradations.csv codes.csv\n",
+        "usage: %s coefficients|check|points|besides states.csv unequal.csv gradations.csv codes.csv "
+        "exponents.csv rough.csv\n",
         argv[0]);
     return 2;
   }
@@ -442,7 +406,9 @@ int main(int argc, char** argv) {
     const std::vector<Packing> unequal = read_packings(argv[3]);
     const std::vector<Packing> gradations = read_gradations(argv[4]);
     const std::vector<Packing> of_codes = read_packings(argv[5]);
-    const Result result = fit_everything(packings, unequal, gradations, of_codes);
+    std::vector<StiffNetwork> stiff = read_stiff_networks(argv[6], false);
+    std::ranges::move(read_stiff_networks(argv[7], true), std::back_inserter(stiff));
+    const Result result = fit_everything(packings, unequal, gradations, of_codes, stiff);
     if (std::strcmp(argv[1], "coefficients") == 0) {
       print_coefficients(result);
       return 0;
@@ -458,7 +424,7 @@ int main(int argc, char** argv) {
       return 0;
     }
     if (std::strcmp(argv[1], "check") == 0)
-      return check(packings, unfitted, unequal, gradations, of_codes, result);
+      return check(packings, unfitted, unequal, gradations, of_codes, stiff, result);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -50,7 +50,7 @@ using Row = std::map<std::string, double>;
 
 /// Numbers of a row by their headings; text is left out.
 inline Row numbers(const std::vector<std::string>& headings, const std::vector<std::string>& fields) {
-  static const std::set<std::string> text{"sizes", "contact", "preparation"};
+  static const std::set<std::string> text{"sizes", "contact", "preparation", "density"};
   Row row;
   for (std::size_t k = 0; k < fields.size(); ++k)
     if (text.count(headings[k]) == 0)

@@ -30,6 +30,10 @@ using namespace granum;
 
 inline constexpr double solved_ratios[] = {0, 0.03, 0.1, 0.3, 0.6, 0.918918918918919, 1}; ///< k_t/k_n
 
+/// b of k_n ~ f^b, and k_t/k_n, of the networks that say what b does.
+inline constexpr double solved_exponents[] = {0, 1.0 / 3, 0.5, 2.0 / 3, 0.8, 1};
+inline constexpr double exponent_ratios[] = {0.3, 0.6, 0.918918918918919};
+
 /// A row in the making: headings and cells side by side.
 struct Row {
   std::string headings;
@@ -98,6 +102,59 @@ inline void add_networks(Row& row, packing::Assembly assembly, double own_ratio)
   row.add("C66_prestress_Pa", definite ? c(5, 5) : std::numeric_limits<double>::quiet_NaN());
 }
 
+inline double mean_normal_force(const packing::Assembly& assembly) {
+  double sum = 0;
+  for (const packing::Contact& contact : assembly.contacts)
+    sum += contact.normal_force;
+  return sum / static_cast<double>(assembly.contacts.size());
+}
+
+/// Of an isotropic packing whose contacts take k_n by their forces: K and G over those of uniform strain with
+/// `at_mean` at every contact, as closed forms take it.
+/// \param    suffix   of the headings, before the ratio k_t/k_n
+template <class StiffnessOfForce>
+void add_moduli(Row& row, packing::Assembly assembly, const StiffnessOfForce& stiffness, double at_mean,
+                double ratio, const std::string& suffix) {
+  const auto stiffen = [&](const auto& of_force) {
+    for (packing::Contact& contact : assembly.contacts) {
+      contact.normal_stiffness = of_force(contact.normal_force);
+      contact.tangential_stiffness = ratio * contact.normal_stiffness;
+    }
+  };
+  stiffen([=](double) { return at_mean; });
+  const elastic::Isotropic strained =
+      elastic::isotropic_projection(network::linear_response(assembly, {.iteration_limit = 1}).affine());
+  stiffen(stiffness);
+  const network::Response response = network::linear_response(assembly, {.iteration_limit = 20000});
+  if (!response.converged())
+    throw std::runtime_error("a network did not converge");
+  const elastic::Isotropic relaxed = elastic::isotropic_projection(response.last_iterate());
+  const std::string name = "_" + suffix + "_" + short_number(ratio);
+  row.add("K" + name, relaxed.bulk_modulus() / strained.bulk_modulus());
+  row.add("G" + name, relaxed.shear_modulus() / strained.shear_modulus());
+}
+
+/// The same with k_n ~ f^b in place of the packing's own law: packing and forces stay, and so does the
+/// stiffness at the mean force.
+inline void add_exponents(Row& row, const packing::Assembly& assembly, const contact::NormalLaw& law) {
+  const double mean = mean_normal_force(assembly), at_mean = law.stiffness_at_force(mean);
+  for (const double ratio : exponent_ratios)
+    for (const double b : solved_exponents)
+      add_moduli(
+          row, assembly, [=](double force) { return at_mean * std::pow(force / mean, b); }, at_mean, ratio,
+          short_number(b));
+}
+
+/// b at the mean force, and the same with the packing's own law.
+inline void add_own_law(Row& row, const packing::Assembly& assembly, const contact::NormalLaw& law) {
+  const double mean = mean_normal_force(assembly);
+  row.add("b", law.exponent_at_force(mean));
+  for (const double ratio : exponent_ratios)
+    add_moduli(
+        row, assembly, [&](double force) { return law.stiffness_at_force(force); },
+        law.stiffness_at_force(mean), ratio, "own");
+}
+
 inline void add_assembly(Row& row, const packing::Assembly& assembly, const dem::Material& material) {
   const analysis::Measurement measured =
       analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio});
@@ -135,6 +192,26 @@ inline void add_sizes(Row& row, const packing::Assembly& assembly, const analysi
   row.add("grain_volume", sizes.contacts.grain_volume);
   row.add("two_contact_share", two_contact_share(assembly, measured.counts.mechanical.rattler));
   row.add("force_by_branch", force_by_branch(assembly));
+}
+
+/// What one row of exponents.csv, or of rough.csv, says of a frozen isotropic state.
+inline void describe_stiffening(Row& row, const dem::Specimen& frozen, const dem::Material& material) {
+  const packing::Assembly assembly = dem::contact_network(frozen, material);
+  const analysis::Measurement measured =
+      analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio});
+  const analysis::Microstructure micro = measured.microstructure();
+  const Mat3& stress = measured.stress.value().symmetric;
+  row.add("e", dem::void_ratio(frozen));
+  row.add("C_n", micro.coordination_number);
+  row.add("z_star", micro.mechanical_coordination_number);
+  row.add("rattler_fraction", micro.rattler_fraction);
+  row.add("a", micro.fabric_anisotropy);
+  row.add("stress_v_Pa", stress(2, 2));
+  row.add("stress_h_Pa", (stress(0, 0) + stress(1, 1)) / 2);
+  row.add("force_moment_2", normal_force_moment(assembly, 2));
+  if (!material.law.constant_exponent())
+    add_own_law(row, assembly, material.law);
+  add_exponents(row, assembly, material.law);
 }
 
 /// What one row says of a frozen state.

@@ -103,6 +103,21 @@ inline Scatter most_likely_scatter(const std::vector<Deviation>& deviations) {
   return {std::sqrt(v), std::sqrt(w)};
 }
 
+/// The same of deviations that known + measure s^2 is to explain: s.
+inline double further_scatter(const std::vector<Deviation>& deviations) {
+  double variance = 0.01;
+  for (int round = 0; round < 100; ++round) {
+    double left = 0, weights = 0;
+    for (const Deviation& d : deviations) {
+      const double weight = d.weight * d.measure / std::pow(d.known + variance * d.measure, 2);
+      left += weight * (d.squared - d.known);
+      weights += weight * d.measure;
+    }
+    variance = std::max(0.0, left / weights);
+  }
+  return std::sqrt(variance);
+}
+
 /// The scatter of all networks about the fit, every recipe counting the same, and what of it is left within
 /// the recipes; the difference is the recipes' own.
 inline ScatterParts scatter_parts(const std::vector<Residual>& residuals) {

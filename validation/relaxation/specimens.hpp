@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <granum/contact/normal_law.hpp>
 #include <granum/contact/power_law.hpp>
 #include <granum/core/number.hpp>
 #include <granum/dem/engine.hpp>
@@ -79,7 +80,7 @@ inline sizes::Distribution sizes_of(const Preparation& preparation) {
 }
 
 /// \param    radius   of the grains, by number the mean [m]
-inline triaxial::SpecimenRecipe recipe(const contact::PowerLaw& law, double radius,
+inline triaxial::SpecimenRecipe recipe(const contact::NormalLaw& law, double radius,
                                        const Preparation& preparation, std::uint64_t seed) {
   return {.material = {.law = law,
                        .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),

@@ -60,7 +60,7 @@ function slider({ id, name, min, max, step, value, unit, said = (number) => writ
     input.setAttribute("aria-valuetext", withUnit(number));
     change(number);
   } });
-  return element("div", { class: "control" }, element("label", { for: id }, name), shown, input);
+  return element("div", { class: "control" }, element("label", { for: id }, ...worded(name)), shown, input);
 }
 
 /// A button that copies a text; where a page may not, it stands in the field that opens.

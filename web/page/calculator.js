@@ -27,11 +27,22 @@ function answerOf(granum, known) {
   return { rows: rows.slice(0, -1), contacts: rows.at(-1), shares, notes: notes.slice(shares.length) };
 }
 
+/// What is more likely a slip of unit or symbol, as the program warns of it by the names of its options.
+function slipsOf(granum, known) {
+  return granum.call("slips", ...grainNumbersOf(known), known.voidRatio, known.anisotropy, ...stressesOf(known), known.z, known.density).notes;
+}
+
 /// G_vh of every closed form at the contacts of an answer: [{label, value, error}], error relative or not a number.
 function ladderOf(granum, known, answer) {
   const z = answer.rows.at(-1).value;
   const { numbers, notes } = granum.call("ladder", ...grainNumbersOf(known), known.voidRatio, known.anisotropy, ...stressesOf(known), answer.contacts.value, z);
   return notes.map((label, k) => ({ label, value: numbers[2 * k], error: numbers[2 * k + 1] }));
+}
+
+/// What was measured, by the packing that inferenceOf found last, from a pressure to another: [{pressure, value, error}]
+function inferredPath(granum, { quantity }, low, high, points) {
+  const { numbers } = granum.call("inferred_path", measurable[quantity].place, low, high, points);
+  return Array.from({ length: points }, (_, k) => ({ pressure: numbers[3 * k], value: numbers[3 * k + 1], error: numbers[3 * k + 2] }));
 }
 
 /// {explained, z, contacts, there: {z, voidRatio, G, V_s, V_p}, shares, notes}; each {value, error} but the void ratio.

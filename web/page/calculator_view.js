@@ -11,14 +11,14 @@ function savedPicture(texts, name, drawn) {
 
 function tableOf(label, headings, rows) {
   return element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": label }, element("table", {},
-    element("thead", {}, element("tr", {}, ...headings.map((name) => element("th", { scope: "col" }, name)))),
-    element("tbody", {}, ...rows.map(([name, value, ...more]) => element("tr", {}, element("th", { scope: "row" }, name), element("td", { class: "answer" }, value), ...more.map((text) => element("td", {}, text)))))));
+    element("thead", {}, element("tr", {}, ...headings.map((name) => element("th", { scope: "col" }, ...worded(name))))),
+    element("tbody", {}, ...rows.map(([name, value, ...more]) => element("tr", {}, element("th", { scope: "row" }, ...worded(name)), element("td", { class: "answer" }, value), ...more.map((text) => element("td", {}, text)))))));
 }
 
 /// The ladder: each closed form with its stated error, and the answer with its range.
 function ladderChart(words, ladder, answer) {
   const row = answer.rows[0];
-  const rungs = ladder.map((rung, k) => ({ ...rung, x: k, low: rung.value * (1 - (rung.error || 0)), high: rung.value * (1 + (rung.error || 0)) }));
+  const rungs = ladder.map((rung, k) => ({ ...rung, label: term(words, rung.label), x: k, low: rung.value * (1 - (rung.error || 0)), high: rung.value * (1 + (rung.error || 0)) }));
   const isClosed = (rung) => Number.isFinite(rung.error);
   const part = (all) => ({ points: all.map((rung) => [rung.x, rung.value / MPa]), ranges: all.map((rung) => [rung.low / MPa, rung.high / MPa]), line: false, dots: true });
   const tops = [...rungs.map((rung) => rung.high), row.high].filter(Number.isFinite);
@@ -38,7 +38,7 @@ function ladderChart(words, ladder, answer) {
 function inferenceChart(granum, texts, known, found) {
   const words = texts.calculator, { unit } = measurable[known.quantity];
   const low = Math.min(known.pressure, known.otherPressure) / 1.5, high = 1.5 * Math.max(known.pressure, known.otherPressure);
-  const points = spread(low, high, 25).map((p) => [p, inferenceOf(granum, { ...known, otherPressure: p }).there[known.quantity]]);
+  const points = inferredPath(granum, known, low, high, 25).map((at) => [at.pressure, at]);
   const line = (of) => points.map(([p, there]) => [p / kPa, of(there) / unit]);
   const there = found.there[known.quantity];
   const heights = points.flatMap(([, at]) => [at.value - at.error, at.value + at.error]).concat(known.value * (1 - known.error), known.value * (1 + known.error)).map((y) => y / unit).filter((y) => y > 0);
@@ -85,16 +85,18 @@ function samePart(words, name, lines) {
   };
 }
 
-const sharesText = (words, shares) => `${words}: ${shares.filter((s) => s.share >= 0.005).map((s) => `${s.input} ${Math.round(100 * s.share)} %`).join(", ")}.`;
+/// The page's own word for what granum calls by that name.
+const term = (words, name) => words.terms[name] ?? name;
+const sharesText = (words, title, shares) => `${title}: ${shares.filter((s) => s.share >= 0.005).map((s) => `${Math.round(100 * s.share)} % ${term(words, s.input)}`).join(", ")}.`;
 const remarks = (words, notes) => (notes.length ? [element("p", { class: "remarks" }, `${words.notes}: ${notes.join("; ")}.`)] : []);
 const plusMinus = (number, unit = 1) => `${written(number.value / unit)} ± ${written(number.error / unit, 2)}`;
 
 function answerParts(granum, texts, known) {
-  const words = texts.calculator, answer = answerOf(granum, known);
+  const words = texts.calculator, slips = slipsOf(granum, known), answer = answerOf(granum, known);
   const scale = [MPa, MPa, MPa, MPa, 1, 1, 1, 1];
   const rows = answer.rows.map((row, k) => [words.rows[k], written(row.value / scale[k]), `${written(row.low / scale[k])} – ${written(row.high / scale[k])}`]);
-  return [element("div", { class: "panes" },
-    element("div", {}, tableOf(words.quantity, [words.quantity, words.value, words.range], rows), element("p", {}, sharesText(words.why, answer.shares))),
+  return [...slips.map((slip) => element("p", { class: "slip", role: "alert" }, slip)), element("div", { class: "panes" },
+    element("div", {}, tableOf(words.quantity, [words.quantity, words.value, words.range], rows), element("p", {}, sharesText(words, words.why, answer.shares))),
     savedPicture(texts, "ladder", ladderChart(words, ladderOf(granum, known, answer), answer))), ...remarks(words, answer.notes)];
 }
 
@@ -106,7 +108,7 @@ function inferenceParts(granum, texts, known) {
     [`z* ${at(known.otherPressure)}`, plusMinus(found.there.z)],
     ...Object.keys(measurable).map((name) => [`${words.measured[name]} ${at(known.otherPressure)}`, plusMinus(found.there[name], measurable[name].unit)])];
   return [element("div", { class: "panes" },
-    element("div", {}, tableOf(words.inference, [words.quantity, words.valueError], rows), element("p", {}, sharesText(words.whyContacts, found.shares))),
+    element("div", {}, tableOf(words.inference, [words.quantity, words.valueError], rows), element("p", {}, sharesText(words, words.whyContacts, found.shares))),
     savedPicture(texts, "inference", inferenceChart(granum, texts, known, found))), ...remarks(words, found.notes)];
 }
 

@@ -9,6 +9,11 @@ const shapeColourName = (shape) => (shape in colours ? shape : "power_law");
 const shapeColour = (shape) => colours[shapeColourName(shape)];
 const escapeText = (text) => String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 
+/// The sign between a number's whole part and its decimals, in the language of the page.
+let decimalSign = ".";
+const localised = (number) => number.replace(".", decimalSign);
+/// With so many decimals.
+const fixed = (value, decimals) => localised(value.toFixed(decimals));
 /// Numbers as people write them, at most `digits` of them.
 function written(value, digits = 3) {
   if (!Number.isFinite(value)) return "–";
@@ -16,9 +21,9 @@ function written(value, digits = 3) {
   const size = Math.abs(value);
   if (size >= 1e5 || size < 1e-3) {
     const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
-    return `${Number(mantissa)}·10${[...String(Number(exponent))].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻").join("")}`;
+    return `${localised(String(Number(mantissa)))}·10${[...String(Number(exponent))].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻").join("")}`;
   }
-  return String(Number(value.toPrecision(digits)));
+  return localised(String(Number(value.toPrecision(digits))));
 }
 
 /// Round values between low and high.
@@ -52,8 +57,8 @@ function drawnToSize(draw) {
   isNarrow.addEventListener("change", draw);
 }
 
-/// {title, finding, x: {label, min, max, log}, y: {...}, series: [{label, colour, points: [[x, y]], ranges: [[low, high]], line, dots, hollow, dash,
-///  faint, name}], bands: [{label, colour, points: outline}], mark: [x, y], triangles: [{x0, x1, y, slope, text, colour}], note}
+/// {title, finding, x: {label, min, max, log}, y: {...}, series: [{label, colour, points: [[x, y]], ranges: [[low, high]], line, dots, hollow, dash:
+///  true or "dots", faint, name}], bands: [{label, colour, points: outline}], mark: [x, y], triangles: [{x0, x1, y, slope, text, colour}], note}
 /// An axis may have names at places in the place of round numbers: {names: [[value, text]]}. A series may have a name at its end.
 /// `finding` is what a reader sees in it, for those who cannot; a note stands in the corner at the bottom right.
 function chart(what) {
@@ -93,7 +98,7 @@ function chart(what) {
     const points = series.points.filter(inside);
     if (series.line !== false && points.length > 1)
       parts.push(`<polyline fill="none" stroke="${colour}" stroke-width="${series.faint ? 1.5 : 2.5}" opacity="${series.faint ? 0.5 : 1}"` +
-        `${series.dash ? ' stroke-dasharray="7 5"' : ""} points="${points.map(([x, y]) => `${X(x).toFixed(1)},${Y(y).toFixed(1)}`).join(" ")}"/>`);
+        `${series.dash ? ` stroke-dasharray="${series.dash === "dots" ? "2 4" : "7 5"}"` : ""} points="${points.map(([x, y]) => `${X(x).toFixed(1)},${Y(y).toFixed(1)}`).join(" ")}"/>`);
     series.ranges?.forEach(([low, high], k) => {
       if (![low, high, ...series.points[k]].every(Number.isFinite)) return;
       const x = X(series.points[k][0]), [foot, head] = [low, high].map((y) => Y(Math.min(what.y.max, Math.max(what.y.min, y))));
@@ -121,7 +126,7 @@ function chart(what) {
 /// Nothing where there is one thing alone to be told.
 function legendOf({ series, bands = [] }) {
   const listed = [...series, ...bands.map((band) => ({ ...band, band: true }))].filter(({ label }) => label);
-  const kind = (one) => (one.band ? " band" : one.dots && one.line === false ? (one.hollow ? " dot hollow" : " dot") : one.dash ? " dashed" : "");
+  const kind = (one) => (one.band ? " band" : one.dots && one.line === false ? (one.hollow ? " dot hollow" : " dot") : one.dash ? (one.dash === "dots" ? " dotted" : " dashed") : "");
   return listed.length < 2 ? "" : `<ul class="legend">${listed.map((one) =>
     `<li><span class="swatch${kind(one)}" style="--colour:${one.colour}"></span>${escapeText(one.label)}</li>`).join("")}</ul>`;
 }
@@ -171,7 +176,7 @@ function standalone(picture, title) {
     const y = above + height + 12 + line * row;
     const mark = is("band") ? `<rect x="${x}" y="${y - 6}" width="28" height="12" fill="${colour}" fill-opacity="0.3"/>`
       : is("dot") ? `<circle cx="${x + 14}" cy="${y}" r="5" fill="${is("hollow") ? paper : colour}" stroke="${colour}" stroke-width="2"/>`
-        : `<line x1="${x}" x2="${x + 28}" y1="${y}" y2="${y}" stroke="${colour}" stroke-width="3"${is("dashed") ? ' stroke-dasharray="7 5"' : ""}/>`;
+        : `<line x1="${x}" x2="${x + 28}" y1="${y}" y2="${y}" stroke="${colour}" stroke-width="3"${is("dashed") ? ' stroke-dasharray="7 5"' : is("dotted") ? ' stroke-dasharray="2 4"' : ""}/>`;
     const drawn = mark + word(x + 36, y + 5, item.textContent);
     x += wide + 12;
     return drawn;

@@ -42,8 +42,12 @@ class ExperimentPanel {
     const sizes = select("xsizes", w.sizes, [["0", w.equal], ["0.2", w.narrow], ["0.35", w.wide]], "0");
     const grains = number("xgrains", w.grains, 200, 2000, 600);
     const seed = number("xseed", w.seed, 1, 999999, 1);
+    const roughness = number("xroughness", w.roughness, 1, 100, 50); // rougher ones cannot be opened to be loose
     const guess = element("input", { id: "xguess", type: "number", min: 0, max: 1, step: "any" });
-    this.inputs = { shape: shape[0], density: density[0], sizes: sizes[0], grains: grains[0], seed: seed[0], guess };
+    this.inputs = { shape: shape[0], density: density[0], sizes: sizes[0], grains: grains[0], seed: seed[0], roughness: roughness[0], guess };
+    const showRoughness = () => { roughness[1].hidden = shape[0].value !== "rough"; };
+    shape[0].addEventListener("change", showRoughness);
+    showRoughness();
     this.buttons = {};
     const button = (name, text, act, more = {}) => (this.buttons[name] = element("button", { id: `x${name}`, onclick: act, ...more }, text));
     const bar = element("div", {},
@@ -77,7 +81,7 @@ class ExperimentPanel {
       this.drawStates();
     });
     document.getElementById("experiment").append(...w.text.split("\n").map((part) => element("p", {}, ...worded(part))),
-      element("div", { class: "form" }, shape[1], density[1], sizes[1], grains[1], seed[1], element("label", { class: "guess" }, ...worded(w.guess), guess)), bar, this.status,
+      element("div", { class: "form" }, shape[1], roughness[1], density[1], sizes[1], grains[1], seed[1], element("label", { class: "guess" }, ...worded(w.guess), guess)), bar, this.status,
       element("div", { class: "panes" },
         element("div", {}, this.canvas, show, element("label", { class: "control" }, w.slice, slice), exaggerated, this.rose),
         element("div", {}, modulus, this.picture, saveButton(this.texts, this.picture, "experiment"), this.compared)),
@@ -104,10 +108,11 @@ class ExperimentPanel {
     return undefined;
   }
   start(mode) {
-    const grains = this.asked(this.inputs.grains), seed = this.asked(this.inputs.seed), guess = this.asked(this.inputs.guess);
-    if ([grains, seed, guess].includes(undefined)) return;
+    const [grains, seed, guess, roughness] = ["grains", "seed", "guess", "roughness"].map((name) => this.asked(this.inputs[name]));
+    if ([grains, seed, guess, roughness].includes(undefined)) return;
+    const shape = this.inputs.shape.value, numbers = shape === "rough" ? { roughness: roughness * 1e-9 } : undefined;
     this.queue = [];
-    this.make({ grain: { ...defaultGrain, shape: this.inputs.shape.value }, loose: this.inputs.density.value === "loose", sigma: Number(this.inputs.sizes.value), grains, seed }, mode, guess);
+    this.make({ grain: { ...defaultGrain, shape, numbers }, loose: this.inputs.density.value === "loose", sigma: Number(this.inputs.sizes.value), grains, seed }, mode, guess);
   }
   startSix() {
     const seed = this.asked(this.inputs.seed);
@@ -118,7 +123,7 @@ class ExperimentPanel {
   make(setup, mode, guess) {
     this.leave();
     this.runs = this.runs.filter((run) => run.done);
-    this.runs.push({ setup, guess, states: [], contactExponent: this.granum.contactCurve(setup.grain, 1e-7, 1).stiffnessExponent });
+    this.runs.push({ setup, guess, states: [] });
     this.notAtRest = "";
     this.viewed({ shape: shapeColourName(setup.grain.shape), reference: null });
     this.worker = new Worker(URL.createObjectURL(new Blob([document.getElementById("worker-source").textContent], { type: "text/javascript" })));
@@ -214,7 +219,7 @@ class ExperimentPanel {
     if (this.queue.length) return this.make(this.queue.shift(), "run", NaN);
     const first = run.states[0];
     this.showPaused(false);
-    this.enter("compressed", "", filled(this.words.done, { s: state.s.toFixed(3), error: state.sError.toFixed(3), contact: written(run.contactExponent), z0: written(first.z), z1: written(state.z),
+    this.enter("compressed", "", filled(this.words.done, { s: fixed(state.s, 3), error: fixed(state.sError, 3), contact: written(state.contactExponent), z0: written(first.z), z1: written(state.z),
       from: written(first.pressure / 1e3), to: written(state.pressure / 1e3) }) + (Number.isFinite(run.guess) ? ` ${filled(this.words.guessed, { guess: written(run.guess) })}` : "") + this.notAtRest);
   }
   /// The specimen as it is seen now, in small.
@@ -229,8 +234,8 @@ class ExperimentPanel {
     this.rose.hidden = !view?.rose.length;
     if (this.rose.hidden) return;
     const [anisotropy, ...bars] = view.rose, words = this.words;
-    this.rose.innerHTML = `<div class="rose">${rose(this.granum.fabricCurve(anisotropy, 45), words.rose, filled(words.roseFinding, { a: anisotropy.toFixed(2) }), bars)}</div>` +
-      `<p>${escapeText(filled(words.roseFinding, { a: anisotropy.toFixed(2) }))}</p>`;
+    this.rose.innerHTML = `<div class="rose">${rose(this.granum.fabricCurve(anisotropy, 45), words.rose, filled(words.roseFinding, { a: fixed(anisotropy, 2) }), bars)}</div>` +
+      `<p>${escapeText(filled(words.roseFinding, { a: fixed(anisotropy, 2) }))}</p>`;
   }
 
   hearPoint({ point, paused }) {

@@ -38,5 +38,7 @@ function mathOf(formula) {
   return mathNode("math", ...row());
 }
 
+/// Letters below the line: C_n.
+const lowered = (text) => text.split(/_(\w+)/).map((part, k) => (k % 2 ? element("sub", {}, part) : part));
 /// Nodes of a text with its formulas.
-const worded = (text) => text.split("$").map((part, k) => (k % 2 ? mathOf(part) : part));
+const worded = (text) => text.split("$").flatMap((part, k) => (k % 2 ? mathOf(part) : lowered(part)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Six steps: one idea, one or two pictures, one or two sliders each.
+// Seven steps: one idea, one or two pictures, one or two sliders each.
 "use strict";
 
 const kPa = 1e3, MPa = 1e6;
@@ -25,11 +25,16 @@ function asStiffAsSpheres(granum, grain, shape) {
   return { ...grain, shape, numbers: alike.get(shape) };
 }
 
+/// Contacts of one exponent at all forces.
+const powerLaws = (granum) => contactLaws.filter(({ name: shape }) => !Number.isNaN(granum.contactCurve({ ...defaultGrain, shape }, 1e-7, 1).alpha));
+
+/// "measured sands, s 0.4 to 0.58"
+const sandsNamed = (texts, least, most) => filled(texts.legend.sands, { least: written(least, 2), most: written(most, 2) });
 /// A wedge of the slopes of measured sands through a point on logarithmic axes.
 function sandBand(granum, texts, [x, y], low, high) {
   const [least, most] = granum.call("sand_exponents").numbers;
   const at = (p, s) => [p, y * (p / x) ** s];
-  return { label: filled(texts.legend.sands, { least, most }), colour: colours.grey, points: [at(low, least), [x, y], at(high, least), at(high, most), [x, y], at(low, most)] };
+  return { label: sandsNamed(texts, least, most), colour: colours.grey, points: [at(low, least), [x, y], at(high, least), at(high, most), [x, y], at(low, most)] };
 }
 
 /// Sliders of a step: {key: [min, max, step, start, unit]}; "shape" is a choice. A picture says {values, charts or rose}; `facts` are numbers
@@ -38,12 +43,12 @@ const lessonSteps = [
   {
     controls: { shape: "sphere", overlap: [0.02, 1, 0.02, 0.5, "µm"] },
     picture(granum, grain, at, texts, words) {
-      const of = (shape) => asStiffAsSpheres(granum, grain, shape);
-      const curves = contactLaws.map(({ name }) => granum.contactCurve(of(name), 1e-6, 100));
+      const of = (shape) => asStiffAsSpheres(granum, grain, shape), laws = powerLaws(granum);
+      const curves = laws.map(({ name }) => granum.contactCurve(of(name), 1e-6, 100));
       const here = granum.contactCurve(of(grain.shape), at.overlap * 1e-6, 1);
       const [{ force, stiffness }] = here.points;
-      const fine = contactLaws.map(({ name }) => spread(0.02, 1, 24).map((overlap) => granum.contactCurve(of(name), overlap * 1e-6, 1).points[0]));
-      const series = (points) => curves.map((_, k) => ({ label: contactLaws[k].plural, colour: shapeColour(contactLaws[k].name), faint: contactLaws[k].name !== grain.shape, points: points(k) }));
+      const fine = laws.map(({ name }) => spread(0.02, 1, 24).map((overlap) => granum.contactCurve(of(name), overlap * 1e-6, 1).points[0]));
+      const series = (points) => curves.map((_, k) => ({ label: laws[k].plural, colour: shapeColour(laws[k].name), faint: laws[k].name !== grain.shape, points: points(k) }));
       const slope = here.stiffnessExponent, least = 0.004, most = 1;
       const left = force * 3 > most ? force / 3 : force; // where the triangle of the tangent begins
       return {
@@ -81,13 +86,13 @@ const lessonSteps = [
     controls: { shape: "sphere", pressure: [10, 1000, 10, 100, "kPa"] },
     picture(granum, grain, at, texts, words) {
       const form = (shape, p) => granum.closedForms({ ...grain, shape }, { voidRatio: 0.6, coordinationNumber: 5.7, stressV: p * kPa }).uniformStrain;
-      const lines = contactLaws.map(({ name }) => spread(10, 1000, 40).map((p) => [p, form(name, p).vh / MPa]));
+      const laws = powerLaws(granum), lines = laws.map(({ name }) => spread(10, 1000, 40).map((p) => [p, form(name, p).vh / MPa]));
       const low = form(grain.shape, 30), here = form(grain.shape, at.pressure);
       return {
         values: { p: written(at.pressure), G: written(here.vh / MPa), factor: written(form(grain.shape, 1000).vh / form(grain.shape, 10).vh), slope: written(here.exponent) },
         charts: [{
           title: words.title, x: { label: texts.axis.pressure, min: 10, max: 1000, log: true }, y: logAxis(texts.axis.G, lines.flat().map(([, G]) => G)),
-          series: contactLaws.map(({ name, plural }, k) => ({ label: plural, colour: shapeColour(name), faint: name !== grain.shape, points: lines[k] })),
+          series: laws.map(({ name, plural }, k) => ({ label: plural, colour: shapeColour(name), faint: name !== grain.shape, points: lines[k] })),
           bands: [sandBand(granum, texts, [100, form(grain.shape, 100).vh / MPa], 10, 1000)],
           triangles: here.exponent > 0.01 ? [{ x0: 30, x1: 120, y: low.vh / MPa, slope: here.exponent, text: filled(texts.slope, { s: written(here.exponent) }) }] : [],
           mark: [at.pressure, here.vh / MPa],
@@ -145,10 +150,31 @@ const lessonSteps = [
       };
     },
   },
+  {
+    controls: { roughness: [5, 1000, 5, 100, "nm"] },
+    beside: [5, 50, 500],
+    picture(granum, grain, at, texts, words) {
+      const [low, high] = [0.1, 1e5]; // kPa
+      const form = (u, p) => granum.closedForms({ ...grain, shape: "rough", numbers: { roughness: u * 1e-9 } }, { voidRatio: 0.6, coordinationNumber: 5.7, stressV: p * kPa });
+      const s = (u, p) => form(u, p).uniformStrain.exponent, line = (u) => spread(low, high, 60).map((p) => [p, s(u, p)]);
+      const change = form(at.roughness, 100).transitionPressure / kPa, [least, most] = granum.call("sand_exponents").numbers;
+      const named = (u) => filled(words.curve, { u: written(u) });
+      return {
+        values: { u: written(at.roughness), change: written(change), first: written(s(at.roughness, 1)), middle: written(s(at.roughness, 100)), last: written(s(at.roughness, 1e4)) },
+        charts: [{
+          title: words.title, x: { label: texts.axis.pressure, min: low, max: high, log: true }, y: { label: texts.axis.s, min: 0, max: 1.05 },
+          series: [...this.beside.map((u, k) => ({ label: named(u), colour: colours.grey, dash: ["dots", false, true][k], faint: true, points: line(u) })),
+            { label: named(at.roughness), colour: colours.rough, points: line(at.roughness) }],
+          bands: [{ label: sandsNamed(texts, least, most), colour: colours.grey, points: [[low, least], [high, least], [high, most], [low, most]] }],
+          mark: [change, s(at.roughness, change)],
+        }],
+      };
+    },
+  },
 ];
 
 /// Radio buttons of contact shapes.
-const shapeChoice = (name, legend, chosen, change) => element("fieldset", {}, element("legend", {}, legend), ...contactLaws.map(({ name: shape, plural }) =>
+const shapeChoice = (name, legend, laws, chosen, change) => element("fieldset", {}, element("legend", {}, legend), ...laws.map(({ name: shape, plural }) =>
   element("label", {}, element("input", { type: "radio", name, value: shape, checked: shape === chosen, onchange: () => change(shape) }), ` ${plural}`)));
 
 function addStep(granum, texts, step, number) {
@@ -171,8 +197,9 @@ function addStep(granum, texts, step, number) {
       draw();
     };
     if (key === "shape") {
-      grain.shape = address.choice(id, range, contactLaws.map((law) => law.name));
-      return shapeChoice(id, texts.slider.shape, grain.shape, (shape) => put(grain, shape));
+      const laws = powerLaws(granum);
+      grain.shape = address.choice(id, range, laws.map((law) => law.name));
+      return shapeChoice(id, texts.slider.shape, laws, grain.shape, (shape) => put(grain, shape));
     }
     const [min, max, by, start, unit] = range;
     at[key] = address.number(id, start, min, max);

@@ -15,6 +15,7 @@ async function unpacked(base64) {
 
 async function start() {
   const texts = JSON.parse(document.getElementById("texts").textContent);
+  decimalSign = texts.decimalSign;
   document.title = texts.title;
   document.getElementById("title").textContent = texts.title;
   document.getElementById("question").append(...worded(texts.question));
@@ -32,7 +33,7 @@ async function start() {
   } }, texts.reset));
   const compiled = await unpacked(document.getElementById("wasm").textContent);
   const granum = await Granum.create(compiled);
-  for (const law of contactLaws) law.plural = texts.shapes[law.name] ?? law.plural;
+  for (const law of contactLaws) law.plural = filled(texts.shapes[law.name] ?? law.plural, Object.fromEntries(law.numbers.map(({ key, value }) => [key, written(value)])));
   document.getElementById("footer").append(filled(texts.footer, { version: granum.call("version").notes[0] }),
     ...Object.entries(texts.languages).filter(([name]) => name !== document.documentElement.lang).flatMap(([name, { file, title }]) => [" ", element("a", { href: file, lang: name }, title)]));
   addLesson(granum, texts);

@@ -93,13 +93,14 @@ class Granum {
     return { shear, shearError, bulk, bulkError };
   }
 
-  /// {uniformStrain, uniformStress, relaxed: {bulk, hh, vh, exponent, error}, meanForce, notes}
+  /// {uniformStrain, uniformStress, relaxed: {bulk, hh, vh, exponent, error}, meanForce,
+  /// transitionPressure of rough spheres, notes}
   closedForms(grain, packing) {
     const { numbers, notes } = this.call("closed_forms", ...grainNumbers(grain), packing.voidRatio,
       packing.coordinationNumber, packing.anisotropy ?? 0, packing.stressV, packing.stressH ?? packing.stressV,
       packing.mechanicalCoordinationNumber ?? NaN);
     const form = (k) => ({ bulk: numbers[k], hh: numbers[k + 1], vh: numbers[k + 2], exponent: numbers[k + 3], error: numbers[k + 4] });
-    return { uniformStrain: form(0), uniformStress: form(5), relaxed: form(10), meanForce: numbers[15], notes };
+    return { uniformStrain: form(0), uniformStress: form(5), relaxed: form(10), meanForce: numbers[15], transitionPressure: numbers[16], notes };
   }
 
   /// One packing from pressure to pressure: {states: [{pressure, z, rattlers, voidRatio, uniformStrain, relaxed}],

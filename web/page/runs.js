@@ -4,17 +4,17 @@
 
 const experimentPressures = [10, 13, 17, 22, 28, 36, 46, 60, 77, 100].map((p) => p * 1e3);
 const stateNames = ["pressure", "voidRatio", "contacts", "z", "rattlers", "overlap", "bulk", "network", "affine", "uniformStrain", "relaxed",
-  "s", "sError", "bulkUniformStrain", "bulkRelaxed", "lineFirst", "lineLast", "sRelaxed", "atRest"];
+  "s", "sError", "bulkUniformStrain", "bulkRelaxed", "lineFirst", "lineLast", "sRelaxed", "atRest", "contactAlone", "contactExponent"];
 /// What G and K are called in a state.
 const moduli = { G: { network: "network", uniformStrain: "uniformStrain", relaxed: "relaxed" }, K: { network: "bulk", uniformStrain: "bulkUniformStrain", relaxed: "bulkRelaxed" } };
 
-/// {setup: {grain, loose, sigma, grains, seed}, guess, contactExponent, states, image, done}
+/// {setup: {grain, loose, sigma, grains, seed}, guess, states, image, done}
 const colourOf = (run) => shapeColour(run.setup.grain.shape);
 const lastOf = (run) => run.states.at(-1);
-const measuredS = (run) => `${lastOf(run).s.toFixed(3)} ± ${lastOf(run).sError.toFixed(3)}`;
+const measuredS = (run) => `${fixed(lastOf(run).s, 3)} ± ${fixed(lastOf(run).sError, 3)}`;
 
 /// "spheres, loose, 600 grains, seed 1"
-const nameOf = (words, { setup }) => [lawNamed(setup.grain.shape).plural, setup.loose ? words.isLoose : words.isDense, ...(setup.sigma ? [`σ ${setup.sigma}`] : []),
+const nameOf = (words, { setup }) => [lawNamed(setup.grain.shape).plural, ...(setup.grain.numbers ? [filled(words.isRough, { u: written(setup.grain.numbers.roughness * 1e9) })] : []), setup.loose ? words.isLoose : words.isDense, ...(setup.sigma ? [`σ ${setup.sigma}`] : []),
   filled(words.grainsSeed, setup)].join(", ");
 
 /// Chart of all runs: the network's modulus of each; of the last one also the closed forms, and what the contact alone would do.
@@ -32,7 +32,7 @@ function runsChart(granum, texts, runs, modulus) {
   if (last) series.unshift(
     { label: legend.uniformStrain, colour: colours.uniform_strain, faint: shown.length > 1, points: line(last, names.uniformStrain) },
     { label: legend.relaxed, colour: colours.closed_form, faint: shown.length > 1, points: line(last, names.relaxed) },
-    { label: legend.contact, colour: colours.grey, dash: true, points: last.states.map((s) => [s.pressure / 1e3, (last.states[0][names.network] / 1e6) * (s.pressure / last.states[0].pressure) ** last.contactExponent]) });
+    { label: legend.contact, colour: colours.grey, dash: true, points: last.states.map((s) => [s.pressure / 1e3, (last.states[0][names.network] / 1e6) * s.contactAlone]) });
   const all = series.flatMap(({ points }) => points.map(([, y]) => y)).filter(Number.isFinite);
   const start = last && [ends(last)[0], last.states[0][names.network] / 1e6];
   return chart({
@@ -55,7 +55,7 @@ function runsTable(texts, runs) {
     element("thead", {}, element("tr", {}, ...words.runColumns.map((name) => element("th", { scope: "col" }, ...worded(name))))),
     element("tbody", {}, ...runs.filter((run) => run.done).map((run) => element("tr", {},
       element("th", { scope: "row" }, element("span", { class: `swatch dot${run.setup.loose ? " hollow" : ""}`, style: `--colour:${colourOf(run)}` }), `${runs.indexOf(run) + 1}: ${nameOf(words, run)}`),
-      ...[`${written(run.states[0].z)} → ${written(lastOf(run).z)}`, Number.isFinite(run.guess) ? written(run.guess) : "–", measuredS(run), written(run.contactExponent)].map((text) => element("td", {}, text)))))));
+      ...[`${written(run.states[0].z)} → ${written(lastOf(run).z)}`, Number.isFinite(run.guess) ? written(run.guess) : "–", measuredS(run), written(lastOf(run).contactExponent)].map((text) => element("td", {}, text)))))));
 }
 
 const runsGallery = (texts, runs) => element("div", { class: "gallery" }, ...runs.filter((run) => run.image).map((run) => element("figure", {},
@@ -64,12 +64,12 @@ const runsGallery = (texts, runs) => element("div", { class: "gallery" }, ...run
 /// {name, text} of a file with all states; what was made, and by what, stands in both.
 function runsFile(version, runs) {
   const names = ["p_Pa", "e", "C_n", "z_star", "rattler_fraction", "mean_overlap_over_d", "K_network_Pa", "G_network_Pa", "G_affine_Pa", "G_uniform_strain_Pa", "G_relaxed_Pa"];
-  const of = ({ setup }) => [setup.grain.shape, setup.loose ? "loose" : "dense", setup.sigma, setup.grains, setup.seed];
+  const of = ({ setup }) => [setup.grain.shape, setup.loose ? "loose" : "dense", setup.sigma, setup.grains, setup.seed, setup.grain.numbers?.roughness ?? ""];
   const made = runs.filter((run) => run.states.length);
   const rows = made.flatMap((run, k) => run.states.map((s) => [...names.map((_, n) => s[stateNames[n]]), k + 1, ...of(run)].join(",")));
   const [shape, preparation, , grains, seed] = of(made[0]);
   return {
     name: made.length === 1 ? `granum-${version}-${shape}-${preparation}-${grains}-seed${seed}.csv` : `granum-${version}-${made.length}-specimens.csv`,
-    text: `# granum ${version}\n${[...names, "specimen", "contact", "preparation", "lognormal_sigma", "grains", "seed"].join(",")}\n${rows.join("\n")}\n`,
+    text: `# granum ${version}\n${[...names, "specimen", "contact", "preparation", "lognormal_sigma", "grains", "seed", "roughness_m"].join(",")}\n${rows.join("\n")}\n`,
   };
 }

@@ -10,6 +10,7 @@
 #include <granum/estimate/answer.hpp>
 #include <granum/inverse/inference.hpp>
 
+#include "cli/options/slips.hpp"
 #include "exports.hpp"
 
 namespace {
@@ -17,6 +18,27 @@ namespace {
 using namespace granum;
 
 constexpr double none = effective::State::unset;
+
+/// What was inferred last, and where it was measured.
+struct Inferred {
+  inverse::Inference packing;
+  effective::State measured;
+};
+std::optional<Inferred> last_inferred;
+
+inverse::Quantity quantity_of(double place) {
+  if (!(place >= 0) || !(place < static_cast<double>(inverse::quantities().size())))
+    throw InvalidArgument("quantity", place, "", "the place of one that can be measured");
+  return inverse::quantities()[static_cast<std::size_t>(place)].quantity;
+}
+
+/// The packing of the last inference at another pressure.
+effective::State elsewhere(const Inferred& inferred, double pressure) {
+  effective::State there = inferred.measured;
+  there.stress_v = there.stress_h = pressure;
+  there.void_ratio = inferred.packing.void_ratio_at(pressure);
+  return there;
+}
 
 effective::Preparation preparation_of(double number) {
   using Kind = effective::Preparation::Kind;
@@ -81,6 +103,31 @@ void answer(double shape, double shear_modulus, double poisson_ratio, double rad
   web::words() = names + web::words();
 }
 
+/// What of the calculator's numbers is more likely a slip of unit or symbol, in the words of the program.
+GRANUM_EXPORT(slips)
+void slips(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
+           double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
+           double mechanical_coordination_number, double grain_density) {
+  const effective::State state =
+      state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}, void_ratio,
+               anisotropy, stress_v, stress_h);
+  Validity validity;
+  cli::judge_void_ratio({"--void-ratio", void_ratio}, false, validity);
+  if (!std::isnan(mechanical_coordination_number))
+    cli::judge_contacts({"--mechanical-coordination-number", mechanical_coordination_number}, true, state,
+                        validity);
+  if (stress_v == stress_h)
+    cli::judge_stress({"--pressure", stress_v, Dimension::pressure}, validity);
+  else {
+    cli::judge_stress({"--stress-v", stress_v, Dimension::pressure}, validity);
+    cli::judge_stress({"--stress-h", stress_h, Dimension::pressure}, validity);
+  }
+  cli::judge_length({"--radius", radius, Dimension::length}, validity);
+  cli::judge_modulus({"--grain-shear-modulus", shear_modulus, Dimension::pressure}, validity);
+  cli::judge_density({"--grain-density", grain_density, Dimension::density}, validity);
+  web::say(validity);
+}
+
 /// G_vh and its relative error, or not a number where the rung states none, of every closed form, at the
 /// contacts that are said; the words are their labels.
 GRANUM_EXPORT(ladder)
@@ -108,11 +155,8 @@ GRANUM_EXPORT(infer)
 void infer(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
            double second_number, double void_ratio, double pressure, double grain_density, double quantity,
            double value, double relative_error, double other_pressure) {
-  const auto place = static_cast<std::size_t>(quantity);
-  if (!(quantity >= 0) || place >= inverse::quantities().size())
-    throw InvalidArgument("quantity", quantity, "", "the place of one that can be measured");
   const inverse::Observation measured{
-      .quantity = inverse::quantities()[place].quantity,
+      .quantity = quantity_of(quantity),
       .value = {value, relative_error * value},
       .state = state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number},
                         void_ratio, 0, pressure, pressure)};
@@ -120,12 +164,12 @@ void infer(double shape, double shear_modulus, double poisson_ratio, double radi
       inverse::infer(std::span(&measured, 1), {.grain_density = grain_density});
   web::say(found.validity);
   web::numbers() = {found.together ? 1.0 : 0.0};
+  last_inferred.reset();
   if (!found.together)
     return;
-  const inverse::Inference& packing = *found.together;
-  effective::State there = measured.state;
-  there.stress_v = there.stress_h = other_pressure;
-  there.void_ratio = packing.void_ratio_at(other_pressure);
+  last_inferred.emplace(Inferred{*found.together, measured.state});
+  const inverse::Inference& packing = last_inferred->packing;
+  const effective::State there = elsewhere(*last_inferred, other_pressure);
   const inverse::InferredPacking contacts = packing.packing(measured.state);
   add(contacts.mechanical_coordination_number);
   add(contacts.coordination_number);
@@ -140,4 +184,17 @@ void infer(double shape, double shear_modulus, double poisson_ratio, double radi
     names += share.source + "\n";
   }
   web::words() = names + web::words();
+}
+
+/// A quantity and its standard error by what `infer` found last, at so many pressures from low to high, equal
+/// steps of their logarithm: pressure, value, error.
+/// \throws   Error where nothing was found
+GRANUM_EXPORT(inferred_path) void inferred_path(double quantity, double low, double high, double points) {
+  if (!last_inferred)
+    throw Error("nothing was inferred yet");
+  for (double k = 0; k < points; ++k) {
+    const double pressure = low * std::pow(high / low, k / (points - 1));
+    web::numbers().push_back(pressure);
+    add(last_inferred->packing.predict(quantity_of(quantity), elsewhere(*last_inferred, pressure)));
+  }
 }

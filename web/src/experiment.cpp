@@ -161,7 +161,8 @@ GRANUM_EXPORT(experiment_prepare) void experiment_prepare() {
 /// diameter; K, G and the affine G of the network, G by uniform strain and relaxed (closed forms); s of the
 /// network over all pressures so far, and its error; K by uniform strain and relaxed; G of the network on the
 /// line of s at the first pressure and at this one; s of rung 3 at the contacts that were counted; 1 where
-/// the specimen came to rest.
+/// the specimen came to rest; how many times as stiff as at the first pressure a contact is whose force grew
+/// as the pressure did, and the exponent of that, not a number at the first pressure.
 GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
   Experiment& e = experiment();
   Clock clock;
@@ -181,9 +182,13 @@ GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
       {.closed_forms = true, .network = network::ResponseOptions{}});
   const analysis::Network& network = found.solved_network();
   const elastic::Isotropic relaxed = network.isotropic_relaxed();
-  double overlap = 0;
-  for (const packing::Contact& contact : packing.contacts)
+  double overlap = 0, force = 0;
+  for (const packing::Contact& contact : packing.contacts) {
     overlap += contact.overlap / static_cast<double>(packing.contacts.size());
+    force += contact.normal_force / static_cast<double>(packing.contacts.size());
+  }
+  if (e.ln_pressure.empty())
+    e.first_force = force;
   const auto [uniform_shear, uniform_bulk] = closed_form(found, effective::RungName::isotropic);
   const auto [relaxed_shear, relaxed_bulk] = closed_form(found, effective::RungName::relaxed);
   e.ln_pressure.push_back(std::log(pressure));
@@ -194,6 +199,9 @@ GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
   const std::optional<StraightLine> rung =
       std::isnan(relaxed_shear) ? std::nullopt : line_of(e, e.ln_relaxed);
   const Measured s = exponent(e, line);
+  const contact::NormalLaw& law = e.recipe.material.law;
+  const double times = std::exp(e.ln_pressure.back() - e.ln_pressure.front());
+  const double alone = law.stiffness_at_force(times * e.first_force) / law.stiffness_at_force(e.first_force);
   web::numbers() = {pressure,
                     found.void_ratio,
                     found.counts.coordination_number,
@@ -212,7 +220,9 @@ GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
                     line ? std::exp((*line)(e.ln_pressure.front())) : none,
                     line ? std::exp((*line)(e.ln_pressure.back())) : none,
                     rung ? rung->slope.value : none,
-                    report.converged() ? 1.0 : 0.0};
+                    report.converged() ? 1.0 : 0.0,
+                    alone,
+                    std::log(alone) / (e.ln_pressure.back() - e.ln_pressure.front())};
 }
 
 /// The standard deviation of s of the network between specimens of a kind.

@@ -39,6 +39,7 @@ struct Experiment {
   double pressure = 0; ///< that it was compressed to last; 0 before [Pa]
   View view;
   std::vector<double> ln_pressure, ln_network, ln_relaxed;
+  double first_force = 0;                   ///< mean force of the contacts at the first pressure [N]
   std::optional<triaxial::ShearTest> shear; ///< once it has begun
 };
 

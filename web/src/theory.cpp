@@ -11,6 +11,7 @@
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/rungs.hpp>
+#include <granum/effective/transition_pressure.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/orientation.hpp>
 #include <granum/sands/pooled_law.hpp>
@@ -123,7 +124,8 @@ void relaxation(double mechanical_coordination_number, double tangential_ratio, 
 }
 
 /// K, G_hh, G_vh, s and error by uniform strain (rung 2), by uniform stress, and relaxed (rung 3); then the
-/// mean contact force. A mechanical coordination number that is not a number is not given.
+/// mean contact force, and the pressure where roughness gives way to Hertz, not a number where the contacts
+/// are not rough. A mechanical coordination number that is not a number is not given.
 GRANUM_EXPORT(closed_forms)
 void closed_forms(double shape, double shear_modulus, double poisson_ratio, double radius,
                   double first_number, double second_number, double void_ratio, double coordination_number,
@@ -144,6 +146,7 @@ void closed_forms(double shape, double shear_modulus, double poisson_ratio, doub
        {effective::RungName::directional, effective::RungName::uniform_stress, effective::RungName::relaxed})
     add_answer(name, packing, validity);
   web::numbers().push_back(effective::mean_contact_force(packing));
+  web::numbers().push_back(effective::transition_pressure(packing).value_or(effective::State::unset));
   validity.keep_each_once();
   web::say(validity);
 }

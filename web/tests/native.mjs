@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page's module beside the native program, and what both are given.
+import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
@@ -34,13 +35,36 @@ export function found(json, name) {
 const block = (id) => page.match(new RegExp(`<script id="${id}"[^>]*>([^]*?)</script>`))[1];
 export const texts = JSON.parse(block("texts"));
 const script = (name) => fs.readFileSync(path.join(root, "web/page", name), "utf8");
-export const { Granum, grain, answerOf, inferenceOf, ladderOf, sameAnswer, sameInference, shearPoint } = vm.runInThisContext(`(() => { ${block("worker-source").split("const view = ")[0]}
+export const { Granum, grain, answerOf, inferenceOf, inferredPath, ladderOf, sameAnswer, sameInference, shearPoint, slipsOf } = vm.runInThisContext(`(() => { ${block("worker-source").split("const view = ")[0]}
   ${page.match(/const defaultGrain = \{[^]*?\};/)[0]}
   ${script("same.js")}
   ${script("calculator.js")}
-  return { Granum, grain: defaultGrain, answerOf, inferenceOf, ladderOf, sameAnswer, sameInference, shearPoint }; })()`);
+  return { Granum, grain: defaultGrain, answerOf, inferenceOf, inferredPath, ladderOf, sameAnswer, sameInference, shearPoint, slipsOf }; })()`);
 
 export async function startModule(onFrame) {
   const packed = new Blob([Buffer.from(block("wasm"), "base64")]).stream().pipeThrough(new DecompressionStream("gzip"));
   return Granum.create(await WebAssembly.compile(await new Response(packed).arrayBuffer()), onFrame);
+}
+
+export const close = (a, b, relative, what) => assert.ok(Math.abs(a - b) <= relative * Math.abs(b), `${what}: ${a} is not ${b}`);
+
+/// Of the experiments of the tests [Pa].
+export const pressures = [1e4, 2e4, 3e4, 5e4, 7e4, 1e5];
+
+/// A module that is about to compress a specimen, made.
+export async function prepared(loose, seed, onFrame) {
+  const granum = await startModule(onFrame);
+  granum.call("experiment_begin", 1, grain.shearModulus, grain.poissonRatio, grain.radius, NaN, NaN,
+    grain.frictionAngle, loose ? 1 : 0, 0, 300, seed, pressures[0]);
+  granum.call("experiment_prepare");
+  return granum;
+}
+
+/// s of the network and its error, and every number on the way.
+export async function experiment(loose, seed) {
+  let frames = 0;
+  const granum = await prepared(loose, seed, () => ++frames);
+  const rows = pressures.map((p) => granum.call("experiment_compress", p).numbers);
+  assert.ok(frames > 0, "nothing was shown");
+  return { rows, s: rows.at(-1)[11], error: rows.at(-1)[12], z: rows.at(-1)[3], e: rows.at(-1)[1] };
 }

@@ -36,10 +36,10 @@ const findings = (page) => page.$$eval(".step .finding", (all) => all.map((one) 
 
 test("one file of at most 1.3 MB", () => assert.ok(pageText.length <= 1.3e6, `${pageText.length} bytes`));
 
-test("six steps say what they find, and sliders change it by keyboard alone", async () => {
+test("seven steps say what they find, and sliders change it by keyboard alone", async () => {
   const page = await opened();
   const first = await findings(page);
-  assert.equal(first.length, 6);
+  assert.equal(first.length, 7);
   for (const text of first) assert.doesNotMatch(text, /[{}]|NaN|undefined|–/);
   const sliders = await page.$$('#steps input[type="range"]');
   assert.ok(sliders.length >= 6);
@@ -118,7 +118,7 @@ test("a measurement says how many contacts there are, and what follows elsewhere
   assert.match(before, /z\* at 100 kPa\d\.\d+ ± 0\.0/);
   assert.doesNotMatch(before, /NaN|undefined|{/);
   await page.fill("#cotherPressure", "800");
-  assert.match(await said(), /V_s \[m\/s\] at 800 kPa/);
+  assert.match(await said(), /Vs \[m\/s\] at 800 kPa/);
   assert.match(await page.textContent("#ilines"), /granum infer .*--vs 280m\/s\+-2% --predict-pressure 800kPa/);
   await page.selectOption("#cquantity", "G");
   await page.fill("#cvalue", "120");
@@ -137,9 +137,10 @@ test("a measurement says how many contacts there are, and what follows elsewhere
 test("the page in German says its own words, and the same numbers", async () => {
   const page = await opened({}, "", pageFile.replace(/html$/, "de.html")), english = await opened();
   assert.equal(await page.getAttribute("html", "lang"), "de");
-  const numbers = (all) => all.map((text) => text.match(/\d+\.\d+/g)?.join(" "));
+  const numbers = (all, sign) => all.map((text) => text.match(new RegExp(`\\d+\\${sign}\\d+`, "g"))?.join(" ").replaceAll(sign, "."));
   const said = await findings(page), theirs = await findings(english);
-  assert.deepEqual(numbers(said), numbers(theirs));
+  assert.deepEqual(numbers(said, ","), numbers(theirs, "."));
+  assert.ok(said.every((text) => !/\d\.\d/.test(text)), said.join("\n"));
   said.forEach((text, k) => assert.notEqual(text, theirs[k]));
   assert.doesNotMatch(await page.innerText("main"), /undefined|\$|\{/);
   assert.equal(await page.getAttribute("footer a", "href"), "granum.html");
@@ -167,13 +168,14 @@ test("a screen reader hears names, values with units, and findings; hands, eyes 
   const page = await opened();
   const parts = await heard(page);
   const sliders = parts.filter(({ role }) => role === "slider");
-  assert.equal(sliders.length, 9);
+  assert.equal(sliders.length, 10);
   for (const { role, name } of parts.filter(({ role }) => ["slider", "button", "textbox", "spinbutton", "combobox", "radio", "link", "image", "img"].includes(role)))
     assert.ok(name.trim(), `a ${role} without a name`);
-  for (const key of ["overlap", "contacts", "voidRatio", "pressure", "anisotropy", "z", "z10"]) assert.ok(sliders.some(({ name }) => name === texts.slider[key]), key);
+  for (const key of ["overlap", "contacts", "voidRatio", "pressure", "anisotropy", "z", "z10", "roughness"])
+    assert.ok(sliders.some(({ name }) => name === texts.slider[key].replaceAll("_", "")), key);
   const spoken = await page.$$eval("#steps input[type=range]", (all) => all.map((one) => one.getAttribute("aria-valuetext")));
   assert.ok(spoken[0].endsWith("µm") && spoken[3].endsWith("kPa"), spoken.join(", "));
-  assert.equal(parts.filter(({ role, live }) => role === "status" && live === "polite").length, 7, "six findings and what the experiment says");
+  assert.equal(parts.filter(({ role, live }) => role === "status" && live === "polite").length, 8, "seven findings and what the experiment says");
   assert.ok((await page.locator("#step1 math").count()) > 3, "formulas are formulas");
   assert.equal(await page.$eval("#experiment canvas", (canvas) => getComputedStyle(canvas).touchAction), "pan-y");
 
@@ -213,7 +215,7 @@ test("print has values and what was chosen, and the sheet has its two pages", as
   const pages = async () => (await page.pdf({ format: "A4" })).toString("latin1").match(/\/Type \/Page\n/g).length;
   await page.emulateMedia({ media: "print" });
   const visible = (selector) => page.$$eval(selector, (all) => all.filter((one) => one.getClientRects().length > 0).length);
-  assert.equal(await visible("#steps output"), 7);
+  assert.equal(await visible("#steps output"), 8);
   assert.equal(await visible("#step3 fieldset label"), 1, "the chosen shape alone");
   assert.equal(await visible("#calculator input[type=number]"), 13);
   assert.equal(await visible("canvas, button"), 0);
@@ -259,6 +261,8 @@ for (const [name, options] of Object.entries({
   "wide and light": {},
   "wide and dark": { colorScheme: "dark" },
   "narrow and light": { viewport: { width: 390, height: 800 } },
+  "320 pixels, as 640 at 200 %": { viewport: { width: 320, height: 640 }, deviceScaleFactor: 2 },
+  "forced colours": { forcedColors: "active" },
   "narrow and dark, reduced motion": { viewport: { width: 390, height: 800 }, colorScheme: "dark", reducedMotion: "reduce" },
 }))
   test(`no barriers that axe knows, nothing beyond the edge: ${name}`, async () => {
@@ -276,6 +280,11 @@ for (const [name, options] of Object.entries({
       }).map((text) => text.textContent);
     }));
     assert.deepEqual(cut, [], "text outside of its picture");
+    // What a colour means is not lost: swatches and lines of a picture have the same ones, and more than one.
+    const seen = await page.evaluate(() => ["#step3 .swatch:not(.band)", "#step3 polyline"].map((all) =>
+      [...document.querySelectorAll(all)].map((one) => getComputedStyle(one)[one.matches("polyline") ? "stroke" : "borderTopColor"])));
+    assert.deepEqual(seen[0], seen[1]);
+    assert.ok(new Set(seen[0]).size === seen[0].length && seen[0].length === 4, seen[0].join(", "));
     assert.deepEqual(page.complaints, []);
     await page.context().close();
   });
@@ -312,8 +321,8 @@ test("an experiment runs to its end, is seen, and is kept", async () => {
   assert.equal(rows.length, 12);
   assert.match(csv.suggestedFilename(), /^granum-[\d.]+-sphere-dense-200-seed1\.csv$/);
   assert.match(rows[0], /^# granum [\d.]+$/);
-  assert.match(rows[1], /^p_Pa,e,C_n,z_star,.*,contact,preparation,lognormal_sigma,grains,seed$/);
-  assert.match(rows.at(-1), /,1,sphere,dense,0,200,1$/);
+  assert.match(rows[1], /^p_Pa,e,C_n,z_star,.*,contact,preparation,lognormal_sigma,grains,seed,roughness_m$/);
+  assert.match(rows.at(-1), /,1,sphere,dense,0,200,1,$/);
   const [svg] = await Promise.all([page.waitForEvent("download"), page.locator("#experiment button", { hasText: texts.save }).first().click()]);
   assert.match(fs.readFileSync(await svg.path(), "utf8"), /^<svg[^>]*xmlns=/);
   assert.deepEqual(page.complaints, []);

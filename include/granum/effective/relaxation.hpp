@@ -45,17 +45,25 @@ struct Relaxation {
 /// Accuracy  not measured: the share that the fit says.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double scatter_share_of_preparation();
 
-/// The largest b that the factors are calibrated with.
-inline constexpr double largest_calibrated_exponent = 0.5;
+/// How contacts come to stiffen as f^b. Up to b = 1/2 the factors do not ask, only their errors do.
+enum class Stiffening {
+  power_law, ///< one b at every force; beyond 1/2 on packings that something else made
+  rough      ///< of rough spheres in their own packings, whose b falls as roughness is pressed flat
+};
+
+/// That of a law: rough where it has no b of its own.
+[[nodiscard]] Stiffening stiffening_of(const contact::NormalLaw& law);
 
 /// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.95; 6 for
 /// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
 /// has a jump at the isostatic point and tends to 1 as well. Both are exactly 0 at that point and below, and
-/// depend weakly on the contact law, as the scatter of its stiffnesses does.
+/// depend weakly on the contact law, as the scatter of its stiffnesses does. Beyond b = 1/2 they go on from
+/// there: G's falls, K's rises to what tangential forces leave of it at b = 1.
 /// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*.
 /// \param    mechanical_coordination_number   z* >= 0 [1]
 /// \param    tangential_ratio                 r = k_t/k_n >= 0 [1]
-/// \param    stiffness_exponent               b of k_n ~ f^b, contact_exponent(state), in [0, 0.5]
+/// \param    stiffness_exponent               b of k_n ~ f^b, contact_exponent(state), in [0, 1]
+/// \param    stiffening                       how the contacts come to it
 /// \return   notes where z* is at or below the isostatic point or beyond the calibrated range (4.1 to 8.7),
 ///           where r exceeds 1 or lies between 0 and 0.1
 /// \throws   InvalidArgument if a value is out of its range
@@ -65,10 +73,12 @@ inline constexpr double largest_calibrated_exponent = 0.5;
 ///           made is 3 to 8 % larger: its stated error holds a scatter between codes besides, 18 % over
 ///           (1 + 2x)^2, taken from packings of LAMMPS and tested on YADE's. Grains compressed from a gas
 ///           with much friction are up to 6 % stiffer than the curve. At r = 0.1: G 4 %, K 6 %; at r = 0:
-///           8 % both. Rounding: relative 1e-13.
+///           8 % both. Beyond b = 1/2, networks of k_n ~ f^b on packings never fitted: G 5, 6 and 8 % rms at
+///           b = 2/3, 0.8 and 1, K 2 %; rough packings: G 5 % and K 3 % rms, opened ones 10 to 20 %; the
+///           stated errors grow with it. Rounding: relative 1e-13.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
 [[nodiscard]] Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
-                                    double stiffness_exponent);
+                                    double stiffness_exponent, Stiffening stiffening = Stiffening::power_law);
 
 /// Standard errors of moduli, over the moduli [1].
 struct ModulusErrors {
@@ -92,9 +102,9 @@ struct RelaxedEstimate {
 /// isotropic, positive definite where uniform_strain is, and exactly isotropic where that is isotropic.
 /// Unequal grains have G's factor of equal ones of a larger z*, by 1.6 v/(1 + 2x)^2 with v = <l^2>/<l>^2 - 1
 /// of state.contacts, K's over 1 + 0.60 v/(z* - 3.46 + 0.96 b), and errors that grow with v: 6 % of G
-/// for C_u = 2, more beyond. b is contact_exponent(state); beyond largest_calibrated_exponent the factors are
-/// those of that one, with a note, and errors that grow with what lies beyond: at b = 1 by 2 (1 - h)^2 of G,
-/// h its factor, which is then too large, and by 6 % of K. [validation/rough_contact]
+/// for C_u = 2, more beyond. b is contact_exponent(state), and contacts are rough where their law
+/// has no b of its own; those state larger errors below b = 1/2 too. The exponent of the stretch has b up to
+/// 1/2 alone, as no sheared packings beyond are known.
 /// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]

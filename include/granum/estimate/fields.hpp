@@ -32,9 +32,10 @@ enum class Field : std::size_t {
   stress_exponent,
   strained_shear_modulus,
   modulus_ratio,
-  damping_ratio
+  damping_ratio,
+  slip_strain
 };
-inline constexpr std::size_t field_count = 21;
+inline constexpr std::size_t field_count = 22;
 
 /// Which packings a number is shown of.
 enum class Shown {

@@ -21,6 +21,8 @@ struct Axis {
   Scale scale = Scale::linear;
   double unit = 1;       ///< > 0, what the numbers are divided by: 1e3 for Pa shown in kPa
   bool reversed = false; ///< the smallest number right, or on top: depth grows downwards
+  /// Of the x axis: numbers, as those of the series, that have a tick with a label before round ones do.
+  std::vector<double> asked = {};
 };
 
 enum class Mark {

@@ -16,10 +16,10 @@ namespace granum::plot {
 [[nodiscard]] std::string html_element(const std::string& tag, const std::string& content,
                                        const std::string& text_class = {});
 
-/// Plain text, escaped, as a paragraph.
+/// Plain text, escaped, with printed_signs, as a paragraph.
 [[nodiscard]] std::string html_paragraph(std::string_view text, const std::string& text_class = {});
 
-/// Plain texts as a list.
+/// Plain texts as a list, likewise.
 [[nodiscard]] std::string html_list(const std::vector<std::string>& items);
 
 /// Plain text line by line as it is, in letters of one width.

@@ -15,6 +15,7 @@ enum class Colour : std::size_t {
   cone,           ///< a shape
   flat,           ///< a shape
   power_law,      ///< a shape
+  rough,          ///< a shape
   closed_form,    ///< granum's answer: rung 3, fitted laws and densities, with their ranges
   uniform_strain, ///< rungs 0 to 2: the most that a packing can have
   measured,       ///< what was measured or simulated: network, probe, laboratory, counted contacts
@@ -41,6 +42,7 @@ inline constexpr PaletteRow palette[] = {
     {"cone", "#c04a00", "#f08a4b"},           //
     {"flat", "#00785a", "#3fc79a"},           //
     {"power_law", "#6b3fa0", "#bb9af0"},      //
+    {"rough", "#7d4f3a", "#d0a58c"},          //
     {"closed_form", "#a2457e", "#e09cc4"},    //
     {"uniform_strain", "#806000", "#e0bb44"}, //
     {"measured", "#474f5a", "#c5ccd4"},       //

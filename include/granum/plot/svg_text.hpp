@@ -18,6 +18,10 @@ using SvgAttributes = std::vector<std::pair<std::string_view, std::string>>;
 [[nodiscard]] std::string svg_number(double value);
 /// Text as it may stand in XML: markup escaped; control characters and bytes that are not UTF-8 as '?'.
 [[nodiscard]] std::string svg_escaped(std::string_view text);
+/// Signs that a terminal has no letters for, as they are printed: "+-" is "±", "<=" and ">=" one sign each,
+/// and alpha, sigma_v and sigma_h are Greek where they are words of their own.
+/// Checked by tests/plot/test_page.cpp
+[[nodiscard]] std::string printed_signs(std::string_view text);
 /// An element without content.
 [[nodiscard]] std::string svg_element(std::string_view name, const SvgAttributes& attributes);
 /// A text of a class; `content` is markup. Nothing if it is empty.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <granum/core/validity.hpp>
 #include <granum/sands/known_sands.hpp>
@@ -82,6 +83,12 @@ struct GrowthExponent {
 /// are known, 1.3 of any clean quartz sand, 1.6 beyond (C_u above 8, gravel, shells); more outside of the
 /// stresses and void ratios that were tested, at most 1.6.
 [[nodiscard]] double stated_factor(const Sand& sand, double void_ratio, double mean_stress);
+
+/// What a measured G says that is farther than a factor of 2.5 from that of sands of the same density and
+/// stress, in words: bonds, or a slip; else empty.
+/// \param    level   of the measured one over that of the sand, > 0 [1]
+/// Checked by tests/sands/test_pooled_law.cpp
+[[nodiscard]] std::string level_remark(double level);
 
 /// What of a sand lies outside of the tests, in words; the values hold with a wider range. Stresses below the
 /// tests are in every piece of ground and are not named: the range alone is wider.

@@ -45,6 +45,9 @@ struct StrainAnswer {
 /// [IshibashiZhang1993]
 [[nodiscard]] double damping_ratio(double ratio);
 
+/// Friction coefficient of quartz grains, where slip at contacts is asked for.
+inline constexpr double grain_friction = 0.5;
+
 /// Below this strain a modulus is that of small strain to 5 %.
 inline constexpr double small_strain = 1e-5;
 

@@ -11,6 +11,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/elastic/isotropic.hpp>
 
 #include "cli/frame/frame.hpp"
 #include "studies/scene/scene.hpp"
@@ -48,6 +49,7 @@ analysis::LawFamily law_family(const PackingOptions& options) {
   return [options = options](const contact::GrainMaterial& grain, double radius) mutable {
     options.grain_shear_modulus.value = grain.shear_modulus;
     options.grain_poisson_ratio.value = grain.poisson_ratio;
+    options.grain_bulk_modulus = {};
     options.radius.value = radius;
     return resolve_law(options);
   };
@@ -125,13 +127,14 @@ std::array<std::optional<double>, 2> parse_range(const std::string& name, const 
 }
 
 [[noreturn]] void refuse_material(const std::string& text) {
-  throw InvalidArgument(
-      fmt::format("--material takes TYPE:shear-modulus=30GPa,poisson-ratio=0.15, not \"{}\"", text));
+  throw InvalidArgument(fmt::format("--material takes TYPE:shear-modulus=30GPa,poisson-ratio=0.15, or "
+                                    "bulk-modulus=33GPa for the ratio, not \"{}\"",
+                                    text));
 }
 
 /// "shear-modulus=30GPa,poisson-ratio=0.15"
 contact::GrainMaterial parse_material(const std::string& list, const std::string& whole) {
-  std::optional<double> modulus, ratio;
+  std::optional<double> modulus, ratio, bulk;
   for (const std::string& item : split(list, ',')) {
     const std::size_t equals = item.find('=');
     const std::string key = item.substr(0, equals);
@@ -140,13 +143,18 @@ contact::GrainMaterial parse_material(const std::string& list, const std::string
       modulus =
           require_positive("--material shear-modulus",
                            parse_quantity("--material shear-modulus", value, Dimension::pressure), "Pa");
+    else if (key == "bulk-modulus" && !bulk)
+      bulk = require_positive("--material bulk-modulus",
+                              parse_quantity("--material bulk-modulus", value, Dimension::pressure), "Pa");
     else if (key == "poisson-ratio" && !ratio)
       ratio = parse_quantity("--material poisson-ratio", value, Dimension::dimensionless);
     else
       refuse_material(whole);
   }
-  if (!modulus || !ratio)
+  if (!modulus || ratio.has_value() == bulk.has_value())
     refuse_material(whole);
+  if (bulk)
+    return {*modulus, elastic::Isotropic::from_bulk_and_shear(*bulk, *modulus).poisson_ratio()};
   require_poisson_ratio("--material poisson-ratio", *ratio);
   return {*modulus, *ratio};
 }
@@ -223,8 +231,10 @@ std::optional<packing::TurningSpring> parse_turning(const std::string& name, con
 }
 
 studies::MeasureOptions measure_options(const AnalyseOptions& o) {
+  if (o.packing.grain_bulk_modulus.given() && !o.packing.grain_shear_modulus.given())
+    throw InvalidArgument("--grain-bulk-modulus goes with --grain-shear-modulus");
   analysis::Given out{.law_family = law_family(o.packing),
-                      .grain_poisson_ratio = o.packing.grain_poisson_ratio.value};
+                      .grain_poisson_ratio = grain_of(o.packing).poisson_ratio};
   if (o.packing.grain_shear_modulus.given())
     out.grain_shear_modulus = o.packing.grain_shear_modulus.value;
   if (o.grain_density.given())
@@ -279,7 +289,7 @@ void add_grain_options(Command& command, AnalyseOptions& o) {
             "Of grains of a type, for files with types: 1:shear-modulus=30GPa,poisson-ratio=0.15; once for "
             "each",
         .excludes =
-            {{"--grain-shear-modulus --grain-poisson-ratio",
+            {{"--grain-shear-modulus --grain-poisson-ratio --grain-bulk-modulus",
               "--material says what --grain-shear-modulus and --grain-poisson-ratio say: leave these out"}},
         .belongs = {{"--contact", "sphere", "sphere", "--contact sphere"}},
         .synonyms = {{"mineral material solid"}}}});

@@ -21,10 +21,10 @@ void take_code_stress(const std::vector<std::string>& given, std::vector<FrameAn
 /// shear stresses may be all but zero.
 void judge_code_stress(const FrameAnswer& frame, Validity& out);
 
-/// Gives each frame the moduli that the code's own probes found. The file has a row a modulus, columns modulus
-/// (K, G, G_hh, G_vh, C11, C33, C12, C13) and value with its unit, as moduli.csv of an exported deck, and tells
-/// whose it is by a column step, or a column state, a part of the names of the frame's files between points;
-/// without either it is of the only frame. An empty path: nothing is compared.
+/// Gives each frame the moduli that the code's own probes found. The file has a row a modulus, with columns
+/// modulus (K, G, G_hh, G_vh, C11, C33, C12, C13) and value with its unit, as moduli.csv of an exported deck.
+/// A column step, or a column state, a part of the names of the frame's files between points, assigns rows to
+/// frames; without either there is one frame. An empty path: nothing is compared.
 /// \throws   FileError for a file that is no such table, or a row that belongs to no frame
 void take_probes(const std::string& path, std::vector<FrameAnswer>& frames);
 

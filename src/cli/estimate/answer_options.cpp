@@ -95,7 +95,8 @@ bool in_use(const PackingOptions& o, const AnswerOptions& answer, const Number& 
                                     &answer.grain_density};
   const bool radius_known = o.d50.given() || (o.sizes && o.sizes->mean_radius());
   const bool by_default = std::find(std::begin(defaults), std::end(defaults), &n) != std::end(defaults) &&
-                          !(&n == &o.radius && radius_known);
+                          !(&n == &o.radius && radius_known) &&
+                          !(&n == &o.grain_poisson_ratio && o.grain_bulk_modulus.given());
   const bool of_contact = std::any_of(o.law_numbers.begin(), o.law_numbers.end(), [&](const LawNumber& of) {
     return &of.number == &n && of.row->shape == o.contact;
   });

@@ -6,6 +6,8 @@
 #include <fmt/core.h>
 #include <granum/plot/page.hpp>
 
+#include "sources.hpp"
+
 namespace granum::cli {
 
 namespace {
@@ -45,6 +47,16 @@ std::string numbers(const Named& named) {
          plot::html_table({"", "answer", "low", "high", "what it is"}, rows);
 }
 
+/// Keys of all that stands behind the numbers.
+std::string keys_of(const AnswerCase& c, const std::string& table) {
+  std::string keys = table;
+  for (const std::string& note : c.assumptions)
+    keys += note + "\n";
+  for (const SandAnswer& sand : c.sands)
+    keys += std::string(sand.law->source) + "\n";
+  return keys;
+}
+
 } // namespace
 
 std::string answer_page(const AnswerCase& c, const plot::Chart& picture, const std::string& table,
@@ -60,7 +72,8 @@ std::string answer_page(const AnswerCase& c, const plot::Chart& picture, const s
   std::string body =
       plot::html_first_screen("How stiff is it, and how well is that known?", sentences, figure) +
       plot::html_section("numbers", "Every number", all_numbers) +
-      plot::html_section("assumptions", "What was assumed, and from where", plot::html_list(c.assumptions));
+      plot::html_section("assumptions", "What was assumed, and from where", plot::html_list(c.assumptions)) +
+      plot::html_section("sources", "Sources", plot::html_list(sources_in(keys_of(c, table))));
   if (!validity.ok())
     body += plot::html_section("warnings", "What to be careful about", plot::html_list(validity.notes));
   body += plot::html_section("all", "All that was found",

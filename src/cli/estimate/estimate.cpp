@@ -137,10 +137,11 @@ Command make_estimate() {
   add_output_options(command, options->output);
   add_picture(command, options->picture,
               "Draw G and its range over the mean stress, or over the shear strain with --strain");
-  command.add({.name = "--report",
-               .value = path(options->report, "FILE.html"),
-               .group = output_group,
-               .meaning = "Write the answer as a page: range, assumptions, sources by key, and the picture"});
+  command.add(
+      {.name = "--report",
+       .value = path(options->report, "FILE.html"),
+       .group = output_group,
+       .meaning = "Write the answer as a page: range, assumptions, sources in full, and the picture"});
   OptionRow& force = command.row("--force");
   force.needs = {{"--out --picture --report", "--out, --picture or --report"}};
   force.meaning = "Let --out, --picture and --report replace existing files";

@@ -6,6 +6,7 @@
 #include <granum/contact/minerals.hpp>
 #include <granum/effective/transition_pressure.hpp>
 #include <granum/io/csv/columns.hpp>
+#include <granum/plot/svg_text.hpp>
 
 #include "cli/frame/json_members.hpp"
 #include "fit.hpp"
@@ -179,17 +180,18 @@ plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,
   };
   plot::Chart chart{
       .title = fmt::format("{} of {}", question.modulus_column, question.file),
-      .x = {.title = i == j     ? i + " [kPa]"
-                     : separate ? fmt::format("({}^{:.3f} {}^{:.3f})^(1/s) [kPa]", i, m, j, n)
-                                : fmt::format("sqrt({} {}) [kPa]", i, j),
+      .x = {.title =
+                plot::printed_signs(i == j     ? i + " [kPa]"
+                                    : separate ? fmt::format("({}^{:.3f} {}^{:.3f})^(1/s) [kPa]", i, m, j, n)
+                                               : fmt::format("sqrt({} {}) [kPa]", i, j)),
             .scale = plot::Scale::logarithmic,
             .unit = 1e3},
       .y = {.title = question.modulus_column + "/f(e) [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
-      .series = {data, line(fmt::format("law, s = {:.3f} +- {:.2g}", s, fit.exponent_sum.standard_error), s,
-                            0, plot::Tone::full)}};
+      .series = {data, line(fmt::format("law, s = {:.3f} \u00b1 {:.2g}", s, fit.exponent_sum.standard_error),
+                            s, 0, plot::Tone::full)}};
   std::size_t dashes = 1;
   for (const auto& [name, alpha] : contact_shapes)
-    chart.series.push_back(line(fmt::format("1/(1+alpha) = {:.3f}, {}", 1 / (1 + alpha), name),
+    chart.series.push_back(line(fmt::format("1/(1+\u03b1) = {:.3f}, {}", 1 / (1 + alpha), name),
                                 1 / (1 + alpha), dashes++, plot::Tone::grey));
   return chart;
 }

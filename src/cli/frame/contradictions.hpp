@@ -22,6 +22,8 @@ inline constexpr const char* stress = "--pressure sets both stresses: leave out 
 inline constexpr const char* rattlers =
     "--mechanical-coordination-number and --rattler-fraction say the same: give one";
 inline constexpr const char* size = "--radius and --d50 say the same: give one";
+inline constexpr const char* grain =
+    "--grain-poisson-ratio and --grain-bulk-modulus are of one solid, with its shear modulus: give one";
 inline constexpr const char* sizes = "--sizes, --sieve and --uniformity say the same: give one of them, once";
 } // namespace said_twice
 

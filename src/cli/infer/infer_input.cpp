@@ -170,7 +170,8 @@ PackingOptions read_table(const InferOptions& o, InferCase& question) {
 
 /// The numbers whose error all measurements share: stresses and contacts are not among them.
 std::vector<Number*> shared_numbers(PackingOptions& o) {
-  std::vector<Number*> shared{&o.grain_shear_modulus, &o.grain_poisson_ratio, &o.fabric};
+  Number& second = o.grain_bulk_modulus.given() ? o.grain_bulk_modulus : o.grain_poisson_ratio;
+  std::vector<Number*> shared{&o.grain_shear_modulus, &second, &o.fabric};
   for (LawNumber& of : o.law_numbers)
     if (o.contact == of.row->shape)
       shared.push_back(&of.number);

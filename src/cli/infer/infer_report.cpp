@@ -432,6 +432,8 @@ plot::Chart infer_chart(const InferCase& question, inverse::Quantity quantity, c
     low.y.push_back(value.value - value.standard_error);
     high.y.push_back(value.value + value.standard_error);
   }
+  chart.x.asked = points.x;
+  chart.x.asked.insert(chart.x.asked.end(), data.x.begin(), data.x.end());
   for (plot::Series* series : {&curve, &low, &high, &data, &points})
     if (!series->x.empty())
       chart.series.push_back(std::move(*series));

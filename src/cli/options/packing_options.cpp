@@ -11,6 +11,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/effective/relaxation.hpp>
+#include <granum/elastic/isotropic.hpp>
 
 #include "cli/frame/contradictions.hpp"
 #include "likely_mistakes.hpp"
@@ -75,14 +76,26 @@ std::vector<LawNumber> law_numbers() {
   return out;
 }
 
+contact::GrainMaterial grain_of(const PackingOptions& o) {
+  const Number &bulk = o.grain_bulk_modulus, &ratio = o.grain_poisson_ratio;
+  if (!bulk.given())
+    return {o.grain_shear_modulus.value, ratio.value};
+  if (ratio.given() && !ratio.preset)
+    throw InvalidArgument(said_twice::grain);
+  require_positive(bulk.name, bulk.value, "Pa");
+  require_positive(o.grain_shear_modulus.name, o.grain_shear_modulus.value, "Pa");
+  return {o.grain_shear_modulus.value,
+          elastic::Isotropic::from_bulk_and_shear(bulk.value, o.grain_shear_modulus.value).poisson_ratio()};
+}
+
 contact::NormalLaw resolve_law(const PackingOptions& o) {
   require_belongs_to_contact(o);
   require_numbers_of_contact(o);
   contact::LawNumbers numbers;
   for (const auto& [row, parameter, number] : o.law_numbers)
     numbers[parameter->key] = number.value;
-  return contact::law_of(o.contact, {o.grain_shear_modulus.value, o.grain_poisson_ratio.value},
-                         resolve_radius(o) * resolve_contact_means(o).pair_radius, numbers);
+  return contact::law_of(o.contact, grain_of(o), resolve_radius(o) * resolve_contact_means(o).pair_radius,
+                         numbers);
 }
 
 namespace {
@@ -148,6 +161,13 @@ const std::vector<NumberRow>& number_rows() {
         .group = grains_group,
         .meaning = "nu_g of the grain's material",
         .synonyms = {{"nu nug v poisson poissonratio poissonsratio"}}}},
+      {&PackingOptions::grain_bulk_modulus,
+       false,
+       {.name = "--grain-bulk-modulus",
+        .group = grains_group,
+        .meaning = "K_g of the grain's material, instead of --grain-poisson-ratio",
+        .excludes = {{"--grain-poisson-ratio", said_twice::grain}},
+        .synonyms = {{"K k Kg Ks kg ks bulkmodulus grainbulkmodulus"}}}},
       {&PackingOptions::radius,
        true,
        {.name = "--radius",
@@ -354,7 +374,7 @@ State resolve_state(const PackingOptions& o, const stress::AxialStress& stress) 
   const State state{.law = resolve_law(o),
                     .tangential_ratio = o.tangential_ratio.given()
                                             ? contact::given_stiffness_ratio(o.tangential_ratio.value)
-                                            : contact::mindlin_stiffness_ratio(o.grain_poisson_ratio.value),
+                                            : contact::mindlin_stiffness_ratio(grain_of(o).poisson_ratio),
                     .radius = resolve_radius(o),
                     .void_ratio = resolve_void_ratio(o),
                     .coordination_number = if_given(o.coordination_number),
@@ -381,13 +401,15 @@ std::vector<std::string> assumed_grains(const PackingOptions& o, const State& st
       note_default(number, ", " + parameter->origin);
   const std::string grains = ", as the grains of Chung et al. 2014, Table 1";
   note_default(o.grain_shear_modulus, grains);
-  note_default(o.grain_poisson_ratio, grains);
+  if (!o.grain_bulk_modulus.given())
+    note_default(o.grain_poisson_ratio, grains);
   if (!o.d50.given() && !(o.sizes && o.sizes->mean_radius()))
     note_default(o.radius, o.sizes ? grains + ", their mean by number" : grains);
   if (!o.tangential_ratio.given())
     notes.push_back(fmt::format("assumed --tangential-ratio {}, the no-slip contact of Mindlin",
-                                o.grain_poisson_ratio.in_table ? "2(1-nu_g)/(2-nu_g)"
-                                                               : short_text(state.tangential_ratio)));
+                                (o.grain_poisson_ratio.in_table || o.grain_bulk_modulus.in_table)
+                                    ? "2(1-nu_g)/(2-nu_g)"
+                                    : short_text(state.tangential_ratio)));
   note_default(o.fabric, ", contacts in all directions alike");
   constexpr double compared = 1.75; // the largest C_u of validation/sizes
   if (const double uniformity = o.sizes ? sizes::gradation(*o.sizes, 1).uniformity() : 1;

@@ -43,6 +43,7 @@ struct PackingOptions {
   std::vector<LawNumber> law_numbers = cli::law_numbers();
   Number grain_shear_modulus{30e9, Dimension::pressure};
   Number grain_poisson_ratio{0.15};
+  Number grain_bulk_modulus{0, Dimension::pressure}; ///< in the place of Poisson's ratio
   Number radius{0.5e-3, Dimension::length};
   Number d50{0, Dimension::length};
   std::optional<sizes::Distribution> sizes = {}; ///< of unequal grains
@@ -63,6 +64,10 @@ struct PackingOptions {
   /// The number of that key in the table of laws.
   [[nodiscard]] const Number& law_number(std::string_view key) const;
 };
+
+/// What the grains are made of: the shear modulus, and Poisson's ratio or the bulk modulus.
+/// \throws   InvalidArgument for both of them, or moduli that no solid has
+[[nodiscard]] contact::GrainMaterial grain_of(const PackingOptions& options);
 
 /// All numbers: columns of tables, and inputs that may be uncertain.
 [[nodiscard]] std::vector<Number*> numbers(PackingOptions& options);

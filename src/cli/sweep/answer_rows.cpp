@@ -3,6 +3,8 @@
 
 #include <iterator>
 
+#include <fmt/format.h>
+#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
@@ -21,10 +23,13 @@ AnswerRows::AnswerRows(const io::CsvTable& table, const SweepOptions& options, R
     all.insert(all.end(), std::begin(of_ground), std::end(of_ground));
   else
     all.push_back(&answer_.earth_pressure_at_rest);
+  if (answer_.ground)
+    all.push_back(&ground_.water_table);
   if (answer_.ground && !layers)
-    all.insert(all.end(), {&ground_.water_table, &ground_.surcharge});
+    all.push_back(&ground_.surcharge);
   for (Number* number : all)
     columns.bind(*number);
+  has_speed_ = !layers && columns.bind(shear_wave_speed_);
   if (layers && !columns.bind(ground_.top))
     throw FileError(table.name(), table.heading_line(),
                     "lacks a column top_m, the depth where a layer begins");
@@ -46,6 +51,8 @@ AnswerRow AnswerRows::row(std::size_t row) {
     return column ? std::string(trimmed(fields[*column])) : std::string();
   };
   AnswerRow both{packing, answer_, ground_};
+  if (shear_wave_speed_.given())
+    both.shear_wave_speed = require_positive("V_s", shear_wave_speed_.value, "m/s");
   if (const std::string said = text(preparation_); !said.empty())
     both.answer.preparation = effective::preparation_of(said);
   if (const std::string said = text(grain_); !said.empty())
@@ -56,6 +63,10 @@ AnswerRow AnswerRows::row(std::size_t row) {
     both.answer.grain_shape = estimate::grain_shape_of(said);
   apply_presets(both.packing, both.answer);
   return both;
+}
+
+std::string unread_text(const std::vector<std::string>& headings) {
+  return fmt::format("columns that are no inputs: {}", fmt::join(headings, ", "));
 }
 
 } // namespace granum::cli

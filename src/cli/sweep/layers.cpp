@@ -17,6 +17,33 @@ GroundCase below(GroundCase ground, double top, double effective_stress_v) {
   return ground;
 }
 
+/// The rows with the one water table that the ground has, whichever of them tell it.
+std::vector<AnswerRow> rows_of(const io::CsvTable& table, AnswerRows& reader) {
+  std::vector<AnswerRow> rows;
+  const Number* told = nullptr;
+  for (std::size_t k = 0; k < table.row_count(); ++k) {
+    try {
+      rows.push_back(reader.row(k));
+    } catch (const InvalidArgument& error) {
+      throw FileError(table.name(), table.line(k), error.what());
+    }
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Number& here = rows[k].ground.water_table;
+    if (told != nullptr && here.given() && here.value != told->value)
+      throw FileError(table.name(), table.line(k),
+                      "has another water table than a row above: the ground has one, a depth below its top");
+    if (told == nullptr && here.given())
+      told = &here;
+  }
+  if (told != nullptr) {
+    const Number one = *told;
+    for (AnswerRow& row : rows)
+      row.ground.water_table = one;
+  }
+  return rows;
+}
+
 Layer layer_of(const SweepOptions& o, const AnswerRow& row) {
   Layer layer{.top = row.ground.top.value, .options = o, .ground = {}};
   layer.options.packing = row.packing;
@@ -32,11 +59,13 @@ std::vector<Layer> layers_of(const SweepOptions& o) {
   if (o.ground.layers.empty())
     return {{.top = 0, .options = o, .ground = resolve_ground(o)}};
   const io::CsvTable table = io::read_csv(o.ground.layers);
-  AnswerRows rows(table, o, RowsOf::layers);
+  AnswerRows reader(table, o, RowsOf::layers);
+  const std::vector<AnswerRow> rows = rows_of(table, reader);
+  const std::vector<std::string> unread = reader.unread();
   std::vector<Layer> layers;
   for (std::size_t k = 0; k < table.row_count(); ++k) {
     try {
-      Layer layer = layer_of(o, rows.row(k));
+      Layer layer = layer_of(o, rows[k]);
       if (layers.empty() ? layer.top != 0 : !(layer.top > layers.back().top))
         throw InvalidArgument(layers.empty() ? "the first layer begins at top 0 m"
                                              : "tops of layers grow downwards, line by line");
@@ -45,6 +74,8 @@ std::vector<Layer> layers_of(const SweepOptions& o) {
         const stress::GroundStress end = stress::stress_at(above.ground.ground, layer.top - above.top);
         layer.ground = below(std::move(layer.ground), layer.top, end.effective.v);
       }
+      if (!unread.empty())
+        layer.ground.assumptions.push_back(unread_text(unread));
       layers.push_back(std::move(layer));
     } catch (const InvalidArgument& error) {
       throw FileError(o.ground.layers, table.line(k), error.what());

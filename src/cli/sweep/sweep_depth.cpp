@@ -75,12 +75,16 @@ std::string brief(double number, int digits) {
                                              : fmt::format("{:.0f}", number);
 }
 
-std::string ground_text(const GroundCase& c) {
+/// \param    top   depth from which the ground's own depths count [m]
+std::string ground_text(const GroundCase& c, double top) {
   const auto weight = [](double value) { return pretty(value, Dimension::unit_weight); };
+  if (const auto& table = c.ground.water_table; table && *table <= 0 && top > 0)
+    return fmt::format("{}, below the water table, full", weight(c.ground.saturated_unit_weight));
   std::string text = fmt::format("{}, {} % of the pores water", weight(c.ground.unit_weight),
                                  short_text(100 * c.saturation, 3));
   if (const auto& table = c.ground.water_table)
-    text += fmt::format("; below {} m {}, full", short_text(*table), weight(c.ground.saturated_unit_weight));
+    text += fmt::format("; below {} m {}, full", short_text(top + *table),
+                        weight(c.ground.saturated_unit_weight));
   return text;
 }
 
@@ -101,12 +105,11 @@ std::string layers_text(const std::vector<Layer>& layers, const AnswerCase& last
   if (layers.size() == 1)
     return fmt::format("Stiffness of level ground, void ratio {}: {}\n\n  ground    {}\n  at rest   {}\n\n",
                        short_text(last.question.state.void_ratio), title_of(last.question.grain_shape),
-                       ground_text(layers.front().ground), rest_text(layers.front().ground.ground));
-  std::string text =
-      "Stiffness of level ground in layers; water, and what lies above, from their tops down\n\n";
+                       ground_text(layers.front().ground, 0), rest_text(layers.front().ground.ground));
+  std::string text = "Stiffness of level ground in layers, each from its top down\n\n";
   for (const Layer& layer : layers)
     text += fmt::format("  {:>5} m   e = {}, {}, {}\n", brief(layer.top, 4), short_text(void_ratio_of(layer)),
-                        ground_text(layer.ground), rest_text(layer.ground.ground));
+                        ground_text(layer.ground, layer.top), rest_text(layer.ground.ground));
   return text + "\n";
 }
 
@@ -222,12 +225,13 @@ SweepOutput output_of(const SweepOptions& o, const std::vector<DepthState>& stat
 }
 
 /// What a layer assumes: its ground, and its answers, as at its bottom.
-std::vector<std::string> assumptions_of(const Layer& layer, double bottom) {
+/// \param    alone   whether it is all of the ground
+std::vector<std::string> assumptions_of(const Layer& layer, double bottom, bool alone) {
   std::vector<std::string> all = layer.ground.assumptions;
   const stress::GroundStress stress = stress::stress_at(layer.ground.ground, bottom - layer.top);
   const AnswerCase solved =
       solve_answer(at_stress(layer.options.packing, stress.effective), layer.options.answer, {});
-  for (const std::string& note : remarks_on(layer.options, solved.assumptions))
+  for (const std::string& note : alone ? remarks_on(layer.options, solved.assumptions) : solved.assumptions)
     all.push_back(note);
   return all;
 }
@@ -237,7 +241,7 @@ std::vector<std::string> assumptions_of(const std::vector<Layer>& layers, double
   std::vector<std::pair<const Layer*, std::vector<std::string>>> said;
   for (auto layer = layers.begin(); layer != layers.end() && layer->top < deepest; ++layer) {
     const double end = layer + 1 == layers.end() ? deepest : (layer + 1)->top;
-    said.emplace_back(&*layer, assumptions_of(*layer, std::min(end, deepest)));
+    said.emplace_back(&*layer, assumptions_of(*layer, std::min(end, deepest), layers.size() == 1));
   }
   const auto everywhere = [&](const std::string& note) {
     return std::all_of(said.begin(), said.end(), [&](const auto& one) {
@@ -346,7 +350,10 @@ plot::Chart field_panel(const SweepOptions& o, const std::vector<DepthState>& st
 std::vector<double> picture_depths(const std::vector<double>& asked, const std::vector<Layer>& layers) {
   constexpr std::size_t count = 121;
   const double first = asked.front(), last = asked.back();
-  std::vector<double> depths = spread(first, last, count, false);
+  std::vector<double> depths;
+  for (const double share : spread(0, 1, count, false))
+    depths.push_back(first + (last - first) * share * share * share); // V_s goes as a root at the surface
+  depths.back() = last;
   const auto add_jump = [&](double above, double below) {
     if (above > first && below < last)
       depths.insert(depths.end(), {above, below});

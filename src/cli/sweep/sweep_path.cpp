@@ -123,18 +123,16 @@ plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<
       band.at.push_back(place(k));
       band.ranges.push_back((*answer)[quantity.field]);
     }
-  if (const std::vector<SweptState>& all = states; std::any_of(
-          all.begin(), all.end(), [](const SweptState& s) { return s.answer && s.answer->sand_answer; })) {
-    Band of_sand;
-    for (std::size_t k = 0; k < all.size(); ++k)
-      if (const auto* sand = all[k].answer ? answer_of_sand(*all[k].answer) : nullptr;
-          sand != nullptr && sand->find(quantity.field)) {
-        of_sand.at.push_back(place(k));
-        of_sand.ranges.push_back((*sand)[quantity.field]);
-      }
+  Band of_sand; // where nothing says what the grains are
+  for (std::size_t k = 0; k < states.size(); ++k)
+    if (const auto& sand = states[k].answer ? states[k].answer->sand_answer : std::nullopt;
+        sand && sand->find(quantity.field)) {
+      of_sand.at.push_back(place(k));
+      of_sand.ranges.push_back((*sand)[quantity.field]);
+    }
+  if (!of_sand.at.empty())
     add_band(chart, of_sand, false, "sand", plot::Colour::measured);
-  }
-  add_band(chart, band, false);
+  add_band(chart, band, false, of_sand.at.empty() ? "answer" : "beads");
   for (std::size_t r = 0; r < rungs.size(); ++r) {
     if (rungs[r]->name == effective::RungName::relaxed) // the answer itself
       continue;

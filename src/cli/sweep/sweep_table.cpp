@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <granum/core/check.hpp>
@@ -30,10 +31,28 @@ io::Columns<RowStress> stress_columns() {
           {"p_Pa", "mean_stress", of([](const auto& at) { return at.effective.mean(); })}};
 }
 
+/// V_s that was measured over that of the answer, of a sand where there are two; nothing without either.
+using SpeedRatio = std::optional<double>;
+
+SpeedRatio speed_ratio(const SweptState& state, const std::optional<double>& measured) {
+  if (!state.answer || !measured)
+    return std::nullopt;
+  const estimate::Answer* const sand = answer_of_sand(*state.answer);
+  const auto& answer = (sand != nullptr ? *sand : state.answer->answer).find(Field::shear_wave_speed);
+  return answer && answer->value > 0 ? SpeedRatio(*measured / answer->value) : std::nullopt;
+}
+
+io::Columns<SpeedRatio> speed_columns() {
+  return {
+      {"V_s_measured_over_answer", "measured_over_answer", [](const SpeedRatio& ratio) { return ratio; }}};
+}
+
 /// A point of the picture.
 struct RowPoint {
   double mean_stress, void_ratio;
   estimate::Range shear_modulus;
+  std::optional<estimate::Range> of_sand; ///< where nothing says what the grains are
+  std::optional<estimate::Range> of_laws;
 };
 
 /// Answers the rows of a table, one after the other: a table may have millions.
@@ -42,9 +61,12 @@ class TableSweep {
   TableSweep(const SweepOptions& options, const Rungs& rungs)
       : options_(options), rungs_(rungs), table_(io::read_csv(options.table)), reader_(table_, options),
         stresses_(reader_.in_ground() ? stress_columns() : io::Columns<RowStress>{}),
+        speeds_(reader_.has_speed() ? speed_columns() : io::Columns<SpeedRatio>{}),
         output_(options_of_rows(), rungs, leading_headings(), table_.manner()) {
     std::vector<std::string> results = output_.result_headings();
     for (const io::Column<RowStress>& column : stresses_)
+      results.push_back(column.heading);
+    for (const io::Column<SpeedRatio>& column : speeds_)
       results.push_back(column.heading);
     for (const std::string& heading : results)
       if (std::find(table_.headings().begin(), table_.headings().end(), heading) != table_.headings().end())
@@ -71,6 +93,8 @@ class TableSweep {
     std::vector<std::string> all = table_.headings();
     for (const io::Column<RowStress>& column : stresses_)
       all.push_back(column.heading);
+    for (const io::Column<SpeedRatio>& column : speeds_)
+      all.push_back(column.heading);
     return all;
   }
 
@@ -94,14 +118,17 @@ class TableSweep {
     return at.state;
   }
 
-  SweptState state_of(std::size_t row, RowStress& stress) {
+  SweptState state_of(std::size_t row, RowStress& stress, SpeedRatio& ratio) {
     try {
       const AnswerRow question = reader_.row(row);
-      if (reader_.in_ground())
-        return state_at_depth(question, stress);
-      if (!assumptions_)
+      if (!reader_.in_ground() && !assumptions_)
         assumptions_ = solve_answer(question.packing, question.answer, {}).assumptions;
-      return swept(question.packing, question.answer, rungs_);
+      SweptState state = reader_.in_ground() ? state_at_depth(question, stress)
+                                             : swept(question.packing, question.answer, rungs_);
+      ratio = speed_ratio(state, question.shear_wave_speed);
+      if (const std::string remark = ratio ? sands::level_remark(*ratio * *ratio) : ""; !remark.empty())
+        state.notes.push_back("by the measured V_s " + remark);
+      return state;
     } catch (const Error& error) {
       return failed(error.what(), rungs_);
     }
@@ -109,20 +136,29 @@ class TableSweep {
 
   void add(std::size_t row) {
     RowStress stress;
-    const SweptState state = state_of(row, stress);
+    SpeedRatio ratio;
+    const SweptState state = state_of(row, stress, ratio);
     tally_.count(state, fmt::format("line {}", table_.line(row)));
     if (state.answer && !options_.picture.empty()) {
       const effective::State& packing = state.answer->answer.state();
-      points_.push_back({.mean_stress = packing.mean_stress(),
-                         .void_ratio = packing.void_ratio,
-                         .shear_modulus = state.answer->answer[Field::shear_modulus]});
+      points_.push_back(
+          {.mean_stress = packing.mean_stress(),
+           .void_ratio = packing.void_ratio,
+           .shear_modulus = state.answer->answer[Field::shear_modulus],
+           .of_sand = state.answer->sand_answer ? (*state.answer->sand_answer).find(Field::shear_modulus)
+                                                : std::nullopt,
+           .of_laws = options_.law_columns ? range_of_laws(*state.answer, laws_tested(*state.answer))
+                                           : std::nullopt});
     }
     const std::vector<std::string>& fields = table_.fields(row);
     std::vector<io::CsvCell> cells(fields.begin(), fields.end());
     io::add_cells(cells, stresses_, stress);
+    io::add_cells(cells, speeds_, ratio);
     ordered_json place = {{"line", table_.line(row)}};
     if (!stresses_.empty())
       place.update(members(stresses_, stress));
+    if (!speeds_.empty())
+      place["shear_wave_speed"] = members(speeds_, ratio);
     output_.add(std::move(cells), std::move(place), state);
   }
 
@@ -134,7 +170,7 @@ class TableSweep {
     std::vector<std::string> remarks = assumptions_.value_or(std::vector<std::string>());
     const std::vector<std::string> unread = reader_.unread();
     if (!unread.empty())
-      remarks.push_back(fmt::format("columns that are no inputs: {}", fmt::join(unread, ", ")));
+      remarks.push_back(unread_text(unread));
     return remarks;
   }
 
@@ -143,6 +179,7 @@ class TableSweep {
   CsvTable table_;
   AnswerRows reader_;
   io::Columns<RowStress> stresses_; ///< where rows are depths
+  io::Columns<SpeedRatio> speeds_;  ///< where V_s was measured
   SweepOutput output_;
   std::optional<std::vector<std::string>> assumptions_; ///< of the first row that is a packing
   std::vector<RowPoint> points_;
@@ -165,29 +202,48 @@ plot::Chart chart_of(const std::vector<RowPoint>& points) {
                     .series = {}};
   if (one_stress)
     chart.x = {.title = "void ratio"};
-  plot::Series ranges{.name = "range",
-                      .mark = plot::Mark::line,
-                      .x = {},
-                      .y = {},
-                      .style = 0,
-                      .tone = plot::Tone::faint,
-                      .colour = plot::Colour::closed_form};
-  plot::Series answers{.name = "answer",
-                       .mark = plot::Mark::marker,
-                       .x = {},
-                       .y = {},
-                       .style = 0,
-                       .colour = plot::Colour::closed_form};
+  const auto x_of = [&](const RowPoint& point) { return one_stress ? point.void_ratio : point.mean_stress; };
+  double least = INFINITY, most = -INFINITY;
   for (const RowPoint& point : points) {
-    const double x = one_stress ? point.void_ratio : point.mean_stress;
-    answers.x.push_back(x);
-    answers.y.push_back(point.shear_modulus.value);
-    for (const double end : {point.shear_modulus.low, point.shear_modulus.high, nothing}) {
-      ranges.x.push_back(x);
-      ranges.y.push_back(end); // a gap after each range
-    }
+    least = std::min(least, x_of(point));
+    most = std::max(most, x_of(point));
   }
-  chart.series = {std::move(ranges), std::move(answers)};
+  // Side by side, so that ranges of one row do not hide each other.
+  const auto beside = [&](double x, int side) {
+    return logarithmic ? x * std::pow(1.02, side) : x + 0.008 * side * (most > least ? most - least : x);
+  };
+  const auto add = [&](const std::string& name, plot::Colour colour, int side, std::size_t style,
+                       const auto& range_of) {
+    plot::Series ranges{.name = name == "answer" ? "range" : name + ", range",
+                        .mark = plot::Mark::line,
+                        .x = {},
+                        .y = {},
+                        .style = 0,
+                        .tone = plot::Tone::faint,
+                        .colour = colour};
+    plot::Series answers{
+        .name = name, .mark = plot::Mark::marker, .x = {}, .y = {}, .style = style, .colour = colour};
+    for (const RowPoint& point : points)
+      if (const std::optional<estimate::Range> range = range_of(point)) {
+        const double x = beside(x_of(point), side);
+        answers.x.push_back(x);
+        answers.y.push_back(range->value);
+        for (const double end : {range->low, range->high, nothing}) {
+          ranges.x.push_back(x);
+          ranges.y.push_back(end); // a gap after each range
+        }
+      }
+    if (answers.x.empty())
+      return;
+    chart.series.push_back(std::move(ranges));
+    chart.series.push_back(std::move(answers));
+  };
+  const bool both = std::any_of(points.begin(), points.end(),
+                                [](const RowPoint& point) { return point.of_sand.has_value(); });
+  add("published laws", plot::Colour::power_law, -1, 1, [](const RowPoint& point) { return point.of_laws; });
+  add("sand", plot::Colour::measured, 0, 2, [](const RowPoint& point) { return point.of_sand; });
+  add(both ? "beads" : "answer", plot::Colour::closed_form, both ? 1 : 0, 0,
+      [](const RowPoint& point) { return std::optional(point.shear_modulus); });
   return chart;
 }
 

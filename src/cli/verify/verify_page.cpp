@@ -6,7 +6,6 @@
 #include "studies/report/verdict_lists.hpp"
 #include "studies/verify/tables.hpp"
 #include <fmt/core.h>
-#include <granum/effective/relaxation.hpp>
 #include <granum/plot/page.hpp>
 
 #include "cli/frame/frame.hpp"
@@ -36,9 +35,7 @@ std::optional<double> relaxed_modulus(const studies::Scene& scene, contact::Shap
                                       const std::optional<double>& uniform_strain) {
   if (!uniform_strain)
     return std::nullopt;
-  return *uniform_strain * effective::relaxation(z_star, studies::tangential_ratio(scene),
-                                                 studies::relaxing_exponent(scene, shape))
-                               .shear.value;
+  return *uniform_strain * studies::shear_relaxation(scene, shape, z_star);
 }
 
 studies::RouteState route_state(const studies::Scene& scene, contact::Shape shape,
@@ -129,7 +126,7 @@ StudyPage study_page(const studies::Scene& scene, const ordered_json& manifest) 
       story.first_screen + story.why +
       plot::html_section(
           "verdicts", "What agrees with the paper, and what does not",
-          plot::html_paragraph("Closed form, contact network and DEM probe beside Table 5 of Chung, Jang, "
+          plot::html_paragraph("Uniform strain, contact network and DEM probe beside Table 5 of Chung, Jang, "
                                "Baek and Jung, Granular Matter 16 (2014) 23-39.",
                                "soft") +
               page_table_of(studies::exponent_columns(), manifest.at("exponents")) +

@@ -130,8 +130,7 @@ std::string modulus_finding(const std::vector<Compression>& all, std::size_t mod
       text += " " + detail::formatted("%.2f", c.exponent->value) + " for " + density_name(c) + " " +
               plural(c.contact) + ",";
   text.back() = ';';
-  return text +
-         " loose packings are softer and their lines steeper. Closed form and probe lie on the network.";
+  return text + " loose packings are softer and their lines steeper. Rung 3 and probe lie on the network.";
 }
 
 /// The shapes that were run, each once.
@@ -214,9 +213,7 @@ plot::Series relaxation_curve(const Scene& scene, contact::Shape shape, double l
   plot::Series out{.name = {}, .mark = plot::Mark::line, .x = {}, .y = {}, .tone = plot::Tone::grey};
   for (int k = 0; k <= 60; ++k) {
     out.x.push_back(low + (high - low) * k / 60);
-    out.y.push_back(
-        effective::relaxation(out.x.back(), tangential_ratio(scene), relaxing_exponent(scene, shape))
-            .shear.value);
+    out.y.push_back(shear_relaxation(scene, shape, out.x.back()));
   }
   return out;
 }
@@ -235,7 +232,7 @@ void add_closed_forms(Panel& out, const Scene& scene, const std::vector<Compress
     curves.push_back(relaxation_curve(scene, shape, *low, *high));
   if (largest_gap(curves) < drawn_as_one) {
     curves.resize(1);
-    curves.front().name = "closed form, of all shapes";
+    curves.front().name = "rung 3, of all shapes";
     curves.front().style = 0;
     add(out, std::move(curves.front()), "closed form");
     return;
@@ -244,7 +241,7 @@ void add_closed_forms(Panel& out, const Scene& scene, const std::vector<Compress
     curves[k].tone = plot::Tone::full;
     curves[k].style = 0;
     curves[k].colour = colour_of(shapes_of(all)[k]);
-    curves[k].kind = "closed form";
+    curves[k].kind = "rung 3";
     add(out, std::move(curves[k]), "closed form " + std::string(name(shapes_of(all)[k])));
   }
 }
@@ -277,8 +274,10 @@ std::string why_figure(const Panel& panel, const std::string& caption, const std
 
 } // namespace
 
-double relaxing_exponent(const Scene& scene, contact::Shape shape) {
-  return std::min(contact_exponent(scene, shape), effective::largest_calibrated_exponent);
+double shear_relaxation(const Scene& scene, contact::Shape shape, double mechanical_coordination_number) {
+  return effective::relaxation(mechanical_coordination_number, tangential_ratio(scene),
+                               contact_exponent(scene, shape), effective::stiffening_of(law(scene, shape)))
+      .shear.value;
 }
 
 std::string plural(contact::Shape shape) { return contact::row_of(shape).plural; }
@@ -287,7 +286,8 @@ plot::Colour colour_of(contact::Shape shape) {
   using contact::Shape;
   constexpr std::pair<Shape, plot::Colour> own[] = {{Shape::sphere, plot::Colour::sphere},
                                                     {Shape::cone, plot::Colour::cone},
-                                                    {Shape::flat, plot::Colour::flat}};
+                                                    {Shape::flat, plot::Colour::flat},
+                                                    {Shape::rough, plot::Colour::rough}};
   for (const auto& [known, colour] : own)
     if (shape == known)
       return colour;
@@ -326,7 +326,7 @@ Panel modulus_panel(const std::vector<Compression>& all, std::size_t modulus) {
   };
   for (const Compression& c : all) {
     plot::Series line = series_of(c, plot::Mark::line, pressure, of(&RouteState::relaxed));
-    line.kind = std::string("closed form, ") + density_name(c);
+    line.kind = std::string("rung 3, ") + density_name(c);
     add(out, std::move(line), key_of(c) + " closed form");
   }
   for (const Compression& c : all) {
@@ -362,8 +362,9 @@ CompressionStory compression_story(const Scene& scene, const std::vector<Compres
   CompressionStory story;
   plot::PageFigure first{
       .caption =
-          "Isotropic compression, first specimen of each kind. Lines: closed form (rung 3) from the counted "
-          "contacts; "
+          "Isotropic compression, first specimen of each kind. Lines: rung 3, the closed form in which "
+          "grains "
+          "give way, from the counted contacts; "
           "circles: the network of contacts, every grain in equilibrium; diamonds: cyclic shear by DEM. "
           "Triangles have the slope s of the network."};
   for (std::size_t k = 0; k < shear_modulus_names.size(); ++k) {

@@ -63,8 +63,9 @@ struct CompressionStory {
 /// Link to the data of a panel.
 [[nodiscard]] plot::PageFile file_of(const Panel& panel, const std::string& figures);
 
-/// contact_exponent of the scene, or the largest with which the relaxation is calibrated.
-[[nodiscard]] double relaxing_exponent(const Scene& scene, contact::Shape shape);
+/// G of a packing of the scene over G under uniform strain, by rung 3.
+[[nodiscard]] double shear_relaxation(const Scene& scene, contact::Shape shape,
+                                      double mechanical_coordination_number);
 
 /// "spheres", "flat contacts".
 [[nodiscard]] std::string plural(contact::Shape shape);

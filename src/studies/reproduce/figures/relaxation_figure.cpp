@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include <granum/core/error.hpp>
-#include <granum/effective/relaxation.hpp>
 #include <granum/elastic/projection.hpp>
 
 #include "figure_parts.hpp"
@@ -65,8 +64,7 @@ plot::Series closed_form(const Scene& scene, contact::Shape contact, double low,
   for (int k = 0; k <= steps; ++k) {
     const double z = low + (high - low) * k / steps;
     out.x.push_back(z);
-    out.y.push_back(
-        effective::relaxation(z, tangential_ratio(scene), relaxing_exponent(scene, contact)).shear.value);
+    out.y.push_back(shear_relaxation(scene, contact, z));
   }
   return out;
 }

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pages of the site about the package of Python: one a name, with its docstring and an example, in groups.
+
+    python3 docs/site/python_pages.py <folder>   # of the pages; the package has to be importable
+
+Checked by python/tests/test_documentation.py
+"""
+
+import inspect
+import pathlib
+import re
+import sys
+import textwrap
+
+import granum
+
+HERE = pathlib.Path(__file__).resolve().parent
+GROUPS = {
+    "Contact laws and minerals": """sphere cone flat_punch power_law rough_sphere contact_law NormalLaw minerals Mineral
+        mindlin_stiffness_ratio pair_radius""",
+    "Closed forms": """uniform_strain uniform_stress free_spin relaxed answer rungs exponents uniform_strain_moduli
+        uniform_strain_kinematic uniform_stress_kinematic Estimate ModulusErrors Exponents Moduli Rung""",
+    "The answer and its range": """packing_answer estimate contact_prior carried_contacts PackingAnswer Range Ladder
+        RungAssessment ContactPrior ContactCounts CarriedContacts Measured""",
+    "From measurements": "infer fit hardin Inference MeasuredRows Fit",
+    "Ground, sands and water": """ground_stress stress_on_path failure_ratio known_sands measured_laws
+        sand_shear_modulus void_ratio_of_relative_density saturated
+        water_and_air_bulk_modulus bulk_density GroundStress KnownSand MeasuredLaw""",
+    "Rock physics": """hertz_mindlin walton_uniaxial walton_uniaxial_stress norris_johnson norris_johnson_stress digby
+        jenkins_shear_modulus soft_sand stiff_sand cement_at_contacts cement_in_surface_layer
+        murphy_coordination_number IsotropicModuli AxialStress""",
+    "Packings": """read frames formats packing overlap_contacts from_lammps from_yade measure Packing Contacts Frames
+        Measurement Interior Counts Microstructure Fabric RoseBin ContactStress Forces Network Sizes LawCheck""",
+    "Fabric and sizes": """fabric_density fabric_cumulative_probability fabric_polar_cosine_quantile fabric_measures
+        sample_normals rose estimate_anisotropy estimate_anisotropy_by_likelihood isotropy_p_value Distribution
+        gradation expected_contact_means FabricMeasures AnisotropyEstimate LikelihoodEstimate Gradation
+        ContactMeans""",
+    "Elasticity": """isotropic isotropic_projection transversely_isotropic_projection isotropic_averages
+        engineering_moduli rotate plane_waves thomsen_parameters symmetry_distances Isotropic IsotropicAverages
+        EngineeringModuli PlaneWaves ThomsenParameters SymmetryDistances""",
+    "The verifier": """specimen compress probe shear verify Specimen Compression State ProbeResult Shearing PathPoint
+        Study Verdict""",
+    "Errors and records": "Error InvalidArgument FileError NotConverged Stopped Record",
+}
+
+
+def examples():
+    """The blocks of examples.txt by the names that they stand for."""
+    found = {}
+    for block in (HERE / "examples.txt").read_text().split("\n== ")[1:]:
+        heading, _, lines = block.partition("\n")
+        for name in heading.split(","):
+            found[name.strip()] = lines.strip()
+    return found
+
+
+def escaped(text):
+    """Words of a docstring as doxygen's Markdown reads them."""
+    text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    text = re.sub(r"([*@#%|])", r"\\\1", text)
+    return re.sub(r"(?<!\w)_(\w)", r"\\_\1", text)
+
+
+def linked(text):
+    """The same, with names of the package that lead to their pages."""
+    return re.sub(
+        r"(?<![\w.:/])(" + "|".join(sorted(granum.__all__, key=len, reverse=True)) + r")(?=\(\))",
+        r"[\1](@ref python_\1)",
+        escaped(text),
+    )
+
+
+def entries(lines):
+    """A section of entries, "name : type" and what is said of it below, as a list of definitions."""
+    out, inside = [], False
+    for line in lines:
+        if line and not line.startswith(" "):
+            out += ["</dd>"] if inside else []
+            out.append(f"<dt>{kind_of(line)}</dt><dd>")
+            inside = True
+        elif line:
+            out.append(linked(line.strip()))
+    return ["<dl>", *out, "</dd></dl>"] if inside else []
+
+
+def kind_of(line):
+    """The head of an entry, whose type leads to its page where it is a class of the package."""
+    return re.sub(r"\b([A-Z]\w+)\b", lambda m: ref(m[1]) if m[1] in granum.__all__ else m[1], escaped(line))
+
+
+def ref(name):
+    return f"[{name}](@ref python_{name})"
+
+
+def prose(lines):
+    return [linked(line) for line in textwrap.dedent("\n".join(lines)).splitlines()]
+
+
+def documentation(text):
+    """A docstring in the format of numpydoc as Markdown."""
+    out, title, section = [], None, []
+    lines = [*text.splitlines(), ""]
+
+    def close():
+        while section and not section[-1]:
+            section.pop()
+        if title:
+            out.append(f"\n**{title}**\n")
+        has_entries = title in ("Parameters", "Returns", "Raises", "Attributes")
+        out.extend(entries(section) if has_entries else prose(section))
+
+    for line, below in zip(lines, [*lines[1:], ""]):
+        if below and set(below) == {"-"} and len(below) == len(line):
+            close()
+            title, section = line, []
+        elif not (line and set(line) == {"-"}):
+            section.append(line)
+    close()
+    return "\n".join(out)
+
+
+def signature(name, value):
+    """The lines of a call, and the docstring without the signature that pybind11 writes before it."""
+    text = inspect.getdoc(value) or ""
+    if inspect.isclass(value):
+        return None, text
+    try:
+        call = f"granum.{name}{inspect.signature(value)}"
+    except (TypeError, ValueError):
+        first, _, rest = text.partition("\n")
+        if not first.startswith(name + "("):
+            return None, text
+        call, text = "granum." + first.split(" -> ")[0], rest.strip()
+    call = re.sub(r": [^=,()]+(\[[^\]]*\])?(?= = |,|\))", "", call.split(" -> ")[0])
+    call = call.replace("granum._granum.", "").replace(" = ", "=")
+    return textwrap.fill(call, 100, subsequent_indent=" " * 4, break_long_words=False), text
+
+
+def members(kind):
+    """The public members of a class: names and what is said of them."""
+    lines = []
+    for member in dir(kind):
+        value = getattr(kind, member)
+        if member.startswith("_") or member in ("args", "with_traceback", "add_note") or value is None:
+            continue
+        if not (callable(value) or isinstance(value, property)):
+            continue
+        said = inspect.getdoc(value) or ""
+        said = re.sub(r"^\w+\(.*\) -> .*\n*", "", said).split("\n\n")[0]
+        call = "()" if callable(value) else ""
+        lines.append(f"<dt>{escaped(member)}{call}</dt><dd>{linked(said)}</dd>")
+    return ["", "**Members**", "", "<dl>", *lines, "</dl>"] if lines else []
+
+
+def page(name, example):
+    value = getattr(granum, name)
+    lines = [f"# {name} (Python) {{#python_{name}}}", ""]
+    is_class = inspect.isclass(value)
+    call, text = signature(name, value)
+    if call:
+        lines += ["```py", call, "```", ""]
+    lines += [documentation(text)]
+    if is_class:
+        lines += members(value)
+    code = "import granum\nimport numpy as np\n\n" if "np." in example else "import granum\n\n"
+    shown = re.sub(r"  # doctest: \+SKIP", "", example)
+    code = "".join(f">>> {line}\n" for line in code.splitlines() if line)
+    lines += ["", "**Example**", "", "```py", code + shown, "```", ""]
+    return "\n".join(lines)
+
+
+def write(folder):
+    known = examples()
+    listed = [name for names in GROUPS.values() for name in names.split()]
+    public = {name for name in granum.__all__ if not name.startswith("__")}
+    if sorted(listed) != sorted(public):
+        sys.exit(f"docs/site/python_pages.py: names without one place: {sorted(set(listed) ^ public)}")
+    if set(known) != public:
+        sys.exit(f"docs/site/examples.txt: names without example: {sorted(set(known) ^ public)}")
+    folder.mkdir(parents=True, exist_ok=True)
+    index = ["# Python API {#python_api}", "", "Every public name of granum; the guide: \\ref python.", ""]
+    for number, (title, names) in enumerate(GROUPS.items()):
+        label = f"python_group_{number}"
+        index.append(f"- \\subpage {label}")
+        lines = [f"# {title} (Python) {{#{label}}}", "", "| | |", "| --- | --- |"]
+        for name in names.split():
+            summary = signature(name, getattr(granum, name))[1].strip().splitlines()[0]
+            lines.append(f"| \\subpage python_{name} \"{name}\" | {escaped(summary)} |")
+            (folder / f"python_{name}.md").write_text(page(name, known[name]) + "\n")
+        (folder / f"{label}.md").write_text("\n".join(lines) + "\n")
+    (folder / "python_api.md").write_text("\n".join(index) + "\n")
+
+
+if __name__ == "__main__":
+    write(pathlib.Path(sys.argv[1]))

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every option of estimate, infer, sweep and analyse is an argument in Python, or stands here with the reason.
+
+The options are those that help lists, which the program makes of its table of options.
+"""
+
+import inspect
+import os
+import re
+import subprocess
+
+import granum
+import pytest
+
+COMMANDS = ("estimate", "infer", "sweep", "analyse")
+
+# What says in Python what an option says: function.argument, of methods Class.method.argument. Options of one name
+# mean the same in all commands, unless the command stands before them.
+ARGUMENTS = {
+    "void-ratio": "packing_answer.void_ratio",
+    "pressure": "packing_answer.pressure",
+    "stress-v": "packing_answer.stress_v",
+    "stress-h": "packing_answer.stress_h",
+    "relative-density": "void_ratio_of_relative_density.relative_density",
+    "least-void-ratio": "packing_answer.least_void_ratio",
+    "largest-void-ratio": "packing_answer.largest_void_ratio",
+    "saturation": "packing_answer.saturation",
+    "infer saturation": "infer.pore_density",
+    "strain": "packing_answer.shear_strain",
+    "coordination-number": "packing_answer.coordination_number",
+    "mechanical-coordination-number": "packing_answer.mechanical_coordination_number",
+    "rattler-fraction": "packing_answer.rattler_fraction",
+    "infer rattler-fraction": "infer.rattler_fraction",
+    "fabric": "packing_answer.fabric_anisotropy",
+    "preparation": "packing_answer.preparation",
+    "grain-shear-modulus": "sphere.shear_modulus",
+    "grain-poisson-ratio": "sphere.poisson_ratio",
+    "grain-bulk-modulus": "sphere.bulk_modulus",
+    "analyse grain-shear-modulus": "measure.grain_shear_modulus",
+    "analyse grain-poisson-ratio": "measure.grain_poisson_ratio",
+    "analyse grain-bulk-modulus": "measure.grain_bulk_modulus",
+    "grain": "minerals",
+    "sand": "packing_answer.sand",
+    "grain-shape": "packing_answer.grain_shape",
+    "grain-density": "packing_answer.grain_density",
+    "infer grain-density": "infer.grain_density",
+    "analyse grain-density": "measure.grain_density",
+    "contact": "packing_answer.law",
+    "law": "measure.law",
+    "slope": "cone.slope",
+    "punch-radius": "flat_punch.punch_radius",
+    "alpha": "power_law.alpha",
+    "profile-constant": "power_law.profile_constant",
+    "roughness": "rough_sphere.roughness",
+    "tangential-ratio": "packing_answer.tangential_ratio",
+    "analyse tangential-ratio": "measure.tangential_ratio",
+    "radius": "packing_answer.radius",
+    "d50": "packing_answer.d50",
+    "sizes": "packing_answer.contact_means",
+    "sieve": "Distribution",
+    "uniformity": "packing_answer.uniformity",
+    "bounds": "uniform_stress",
+    "tolerance": "estimate.tolerance",
+    "cement": "cement_at_contacts.cement_saturation",
+    "uncertainty": "packing_answer.uncertainty",
+    "shear-modulus": "infer.G",
+    "shear-modulus-hh": "infer.G_hh",
+    "bulk-modulus": "infer.K",
+    "shear-wave-speed": "infer.V_s",
+    "shear-wave-speed-hh": "infer.V_s_hh",
+    "compression-wave-speed": "infer.V_p",
+    "compression-wave-speed-h": "infer.V_p_h",
+    "measurement-error": "infer.relative_error",
+    "growth": "infer.growth",
+    "contacts": "infer.contacts",
+    "predict-pressure": "Inference.predict.pressure",
+    "predict-void-ratio": "Inference.predict.void_ratio",
+    "predict-stress-ratio": "Inference.predict.stress_h",
+    "path": "stress_on_path.path",
+    "from": "stress_on_path.pressure",
+    "eta": "stress_on_path.eta",
+    "friction-angle": "failure_ratio.friction_angle",
+    "analyse friction-angle": "measure.friction_coefficient",
+    "depth": "ground_stress.depth",
+    "analyse depth": "measure.window",
+    "unit-weight": "ground_stress.unit_weight",
+    "saturated-unit-weight": "ground_stress.saturated_unit_weight",
+    "water-table": "ground_stress.water_table",
+    "water-unit-weight": "ground_stress.water_unit_weight",
+    "k0": "ground_stress.earth_pressure_at_rest",
+    "surcharge": "ground_stress.surcharge",
+    "rungs": "answer.rung",
+    "laws": "sand_shear_modulus.law",
+    "material": "measure.materials",
+    "rolling-stiffness": "measure.rolling_stiffness",
+    "twisting-stiffness": "measure.twisting_stiffness",
+    "column-map": "read.columns",
+    "box": "read.box",
+    "frames": "frames.files",
+    "stiffness-from": "measure.stiffness_from",
+    "window": "measure.window",
+    "no-network": "measure.network",
+    "strict": "packing_answer.strict",
+    "series": "fit.shear_modulus",
+}
+
+_WORDS = "another word for the void ratio, a line of arithmetic"
+_FILES = "files are Python's own; results go to pandas by to_columns()"
+_ARRAYS = "numpy makes arrays of states"
+EXCEPTIONS = {
+    "porosity": _WORDS,
+    "solid-fraction": _WORDS,
+    "json": _FILES,
+    "out": _FILES,
+    "force": _FILES,
+    "report": _FILES,
+    "columns": _FILES,
+    "picture": "results have plot(), or matplotlib draws their arrays",
+    "picture-of": "results have plot(), or matplotlib draws their arrays",
+    "paraview": "ParaView's files are written by the program alone",
+    "table": _ARRAYS,
+    "layers": _ARRAYS,
+    "to": _ARRAYS,
+    "spacing": _ARRAYS,
+    "points": _ARRAYS,
+    "stress": "compared by hand with stress.tensor of a Measurement",
+    "threads": "the network takes all cores; results do not depend on it",
+    "help": "help() of Python",
+    "infer uncertainty": "not there yet: infer() takes the errors of measurements alone",
+    "infer sand": "not there yet: infer() is of the model of spheres",
+    "infer grain-shape": "not there yet: infer() is of the model of spheres",
+}
+
+
+def options_of(command):
+    """Names of a command's options without dashes, the first of those that mean the same."""
+    text = subprocess.run(
+        [os.environ["GRANUM_PROGRAM"], command, "--help"], capture_output=True, text=True, check=True
+    ).stdout
+    return re.findall(r"^  (?:-\w, )?--([\w-]+)", text, re.M)
+
+
+def is_there(target):
+    """Whether the package has this function or class, and the function this argument."""
+    name, *parts = target.split(".")
+    value = getattr(granum, name, None)
+    if len(parts) == 2:
+        value = getattr(value, parts.pop(0), None)
+    if value is None or not parts:
+        return value is not None
+    try:
+        return parts[0] in inspect.signature(value).parameters
+    except ValueError:  # pybind11 writes the arguments into the documentation
+        return re.search(rf"\b{parts[0]}\b", inspect.getdoc(value).split(" -> ")[0]) is not None
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_option_is_in_python(command):
+    options = options_of(command)
+    assert len(options) > 20
+    for option in options:
+        keys = [key for key in (f"{command} {option}", option) if key in ARGUMENTS or key in EXCEPTIONS]
+        assert keys, f"--{option} of {command} is neither an argument in Python nor an exception with its reason"
+        assert keys[0] in EXCEPTIONS or is_there(ARGUMENTS[keys[0]]), (option, ARGUMENTS[keys[0]])
+
+
+def test_the_tables_name_options_of_the_program():
+    known = {f"{command} {option}" for command in COMMANDS for option in options_of(command)}
+    plain = {key.split(" ", 1)[1] for key in known}
+    for key in [*ARGUMENTS, *EXCEPTIONS]:
+        assert key in (known if " " in key else plain), f"no command has the option {key}"
+    assert not is_there("infer.colour") and not is_there("colour") and not is_there("Inference.predict.colour")

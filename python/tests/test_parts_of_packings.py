@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contacts from overlaps, windows, and contacts that resist rolling."""
+
+import granum
+import numpy as np
+import pytest
+
+
+def cubic(edge=5, overlap=1e-6, **contacts):
+    """Equal spheres on a cubic lattice in a cell that is not periodic."""
+    pitch = 1e-3 - overlap
+    places = pitch * (np.indices((edge,) * 3).reshape(3, -1).T + 0.5)
+    cell = [edge * pitch] * 3
+    return granum.packing(position=places, radius=0.5e-3, cell=cell, periodic=[False] * 3, **contacts)
+
+
+def test_overlapping_spheres_touch(sphere):
+    packing = cubic()
+    assert len(packing.contacts) == 0
+    found = granum.overlap_contacts(packing, law=sphere)
+    assert len(found.contacts) == 3 * 4 * 25
+    assert np.allclose(found.contacts.overlap, 1e-6, rtol=1e-9)
+    assert np.allclose(found.contacts.normal_force, sphere.force(1e-6), rtol=1e-9)
+    assert not np.any(granum.overlap_contacts(packing).contacts.normal_force)
+    assert granum.overlap_contacts(found, law=sphere) == found
+    with pytest.raises(TypeError, match="packing"):
+        granum.overlap_contacts(1)
+
+
+def as_csv(packing, folder):
+    """Files of the packing: grains, and contacts with their normal forces."""
+    grains, contacts = folder / "grains.csv", folder / "contacts.csv"
+    lines = [f"{k},{x},{y},{z},0.0005\n" for k, (x, y, z) in enumerate(packing.position)]
+    grains.write_text("id,x_m,y_m,z_m,radius_m\n" + "".join(lines))
+    c = packing.contacts
+    forces = c.normal_force[:, None] * c.branch / np.linalg.norm(c.branch, axis=1)[:, None]
+    lines = [f"{i},{j},{x},{y},{z}\n" for i, j, (x, y, z) in zip(c.i, c.j, forces)]
+    contacts.write_text("id1,id2,fx_N,fy_N,fz_N\n" + "".join(lines))
+    return grains, contacts
+
+
+def test_windows_are_those_of_the_program(sphere, tmp_path, run_program):
+    packing = granum.overlap_contacts(cubic(12), law=sphere)
+    whole = granum.measure(packing, network=False, window=None)
+    inside = granum.measure(packing, network=False)
+    part = granum.measure(packing, network=False, window=[(4e-3, 8e-3), None, (None, 6e-3)])
+    assert whole.interior is None
+    assert whole.counts.coordination_number < 6
+    assert inside.interior.microstructure.coordination_number == 6
+    assert inside.microstructure.coordination_number == 6
+    assert part.interior.grains == 4 * 12 * 6
+    with pytest.raises(granum.InvalidArgument, match="window"):
+        granum.measure(packing, window="middle")
+    files = as_csv(packing, tmp_path)
+    said = run_program("analyse", *files, "--no-network", "--grain-shear-modulus", "30GPa")["frames"][0]
+    read = granum.measure(granum.read(*files), network=False, grain_shear_modulus=30e9)
+    assert read.interior.void_ratio == said["window"]["void_ratio"]
+
+
+def test_rolling_stiffness_is_that_of_the_contacts(sphere):
+    small = granum.specimen(law=sphere, radius=0.5e-3, friction_coefficient=0.5, kind="dense", grains=60)
+    state = next(iter(granum.compress(small, [50e3]))).packing
+    free = granum.measure(state, law=sphere).network.G_vh
+    by_ratio = granum.measure(state, law=sphere, rolling_stiffness=0.5).network.G_vh
+    assert by_ratio > 1.001 * free
+    c = state.contacts
+    r = 0.25e-3  # R* of equal grains
+    own = granum.packing(
+        position=state.position,
+        radius=state.radius,
+        cell=state.cell,
+        contacts=np.stack([c.i, c.j], axis=1).astype(int),
+        branch=c.branch,
+        overlap=c.overlap,
+        normal_force=c.normal_force,
+        tangential_force=c.tangential_force,
+        normal_stiffness=c.normal_stiffness,
+        tangential_stiffness=c.tangential_stiffness,
+        rolling_stiffness=0.5 * c.normal_stiffness * r**2,
+    )
+    assert granum.measure(own, law=sphere).network.G_vh == pytest.approx(by_ratio, rel=1e-6)
+    for spring in ((1e-3, "angle"), (2e4, "displacement")):
+        assert granum.measure(state, law=sphere, twisting_stiffness=spring).network.G_vh > 0
+    assert granum.measure(state, law=sphere, twisting_stiffness="marshall").network.G_vh > free
+    with pytest.raises(granum.InvalidArgument, match="rolling_stiffness"):
+        granum.measure(state, law=sphere, rolling_stiffness=(1.0, "elsewhere"))
+
+
+def test_one_rigid_body_among_single_grains_is_kept():
+    places = [[0, 0, 0], [0.9e-3, 0, 0], [2e-3, 0, 0]]
+    body = granum.packing(position=places, radius=0.5e-3, body=[0, 0, -1]).body
+    assert body.tolist() == [0, 0, 1]
+    assert len(granum.packing(position=places, radius=0.5e-3, body=[0, 0, 0]).body) == 0  # one of all is none
