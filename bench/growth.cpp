@@ -5,14 +5,11 @@
 //   bench_growth network IN.data X Y Z THREADS         of such copies
 //   bench_growth engine IN.data X Y Z STEPS THREADS
 //   bench_growth specimen GRAINS SEED                  dense, from nothing to rest at 10 kPa, on one core
-// Copies of a network would answer like one: there the stiffness of each contact is multiplied by a random
-// number between 1/2 and 3/2. Memory is the most that the process held beyond what it held before, over the
-// grains.
+// Memory is the most that the process held beyond what it held before, over the grains.
 // Prints a line of a CSV table. Exit codes: 0 done, 1 something failed, 2 usage.
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -69,15 +66,7 @@ void prepare(std::size_t size, std::uint64_t seed) {
 }
 
 void solve(const dem::Specimen& state, bool copies, std::size_t threads) {
-  packing::Assembly assembly = dem::contact_network(state, material(friction));
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> factor(0.5, 1.5);
-  if (copies)
-    for (packing::Contact& c : assembly.contacts) {
-      const double by = factor(random);
-      c.normal_stiffness *= by;
-      c.tangential_stiffness *= by;
-    }
+  const packing::Assembly assembly = network_of(state, copies);
   const Meter meter;
   const network::Response response = network::linear_response(assembly, {.threads = threads});
   const double grains = static_cast<double>(state.grain_count());

@@ -2,6 +2,7 @@
 #include "stored_packing.hpp"
 
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include <granum/core/number.hpp>
@@ -29,6 +30,19 @@ dem::Specimen load_packing(const std::filesystem::path& path) {
 void save_packing(const dem::Specimen& state, const std::filesystem::path& path) {
   const dem::Material of = material(friction);
   io::write_file(path, io::lammps_data(dem::contact_network(state, of), of.density), io::Existing::replace);
+}
+
+packing::Assembly network_of(const dem::Specimen& state, bool copies) {
+  packing::Assembly assembly = dem::contact_network(state, material(friction));
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> factor(0.5, 1.5);
+  if (copies)
+    for (packing::Contact& c : assembly.contacts) {
+      const double by = factor(random);
+      c.normal_stiffness *= by;
+      c.tangential_stiffness *= by;
+    }
+  return assembly;
 }
 
 } // namespace granum::bench

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <granum/dem/specimen.hpp>
+#include <granum/packing/assembly.hpp>
 
 #include "specimens.hpp"
 
@@ -21,5 +22,9 @@ inline constexpr double friction = 0.5; ///< [1]
 /// Centres and cell; at rest, without histories.
 [[nodiscard]] dem::Specimen load_packing(const std::filesystem::path& path);
 void save_packing(const dem::Specimen& state, const std::filesystem::path& path);
+
+/// Its contacts. Copies would answer like one: there the stiffness of each contact is multiplied by a random
+/// number between 1/2 and 3/2.
+[[nodiscard]] packing::Assembly network_of(const dem::Specimen& state, bool copies);
 
 } // namespace granum::bench

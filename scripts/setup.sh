@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what granum needs and this machine lacks:  scripts/setup.sh run|python|docs|web|test|tidy|bench
+# Installs what granum needs and this machine lacks:  scripts/setup.sh run|python|docs|web|test|tidy|bench|solvers
 # This is the only place that names the packages, as Debian 12 and 13 and Ubuntu 24.04 do. What matters is whether the
 # system offers them, not what it is called. Checked by tests/setup/check_setup.cmake
 # Exit codes: 0 all there, 2 usage, 3 something is missing and cannot be installed from here.
@@ -21,6 +21,9 @@ test_packages=("${docs_packages[@]}" doctest-dev librapidcheck-dev clang-format
   clang libclang-rt-dev libc++-dev libc++abi-dev libbenchmark-dev dpkg-dev file pkg-config)
 tidy_packages=("${test_packages[@]}" clang-tidy)
 bench_packages=("${run_packages[@]}" libbenchmark-dev python3-numpy)
+# Beside which bench/solvers measures the network's solver; what is missing is left out there.
+solvers_packages=("${bench_packages[@]}" libhypre-dev libsuitesparse-dev libtrilinos-ml-dev libtrilinos-ifpack-dev
+  libtrilinos-epetra-dev libtrilinos-epetraext-dev libtrilinos-teuchos-dev)
 
 case "${1:-}" in
 run) packages=("${run_packages[@]}") ;;
@@ -30,8 +33,9 @@ web) packages=("${web_packages[@]}") ;;
 test) packages=("${test_packages[@]}") ;;
 tidy) packages=("${tidy_packages[@]}") ;;
 bench) packages=("${bench_packages[@]}") ;;
+solvers) packages=("${solvers_packages[@]}") ;;
 *)
-  echo "usage: scripts/setup.sh run|python|docs|web|test|tidy|bench" >&2
+  echo "usage: scripts/setup.sh run|python|docs|web|test|tidy|bench|solvers" >&2
   exit 2
   ;;
 esac

@@ -287,30 +287,43 @@ class Elimination {
     LocalMotion<Dof> motion(work.slot);
     find_motion(i, directions, negligible_soft * softest, motion);
     const PerCase energy = energies_of(motion);
-    const auto is_lost = [&](int k) {
-      return values[k] < rigid && values[k] > far_off * std::max(found[k], least_compared * mean_);
-    };
-    bool lost = false, is_very_soft = false;
     for (int k = 0; k < count; ++k) {
       const double e = energy[static_cast<std::size_t>(k)];
       values[k] = e < rule_.shift * mean_ ? rigid : e;
-      lost = lost || is_lost(k);
-      is_very_soft = is_very_soft || values[k] < very_soft * mean_;
     }
-    for (int k = 0; k < count; ++k) {
-      if (lost)
-        motion.add_movers(k, moving_where_lost, work.lost_grains);
-      if (is_very_soft)
-        motion.add_movers(k, moving, work.soft_grains);
-    }
+    const bool lost = has_lost(count, found, values);
+    note_movers(count, lost, values, motion, work);
     for (int k = 0; k < Dof && lost && found[k] < lost_stiffness * mean_; ++k)
-      if (values[k] < rigid && (!couples() || is_lost(k)))
+      if (values[k] < rigid && (!couples() || is_lost(found[k], values[k])))
         defer(i, pivot, k, work, values);
     if (couples()) {
       soft_pivot.couplings = couplings_of(i, motion, values);
       soft_[i] = std::make_unique<SoftPivot>(std::move(soft_pivot));
     }
     return lost;
+  }
+
+  /// Whether the energy of a motion is far from the eigenvalue that was found for it.
+  [[nodiscard]] bool is_lost(double found, double energy) const {
+    return energy < rigid && energy > far_off * std::max(found, least_compared * mean_);
+  }
+  [[nodiscard]] bool has_lost(int directions, const Vector& found, const Vector& values) const {
+    for (int k = 0; k < directions; ++k)
+      if (is_lost(found[k], values[k]))
+        return true;
+    return false;
+  }
+
+  /// Adds the grains of lost and of very soft motions to those of the piece.
+  void note_movers(int directions, bool lost, const Vector& values, const LocalMotion<Dof>& motion,
+                   Work& work) const {
+    const bool is_very_soft = values.head(directions).minCoeff() < very_soft * mean_;
+    for (int k = 0; k < directions; ++k) {
+      if (lost)
+        motion.add_movers(k, moving_where_lost, work.lost_grains);
+      if (is_very_soft)
+        motion.add_movers(k, moving, work.soft_grains);
+    }
   }
 
   /// Forces of the motions of grain i on the later grains that the pattern couples with it.
