@@ -68,22 +68,23 @@ std::string html_folded(std::string_view title, const std::string& content) {
 
 std::string html_table(const std::vector<std::string>& headings,
                        const std::vector<std::vector<std::string>>& rows) {
-  // A column without any word is one of numbers, of which some may be missing.
-  const auto words = [&](std::size_t k) {
-    return std::any_of(rows.begin(), rows.end(), [k](const auto& row) {
-      return k < row.size() && !is_number(row[k]) && row[k] != missing && !row[k].empty();
-    });
-  };
+  // A column of numbers is one still where some of them are missing.
+  std::vector<bool> numbers(headings.size()), words(headings.size());
+  for (const std::vector<std::string>& row : rows)
+    for (std::size_t k = 0; k < std::min(row.size(), headings.size()); ++k)
+      if (is_number(row[k]))
+        numbers[k] = true;
+      else if (row[k] != missing && !row[k].empty())
+        words[k] = true;
+  const auto of_numbers = [&](std::size_t k) { return k < numbers.size() && numbers[k] && !words[k]; };
   std::string head;
-  for (std::size_t k = 0; k < headings.size(); ++k) {
-    const bool numbers = !rows.empty() && !words(k);
-    head += html_element("th", svg_escaped(headings[k]), numbers ? "number" : "");
-  }
+  for (std::size_t k = 0; k < headings.size(); ++k)
+    head += html_element("th", svg_escaped(headings[k]), of_numbers(k) ? "number" : "");
   std::string body;
   for (const std::vector<std::string>& row : rows) {
     std::string cells;
     for (std::size_t k = 0; k < row.size(); ++k)
-      cells += html_element("td", svg_escaped(row[k]), is_number(row[k]) || !words(k) ? "number" : "");
+      cells += html_element("td", svg_escaped(row[k]), is_number(row[k]) || of_numbers(k) ? "number" : "");
     body += html_element("tr", cells);
   }
   return "<div class=\"wide\" tabindex=\"0\">" + html_element("table", html_element("tr", head) + body) +

@@ -103,7 +103,7 @@ class ExperimentPanel {
     const value = Number(input.value), right = input.checkValidity() && (input.value !== "" || input === this.inputs.guess);
     input.toggleAttribute("aria-invalid", !right);
     if (right) return input.value === "" ? NaN : value;
-    this.status.textContent = filled(this.words.outside, { name: input.closest("label").firstChild.textContent, value: input.value, min: written(Number(input.min)), max: written(Number(input.max), 6) });
+    this.status.textContent = filled(input.step === "any" ? this.words.outsideAny : this.words.outside, { name: input.closest("label").firstChild.textContent, value: input.value, min: written(Number(input.min)), max: written(Number(input.max), 6) });
     input.focus();
     return undefined;
   }

@@ -194,6 +194,10 @@ test("a screen reader hears names, values with units, and findings; hands, eyes 
   assert.match(await page.textContent("#xstatus"), /grains = 5.*200.*2000/);
   assert.ok(await page.isDisabled("#xpause"), "it began with another number than was asked for");
   await page.fill("#xgrains", "200");
+  await page.fill("#xguess", "2");
+  await page.click("#xstart");
+  assert.match(await page.textContent("#xstatus"), /= 2: numbers from 0 to 1 /);
+  await page.fill("#xguess", "");
 
   for (const [field, values] of [["#cz", ["0", "3", ""]], ["#cpressure", ["0", "", "100"]], ["#cvoidRatio", ["", "0.6"]]])
     for (const value of values) {

@@ -55,7 +55,7 @@ const claims = {
     is(() => Math.log2(change(2e-7) / change(1e-7))), is(() => 1e3 * grain.radius), is(() => roughShare, 0.01), step(/gain contacts/),
     (text) => assert.ok(sOf("rough", 1e5, { roughness: 5e-8 }) < value(text) && sOf("rough", 1e5, { roughness: 3e-7 }) > value(text) && sOf("cone") >= value(text) - 1e-6 && loose.s > value(text), "all can give it")],
   "steps.6.finding": [is(1), is(100), is(10)].map((_, k) => (text) => assert.match(lesson, [/s\(at\.roughness, 1\)/, /s\(at\.roughness, 100\)/, /s\(at\.roughness, 1e4\)/][k], text)),
-  "experiment.text": [first, last],
+  "experiment.text": [first, last, is(() => Number(fs.readFileSync(path.join(root, "web/page/experiment.js"), "utf8").match(/paperSixGrains = (\d+)/)[1]))],
   "experiment.narrow": [is(0.2)],
   "experiment.wide": [is(0.35)],
   "notes.text": [step(/power of pressure/)],
