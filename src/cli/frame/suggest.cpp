@@ -28,6 +28,8 @@ constexpr Synonyms not_modelled[] = {
     {"fines finescontent fc", "fines are not modelled: the laws are of clean sands"},
     {"ocr overconsolidation age ageing",
      "overconsolidation and age are not modelled; granum infer uses a measured wave speed of the ground"},
+    {"spt nspt n60 n1 blowcount cpt qc qt",
+     "penetration tests are not modelled; granum infer uses a measured wave speed of the ground"},
 };
 
 /// Other programs' and other people's words for the commands.
