@@ -48,6 +48,9 @@ if(TARGET granum_python)
   granum_debian_package(python python3-granum python any "python3 (>= ${version}), python3 (<< 3.${next}), python3-numpy"
     "The package of Python 3: closed forms that broadcast over numpy arrays,"
     "packings of any DEM code, and everything that is measured on them.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    "${PROJECT_SOURCE_DIR}/cmake/debian_python/postinst;${PROJECT_SOURCE_DIR}/cmake/debian_python/prerm")
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-tqdm")
 endif()
 granum_debian_package(doc granum-doc doc all ""

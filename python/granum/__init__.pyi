@@ -1541,6 +1541,7 @@ def infer(
     rattler_fraction: Optional[float] = ...,
     growth: Literal["packings", "fixed", "fitted"] = ...,
     contacts: Literal["given", "rough", "power-law"] = ...,
+    uncertainty: Optional[Mapping[str, float]] = ...,
     G: Optional[ArrayLike] = ...,
     G_hh: Optional[ArrayLike] = ...,
     K: Optional[ArrayLike] = ...,

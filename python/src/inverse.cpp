@@ -11,6 +11,7 @@
 
 #include "bindings.hpp"
 #include "docstrings.hpp"
+#include "shared_inputs.hpp"
 #include "state.hpp"
 
 namespace granum::python {
@@ -38,6 +39,7 @@ struct Given {
     rattlers,
     growth,
     contacts,
+    uncertainty,
     quantities
   };
 };
@@ -122,6 +124,11 @@ py::object infer(const Arguments& a) {
   if (measurements.empty())
     throw InvalidArgument("nothing is measured: give G, G_hh, K, V_s, V_s_hh, V_p or V_p_h");
   Answer answer{.found = {}, .first = measurements.front().state};
+  if (a.given(Given::uncertainty))
+    options.inputs =
+        shared_inputs(a.as<std::map<std::string, double>>(Given::uncertainty,
+                                                          "a dict of inputs and their standard deviations"),
+                      answer.first, options.grain_density.value_or(0), a.given(Given::tangential_ratio));
   try {
     const py::gil_scoped_release unlocked;
     answer.found = inverse::infer(measurements, options);
@@ -332,7 +339,8 @@ void bind_inverse(py::module_& module) {
                                 {"pore_density", "0.0"},
                                 {"rattler_fraction", "None"},
                                 {"growth", "'packings'"},
-                                {"contacts", "'given'"}};
+                                {"contacts", "'given'"},
+                                {"uncertainty", "None"}};
   for (const inverse::QuantityRow& row : inverse::quantities())
     keywords.push_back({row.key, "None"});
   define(module, {"infer", keywords, &infer,
@@ -371,6 +379,9 @@ growth : str
 contacts : str
     What is asked for besides z*, in the place of smooth spheres: "given" (nothing: the law stays), "rough"
     (roughness), or "power-law" (softness, which is k_n over Hertz', and alpha).
+uncertainty : dict, optional
+    Standard deviations of what all measurements share, by the names of numbers above, grain_shear_modulus and
+    grain_poisson_ratio: {"void_ratio": 0.01} [their units]; without it none.
 G, G_hh, K : array_like, optional
     Measured moduli [Pa]; NaN where there is none.
 V_s, V_s_hh, V_p, V_p_h : array_like, optional

@@ -121,6 +121,25 @@ def test_contacts_that_speeds_imply_are_those_of_the_program(run_program, tmp_pa
         granum.infer(**BEADS, pressure=1e5, G=150e6, relative_error=0.02, contacts="cubes")
 
 
+def test_errors_that_all_measurements_share_are_those_of_the_program(run_program):
+    state = ("--pressure", "100kPa", "--vs", "250m/s+-2%", "--fabric", "0", "--tangential-ratio", 0.8)
+    stated = {"grain_shear_modulus": 2e9, "void_ratio": 0.01, "grain_density": 50.0}
+    options = ["grain-shear-modulus=2GPa", "void-ratio=0.01", "grain-density=50kg/m3"]
+    said = run_program(
+        "infer", *OPTIONS, *state, "--grain-shape", "sphere", *(f"--uncertainty={option}" for option in options)
+    )
+    measured = dict(pressure=100e3, V_s=250, relative_error=0.02, grain_density=2500, tangential_ratio=0.8)
+    found = granum.infer(**BEADS, **measured, uncertainty=stated)
+    contacts = said["answer"]["mechanical_coordination_number"]
+    z = found.mechanical_coordination_number
+    assert z.value == pytest.approx(contacts["value"], rel=1e-12)
+    assert z.standard_error == pytest.approx(contacts["standard_error"], rel=1e-9)
+    alone = granum.infer(**BEADS, **measured).mechanical_coordination_number
+    assert z.standard_error > 1.1 * alone.standard_error
+    with pytest.raises(granum.InvalidArgument, match="colour"):
+        granum.infer(**BEADS, **measured, uncertainty={"colour": 1})
+
+
 def test_a_hole_in_the_measurements_is_left_out():
     whole = granum.infer(**BEADS, pressure=[1e5], G=[150e6], relative_error=0.02)
     holes = granum.infer(

@@ -63,6 +63,7 @@ ARGUMENTS = {
     "tolerance": "estimate.tolerance",
     "cement": "cement_at_contacts.cement_saturation",
     "uncertainty": "packing_answer.uncertainty",
+    "infer uncertainty": "infer.uncertainty",
     "shear-modulus": "infer.G",
     "shear-modulus-hh": "infer.G_hh",
     "bulk-modulus": "infer.K",
@@ -126,7 +127,6 @@ EXCEPTIONS = {
     "stress": "compared by hand with stress.tensor of a Measurement",
     "threads": "the network takes all cores; results do not depend on it",
     "help": "help() of Python",
-    "infer uncertainty": "not there yet: infer() takes the errors of measurements alone",
     "infer sand": "not there yet: infer() is of the model of spheres",
     "infer grain-shape": "not there yet: infer() is of the model of spheres",
 }
