@@ -84,7 +84,7 @@ std::optional<int> own_descriptor(fs::path path) {
 /// Whether writing cannot destroy a result: a device such as a terminal, a pipe, or a descriptor of this
 /// process.
 bool is_stream(const fs::path& path) {
-  std::error_code unknown; // a name that cannot be is told by writing
+  std::error_code unknown; // impossible names are reported on writing
   const fs::file_type type = fs::status(path, unknown).type();
   return type == fs::file_type::character || type == fs::file_type::fifo || own_descriptor(path);
 }
@@ -217,7 +217,7 @@ class PartFile {
 } // namespace
 
 bool is_taken(const fs::path& path) {
-  std::error_code unknown; // a name that cannot be is told by writing
+  std::error_code unknown; // impossible names are reported on writing
   return fs::exists(fs::symlink_status(path, unknown)) && !is_stream(path);
 }
 

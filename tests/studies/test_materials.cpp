@@ -50,7 +50,7 @@ TEST_CASE("materials: types come out of the files, and each grain has one materi
     CHECK(materials[g].shear_modulus == (packing.type[g] == 1 ? 30e9 : 3e9));
   CHECK(studies::materials_of(packing, {}).empty());
   CHECK_THROWS_WITH_AS(static_cast<void>(studies::materials_of(packing, {{1, {30e9, 0.15}}})),
-                       "grains have type 2, of which no --material says anything", InvalidArgument);
+                       "grains have type 2, for which no --material is given", InvalidArgument);
   io::ImportedPacking untold = packing;
   untold.type.clear();
   CHECK_THROWS_AS(static_cast<void>(studies::materials_of(untold, both)), InvalidArgument);

@@ -11,9 +11,9 @@ namespace granum::cli {
 PackingRows::PackingRows(const io::CsvTable& table, const PackingOptions& options)
     : table_(table), row_(options), contact_by_default_(options.contact), columns_(table) {
   for (Number* number : numbers(row_)) {
-    const bool told = columns_.bind(*number) || number->given();
+    const bool is_given = columns_.bind(*number) || number->given();
     const bool stress = number == &row_.pressure || number == &row_.stress_v || number == &row_.stress_h;
-    tells_stress_ = tells_stress_ || (stress && told);
+    tells_stress_ = tells_stress_ || (stress && is_given);
   }
   contact_ = columns_.text("contact", row_.contact_given());
   sizes_ = columns_.text("sizes", row_.sizes.has_value());
@@ -40,14 +40,14 @@ const PackingOptions& PackingRows::packing(std::size_t row) {
 
 /// Equal grains if the row has no sizes.
 void PackingRows::take_sizes(const std::vector<std::string>& fields) {
-  const bool told = sizes_ && !trimmed(fields[*sizes_]).empty();
-  if (told && uniformity_.in_table)
+  const bool is_given = sizes_ && !trimmed(fields[*sizes_]).empty();
+  if (is_given && uniformity_.in_table)
     throw InvalidArgument("sizes and uniformity mean the same: give one of them");
   if (sizes_in_table_) {
     row_.graded = uniformity_.in_table;
     row_.uniformity = uniformity_.in_table ? std::optional(uniformity_.value) : std::nullopt;
   }
-  if (told)
+  if (is_given)
     row_.sizes = sizes::parse_distribution(fields[*sizes_]);
   else if (uniformity_.in_table)
     row_.sizes = sizes::Distribution::uniformity(uniformity_.value);

@@ -192,11 +192,11 @@ class LocalJoin {
 
 /// The layout found from the values of the frame.
 void name_columns(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units) {
-  const ToldLayout told = layout_by_values(locals.unnamed, builder, units.length);
-  locals.layout = told.layout;
-  if (!told.words.empty())
-    builder.note(Finding::columns_told, "columns identified by their values: " + told.words);
-  if (told.swapped)
+  const IdentifiedLayout identified = layout_by_values(locals.unnamed, builder, units.length);
+  locals.layout = identified.layout;
+  if (!identified.words.empty())
+    builder.note(Finding::columns_told, "columns identified by their values: " + identified.words);
+  if (identified.swapped)
     builder.note(Finding::forces_swapped,
                  "the first force vector is the tangential one, the second the normal");
 }

@@ -66,7 +66,7 @@ class DataFile {
   }
 
   [[nodiscard]] bool at_section() const { return std::isalpha(static_cast<unsigned char>(row_[0][0])) != 0; }
-  [[nodiscard]] bool says(std::size_t k, std::string_view word) const {
+  [[nodiscard]] bool has_word(std::size_t k, std::string_view word) const {
     return row_.size() > k && row_[k] == word;
   }
 
@@ -75,14 +75,14 @@ class DataFile {
     while (next_row()) {
       if (at_section())
         return source_.hold();
-      if (says(1, "atoms"))
+      if (has_word(1, "atoms"))
         count_ = row_.count(0, "atoms");
       for (std::size_t k = 0; k < 3; ++k)
-        if (says(2, axes[k][0]) && says(3, axes[k][1]))
+        if (has_word(2, axes[k][0]) && has_word(3, axes[k][1]))
           bounds_[k] = Bounds{row_.number(0, axes[k][0]), row_.number(1, axes[k][1])};
-      if (says(3, "xy") && says(4, "xz") && says(5, "yz"))
+      if (has_word(3, "xy") && has_word(4, "xz") && has_word(5, "yz"))
         tilt_ = row_.vector(0, "tilt");
-      if (says(3, "avec") || says(3, "bvec") || says(3, "cvec"))
+      if (has_word(3, "avec") || has_word(3, "bvec") || has_word(3, "cvec"))
         source_.fail(
             "boxes of three given edges are not read from data files; expected xlo xhi, ylo yhi, zlo zhi");
     }
@@ -91,7 +91,7 @@ class DataFile {
   void find_atoms() {
     while (next_row())
       if (at_section() && row_[0] == "Atoms") {
-        if (says(1, "#") && row_.size() > 2 && row_[2] != "sphere")
+        if (has_word(1, "#") && row_.size() > 2 && row_[2] != "sphere")
           source_.fail("expected atom style sphere, found " + shown(row_[2]));
         return;
       }

@@ -303,12 +303,12 @@ std::string span_text(const ColumnGroup& values, const std::vector<std::string>&
 
 } // namespace
 
-ToldLayout layout_by_values(const UnnamedTable& table, const PackingBuilder& grains, double length) {
+IdentifiedLayout layout_by_values(const UnnamedTable& table, const PackingBuilder& grains, double length) {
   if (table.rows() == 0)
     return {};
   if (table.computes.size() == 1)
     return liggghts_by_values(table, grains);
-  std::vector<ToldLayout> fits;
+  std::vector<IdentifiedLayout> fits;
   std::string tried, maps;
   for (std::size_t ids = 0; ids < table.computes.size(); ++ids) {
     const ColumnGroup& atoms = table.computes[ids];

@@ -25,7 +25,7 @@ struct UnnamedTable {
 };
 
 /// A layout confirmed by the values, and its description.
-struct ToldLayout {
+struct IdentifiedLayout {
   ContactLayout layout;
   std::string words;    ///< "c_cp[1] to c_cp[5] as dist force fx fy fz"
   bool swapped = false; ///< p1 p2 p3 precede fx fy fz
@@ -40,7 +40,7 @@ struct ToldLayout {
 /// \throws   FileError at the first row if no order is confirmed, or if several are that give different
 ///           forces; the message lists them and the column maps that would decide
 /// Checked by tests/io/lammps/test_layouts.cpp
-[[nodiscard]] ToldLayout layout_by_values(const UnnamedTable& table, const PackingBuilder& grains,
-                                          double length);
+[[nodiscard]] IdentifiedLayout layout_by_values(const UnnamedTable& table, const PackingBuilder& grains,
+                                                double length);
 
 } // namespace granum::io

@@ -149,7 +149,7 @@ std::string take_forces(const Values& values, std::size_t first, ContactLayout& 
 
 } // namespace
 
-ToldLayout liggghts_by_values(const UnnamedTable& table, const PackingBuilder& grains) {
+IdentifiedLayout liggghts_by_values(const UnnamedTable& table, const PackingBuilder& grains) {
   Values values(table, grains);
   for (const std::size_t first : {std::size_t{0}, std::size_t{6}, std::size_t{12}}) {
     constexpr std::size_t ids = 3;

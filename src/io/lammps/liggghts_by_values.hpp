@@ -11,6 +11,6 @@ namespace granum::io {
 /// Assumes   one compute, and rows
 /// \throws   FileError at the first row if no order fits
 /// Checked by tests/io/lammps/test_liggghts_by_values.cpp
-[[nodiscard]] ToldLayout liggghts_by_values(const UnnamedTable& table, const PackingBuilder& grains);
+[[nodiscard]] IdentifiedLayout liggghts_by_values(const UnnamedTable& table, const PackingBuilder& grains);
 
 } // namespace granum::io

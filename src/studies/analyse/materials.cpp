@@ -18,7 +18,7 @@ std::vector<contact::GrainMaterial> materials_of(const io::ImportedPacking& pack
     const auto found = materials.find(type);
     if (found == materials.end())
       throw InvalidArgument("grains have type " + std::to_string(type) +
-                            ", of which no --material says anything");
+                            ", for which no --material is given");
     out.push_back(found->second);
   }
   return out;
