@@ -67,8 +67,8 @@ bool run(const std::string& folder, const char* pictures) {
   if (pictures != nullptr)
     write_pictures(pictures, beads, sand);
 
-  // Worst of both directions: the upper five pressures alone do not tell roughness, so that rough spheres miss
-  // the lower five as smooth ones do.
+  // Worst of both directions: the upper five pressures alone do not determine roughness, so that rough
+  // spheres miss the lower five as smooth ones do.
   const bool contacts_hold = sand_misses[0] > 0.09 && sand_misses[1] < 0.12 && sand_misses[2] < 0.03;
   const bool holds = grown.largest() < 0.10 && contacts_hold;
   std::printf("\n%s\n", holds ? "holds" : "DOES NOT HOLD: see README.md");
