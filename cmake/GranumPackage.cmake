@@ -49,7 +49,7 @@ if(TARGET granum_python)
     "The package of Python 3: closed forms that broadcast over numpy arrays,"
     "packings of any DEM code, and everything that is measured on them.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
-    "${PROJECT_SOURCE_DIR}/cmake/debian_python/postinst;${PROJECT_SOURCE_DIR}/cmake/debian_python/prerm")
+    "${PROJECT_SOURCE_DIR}/packaging/debian/python/postinst;${PROJECT_SOURCE_DIR}/packaging/debian/python/prerm")
   set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-tqdm")
 endif()

@@ -13,7 +13,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   set(package "${CPACK_DEBIAN_${upper}_PACKAGE_NAME}")
   set(folder "${prefix}/share/doc/${package}")
   file(MAKE_DIRECTORY "${folder}")
-  file(COPY_FILE "${root}/cmake/debian_copyright" "${folder}/copyright")
+  file(COPY_FILE "${root}/packaging/debian/copyright" "${folder}/copyright")
   file(WRITE "${folder}/changelog" "granum (${CPACK_PACKAGE_VERSION}) unstable; urgency=medium\n\n"
     "  * Release ${CPACK_PACKAGE_VERSION}; what changed: CHANGELOG.md of the sources.\n\n"
     " -- ${CPACK_PACKAGE_CONTACT}  ${date}\n")

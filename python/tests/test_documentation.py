@@ -151,7 +151,7 @@ def test_a_name_without_example_makes_no_site(source, tmp_path):
 def test_notebooks_become_pages_with_their_pictures(source, tmp_path):
     site(source, "notebook_pages")["write"](source, tmp_path / "pages", tmp_path / "pictures")
     notebooks = sorted((source / "examples" / "notebooks").glob("*.ipynb"))
-    assert len(list((tmp_path / "pages").glob("notebook_*.md"))) == len(notebooks) == 5
+    assert len(list((tmp_path / "pages").glob("notebook_*.md"))) == len(notebooks) == 6
     assert len(list((tmp_path / "pictures").glob("*.png"))) >= 5
     first = (tmp_path / "pages" / f"notebook_{notebooks[0].stem}.md").read_text()
     assert "granum.packing_answer(" in first and first.count("<img") >= 1

@@ -125,6 +125,7 @@ EXCEPTIONS = {
     "spacing": _ARRAYS,
     "points": _ARRAYS,
     "stress": "compared by hand with stress.tensor of a Measurement",
+    "probes": "compared by hand with network.relaxed of a Measurement",
     "threads": "the network takes all cores; results do not depend on it",
     "help": "help() of Python",
     "infer sand": "not there yet: infer() is of the model of spheres",

@@ -72,7 +72,7 @@ granum_cli_test("fit: s above one half is not that of contacts of one number" EX
   STDOUT "s = m \\+ n +0\\.5100 .*s above 1/2: contacts form" ARGS fit hv_dense_cone.csv)
 granum_cli_test("fit: no void ratio" EXIT 3 STDERR "expected a column 'e' of the void ratio; .*--void-ratio-function none does without"
   ARGS fit beads_speeds.csv --modulus-column p --void-ratio-column e)
-granum_cli_test("fit: m and n that cannot be told apart name --sum-only" EXIT 2 STDERR "or add rows of another stress ratio\\. --sum-only fits s\n"
+granum_cli_test("fit: m and n that cannot be separated name --sum-only" EXIT 2 STDERR "or add rows of another stress ratio\\. --sum-only fits s\n"
   ARGS fit isotropic.csv)
 granum_cli_test("fit: picture of another kind" EXIT 2 STDERR "--picture = 'a\\.png' must end in \\.svg"
   ARGS fit isotropic_by_hand.csv --picture a.png)

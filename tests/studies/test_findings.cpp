@@ -294,7 +294,7 @@ TEST_CASE(
     }
     Scene scene = sphere_scene();
     scene.study.grains = grains;
-    return holds(study, specimen == 0 ? "dense: the probe's moduli" : "loose: the probe's moduli", scene);
+    return holds(study, specimen == 0 ? "dense: the moduli of probe" : "loose: the moduli of probe", scene);
   };
   for (const double sign : {1.0, -1.0})
     for (const bool across : {false, true})
@@ -310,7 +310,7 @@ TEST_CASE(
 
 TEST_CASE(
     "verdict on the probes: with what forces add, and states that forces hold are left out and counted") {
-  const char* claim = "loose: the probe's moduli";
+  const char* claim = "loose: the moduli of probe";
   const auto with_terms = [&](double probed, double geometric, double shedding) {
     std::vector<SpecimenResult> study = sound_study();
     CompressedState& state = study[1].states[2];

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/force_chains.hpp"
 
+#include <cstddef>
+#include <string>
+
 #include <doctest/doctest.h>
+#include <granum/plot/palette.hpp>
 
 #include "count_pieces.hpp"
 #include "well_formed.hpp"
@@ -36,7 +40,8 @@ TEST_CASE("force chains are as wide as their force, those above the mean in colo
   CHECK(count(chains->in_page, "<line") == 2);                 // not the one that does not press
   CHECK(count(chains->in_page, "stroke-width=\"1.10\"") == 1); // 2.2 for the mean force, 2
   CHECK(count(chains->in_page, "stroke-width=\"3.30\"") == 1);
-  const std::size_t strong = chains->in_page.find("class=\"c11\"");
+  const std::size_t strong = chains->in_page.find(
+      "class=\"c" + std::to_string(static_cast<std::size_t>(plot::Colour::force)) + "\"");
   REQUIRE(strong != std::string::npos);
   CHECK(chains->in_page.find("3.30") > strong);
   CHECK(chains->in_page.find("1.10") < strong);

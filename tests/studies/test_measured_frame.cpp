@@ -216,7 +216,7 @@ TEST_CASE("frame: without contacts, or without forces, the rest is still there")
   CHECK(data.counts.without_contact == 3);
   CHECK(data.counts.coordination_number == 0);
   CHECK_FALSE((data.fabric || data.forces || data.stress || data.state || data.network));
-  CHECK(has_note(data.notes, "no G_g"));
+  CHECK(has_note(data.notes, "G_g of the grains is not given"));
 
   const packing::Assembly& own = specimen();
   std::string contacts = "# units: SI\nid1,id2,nx,ny,nz\n";

@@ -13,7 +13,7 @@ namespace granum::cli {
 
 namespace {
 
-/// The fit, or what to do where m and n cannot be told apart.
+/// The fit, or what to do where m and n cannot be separated.
 hardin::FitReport fitted(const FitQuestion& question, const std::vector<hardin::MeasuredModulus>& rows,
                          const hardin::FitOptions& options) {
   if (question.sum_only)
@@ -21,7 +21,7 @@ hardin::FitReport fitted(const FitQuestion& question, const std::vector<hardin::
   try {
     return hardin::fit(rows, options);
   } catch (const InvalidArgument& error) {
-    if (std::string_view(error.what()).find("cannot be told apart") == std::string_view::npos)
+    if (std::string_view(error.what()).find("cannot be separated") == std::string_view::npos)
       throw;
     throw InvalidArgument(std::string(error.what()) + ". --sum-only fits s");
   }

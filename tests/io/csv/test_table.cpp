@@ -155,7 +155,7 @@ TEST_CASE("commas that could be either are refused with path and line") {
   CHECK_THROWS_WITH_AS(
       io::CsvTable("a.csv", "e,p_kPa\n0,65,100,5\n"),
       "a.csv:2: expected 2 fields (e, p_kPa), found 4; with decimal commas, separate the fields by "
-      "the fields",
+      "semicolons",
       FileError);
   CHECK_THROWS_WITH_AS(io::CsvTable("a.csv", "e;p_kPa\n\"1\" 2;3\n"),
                        "a.csv:2: expected a semicolon after the closing quote", FileError);
