@@ -186,7 +186,7 @@ class Attack {
   /// A row of a table has the bits of the answer.
   void same_row(const Line& line, const json& answer) {
     if (!line.has("--void-ratio") || line.has("--uncertainty") || line.has("--tolerance") ||
-        line.has("--bounds"))
+        line.has("--bounds") || line.has("--cement")) // which sweep does not take, or answers otherwise
       return;
     std::ofstream(row_) << "e,p_kPa\n" << line.value("--void-ratio") << ',' << line.pressure_text << '\n';
     Line row = line.without("--void-ratio").without("--pressure");
