@@ -249,7 +249,8 @@ Answer answer(const Question& question, std::span<const Spread> spreads) {
         effect_of(spread.input, spread.assumed, middle.values, moved(spread.less), moved(spread.more)));
   for (const FieldRow& row : fields()) {
     const bool of_sands = row.field == Field::contact_softness || row.field == Field::modulus_ratio ||
-                          row.field == Field::strained_shear_modulus || row.field == Field::damping_ratio;
+                          row.field == Field::strained_shear_modulus || row.field == Field::damping_ratio ||
+                          row.field == Field::slip_strain;
     const bool exponent = row.field == Field::vertical_exponent || row.field == Field::horizontal_exponent ||
                           row.field == Field::stress_exponent;
     if (!of_sands && (!row.needs_density || question.grain_density) && (!exponent || exponents))

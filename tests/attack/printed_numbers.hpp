@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -41,6 +42,7 @@ inline constexpr std::array bounds{
     Bounds{"rattler_fraction", 0, 1},
     Bounds{"saturation", 0, 1},
     Bounds{"void_ratio", 0, INFINITY},
+    Bounds{"slip_strain", DBL_MIN, INFINITY}, // where it is not known it is left out
 };
 
 inline bool is_number(const nlohmann::json& json, const char* key) {

@@ -57,6 +57,18 @@ TEST_CASE("answer: glass beads, nothing else told, within a factor of 3.1, and 1
   CHECK(a.validity().ok());
 }
 
+TEST_CASE("answer: every number of spheres is positive, and none is of the strain of sands") {
+  const Answer a = estimate::answer(beads());
+  for (const estimate::FieldRow& row : estimate::fields())
+    if (const std::optional<Range>& range = a.find(row.field)) {
+      INFO(row.key);
+      CHECK(range->low > 0);
+    }
+  for (const Field of_sands :
+       {Field::modulus_ratio, Field::strained_shear_modulus, Field::damping_ratio, Field::slip_strain})
+    CHECK(!a.find(of_sands));
+}
+
 TEST_CASE("answer: counted contacts give rung 3, with its standard error alone") {
   Question q = beads();
   q.state.mechanical_coordination_number = 5.2;

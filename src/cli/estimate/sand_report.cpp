@@ -43,7 +43,7 @@ std::string comparison_text(const AnswerCase& c) {
     return fmt::format("    they are {} times stiffer than these spheres\n", short_text(ratio, 2));
   if (ratio < 1 / alike)
     return fmt::format("    they are {} times softer than these spheres\n", short_text(1 / ratio, 2));
-  return "    these spheres are as stiff\n";
+  return "    they are about as stiff as these spheres\n";
 }
 
 std::string strain_text(const AnswerCase& c) {
