@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "analyse_fields.hpp"
+#include "analyse_stress.hpp"
 
 namespace granum::cli {
 
@@ -105,7 +106,7 @@ void add_rungs(FrameFields& to, const std::vector<RungResult>& rungs) {
 
 /// "probes/G_vh/value" and so on, of moduli that were probed.
 void add_probes(FrameFields& to) {
-  for (const studies::NamedModulus& modulus : studies::modulus_names) {
+  for (const Probing& modulus : probings()) {
     const std::string name = modulus.name;
     const auto of = [name](const FrameAnswer& frame) {
       const auto is = [&](const studies::ProbedModulus& probe) { return probe.modulus == name; };

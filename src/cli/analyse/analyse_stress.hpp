@@ -2,8 +2,11 @@
 // Stresses and probed moduli reported by a code, compared with those that follow from its contacts.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
+
+#include <granum/elastic/stiffness.hpp>
 
 #include "analyse.hpp"
 
@@ -21,8 +24,18 @@ void take_code_stress(const std::vector<std::string>& given, std::vector<FrameAn
 /// shear stresses may be all but zero.
 void judge_code_stress(const FrameAnswer& frame, Validity& out);
 
+/// A modulus that probes measure, and its value for a stiffness in the axes of the file [Pa].
+struct Probing {
+  const char* name;
+  double (*of)(const elastic::VoigtStiffness&);
+};
+/// All that a table of probes may name.
+[[nodiscard]] std::span<const Probing> probings();
+
 /// Gives each frame the moduli that the code's own probes found. The file has a row a modulus, with columns
-/// modulus (K, G, G_hh, G_vh, C11, C33, C12, C13) and value with its unit, as moduli.csv of an exported deck.
+/// modulus and value with its unit, as moduli.csv of an exported deck. Moduli are K and G, of the nearest
+/// isotropic stiffness, and components of the 6x6 in the axes of the file: G_vh = C55 (z and x), G_hh = C66
+/// (x and y), C11, C22, C33, C12, C13, C23, C44, C55, C66.
 /// A column step, or a column state, a part of the names of the frame's files between points, assigns rows to
 /// frames; without either there is one frame. An empty path: nothing is compared.
 /// \throws   FileError for a file that is no such table, or a row that belongs to no frame

@@ -135,11 +135,11 @@ std::string sands_text(const AnswerCase& c) {
   if (c.sands.empty())
     return "";
   const auto& s = c.question.state;
-  std::string text = fmt::format(
-      "\n  G of published laws at e = {}, p = {}, C_u = {}{}; bias: law over measured, of 789 tests of 38 clean "
-      "sands\n",
-      short_text(s.void_ratio), pretty(s.mean_stress(), Dimension::pressure), short_text(c.uniformity),
-      c.uniformity_assumed ? " assumed" : "");
+  std::string text = fmt::format("\n  G of published laws at e = {}, p = {}, C_u = {}{}; bias: law over "
+                                 "measured, of 789 tests of 38 clean "
+                                 "sands\n",
+                                 short_text(s.void_ratio), pretty(s.mean_stress(), Dimension::pressure),
+                                 short_text(c.uniformity), c.uniformity_assumed ? " assumed" : "");
   for (const SandAnswer& sand : c.sands)
     text += fmt::format("    {:<26}{:>11}  {:.2f} {}{}\n", sand.law->key,
                         sand.modulus ? pretty(sand.modulus->shear_modulus, Dimension::pressure) : "none",

@@ -53,18 +53,10 @@ struct RungResult {
 
 /// A modulus that a code's own probe found, small cycles of strain of a state [Pa].
 struct ProbedModulus {
-  std::string modulus; ///< of modulus_names
+  std::string modulus; ///< as take_probes knows it
   double value = 0;
   std::optional<double> network_over_probe = std::nullopt;
 };
-struct NamedModulus {
-  const char* name;
-  double Moduli::*value;
-};
-inline constexpr NamedModulus modulus_names[] = {
-    {"K", &Moduli::K},     {"G", &Moduli::G},     {"G_hh", &Moduli::G_hh}, {"G_vh", &Moduli::G_vh},
-    {"C11", &Moduli::C11}, {"C33", &Moduli::C33}, {"C12", &Moduli::C12},   {"C13", &Moduli::C13}};
-
 /// The measured stiffness: the frozen network, every grain in equilibrium.
 [[nodiscard]] std::string network_name();
 /// Rung 3 in the list of a frame's rungs.
