@@ -366,11 +366,7 @@ Validity complete_predictions(InferCase& question, const inverse::Inference& fit
                       pretty(p, Dimension::pressure), short_text(state.void_ratio)));
     if (same && p == measured.mean_stress())
       continue; // the measurements' own doubts are stated with them
-    estimate::Question asked{.state = state};
-    asked.state.mechanical_coordination_number =
-        fit.packing(state, specimen).mechanical_coordination_number.value;
-    const Validity there = estimate::answer(asked).validity();
-    for (const std::string& note : there.notes)
+    for (const std::string& note : fit.doubts(state, specimen).notes)
       doubts.add(place + note);
   }
   return doubts;
