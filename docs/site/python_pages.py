@@ -22,7 +22,7 @@ GROUPS = {
         uniform_strain_kinematic uniform_stress_kinematic Estimate ModulusErrors Exponents Moduli Rung""",
     "The answer and its range": """packing_answer estimate contact_prior carried_contacts PackingAnswer Range Ladder
         RungAssessment ContactPrior ContactCounts CarriedContacts Measured""",
-    "From measurements": "infer fit hardin Inference MeasuredRows Fit",
+    "From measurements": "infer fit hardin Inference SandInference MeasuredRows Fit",
     "Ground, sands and water": """ground_stress stress_on_path failure_ratio known_sands measured_laws
         sand_shear_modulus void_ratio_of_relative_density saturated
         water_and_air_bulk_modulus bulk_density GroundStress KnownSand MeasuredLaw""",

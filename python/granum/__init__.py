@@ -114,6 +114,7 @@ from ._granum import (
     RungAssessment,
     rungs,
     sample_normals,
+    SandInference,
     sand_shear_modulus,
     saturated,
     shear,

@@ -68,6 +68,7 @@ __all__ = [
     "RoseBin",
     "Rung",
     "RungAssessment",
+    "SandInference",
     "Shearing",
     "Sizes",
     "Specimen",
@@ -281,6 +282,8 @@ class Contacts(_Result):
     def i(self) -> NDArray[np.uint32]: ...
     @property
     def j(self) -> NDArray[np.uint32]: ...
+    @property
+    def normal(self) -> NDArray[np.float64]: ...
     @property
     def normal_force(self) -> NDArray[np.float64]: ...
     @property
@@ -544,6 +547,8 @@ class Inference(_Result):
     def error_shares(self) -> dict[str, float]: ...
     @property
     def explained(self) -> bool: ...
+    @property
+    def fitted(self) -> list[Measured]: ...
     @property
     def growth_exponent(self) -> Optional[Measured]: ...
     @property
@@ -1069,6 +1074,57 @@ class RungAssessment(_Result):
     @property
     def verdict(self) -> str: ...
 
+class SandInference(_Result):
+    @property
+    def level(self) -> Measured: ...
+    @property
+    def stress_exponent(self) -> Measured: ...
+    @property
+    def poisson_ratio(self) -> Measured: ...
+    @property
+    def mechanical_coordination_number(self) -> Range[float]: ...
+    @property
+    def contact_softness(self) -> Range[float]: ...
+    @property
+    def tells_contacts(self) -> bool: ...
+    @property
+    def pressure(self) -> float: ...
+    @property
+    def fitted(self) -> list[Measured]: ...
+    @property
+    def deviations(self) -> list[float]: ...
+    @property
+    def chi_square(self) -> float: ...
+    @property
+    def degrees_of_freedom(self) -> int: ...
+    @property
+    def probability(self) -> float: ...
+    @property
+    def widening(self) -> float: ...
+    @property
+    def notes(self) -> list[str]: ...
+    def plot(self, ax: Any = ..., *, quantity: str = ..., pressure: ArrayLike) -> Any: ...
+    @overload
+    def predict(  # type: ignore[misc]
+        self,
+        quantity: str,
+        *,
+        pressure: Optional[float] = ...,
+        stress_v: Optional[float] = ...,
+        stress_h: Optional[float] = ...,
+        void_ratio: Optional[float] = ...,
+    ) -> MeasuredRows[float]: ...
+    @overload
+    def predict(
+        self,
+        quantity: str,
+        *,
+        pressure: Optional[ArrayLike] = ...,
+        stress_v: Optional[ArrayLike] = ...,
+        stress_h: Optional[ArrayLike] = ...,
+        void_ratio: Optional[ArrayLike] = ...,
+    ) -> MeasuredRows[_Array]: ...
+
 class Shearing:
     def __iter__(self) -> Iterator[PathPoint]: ...
     def __next__(self) -> PathPoint: ...
@@ -1524,6 +1580,67 @@ def hertz_mindlin(
     strict: bool = False,
     bulk_modulus: Optional[ArrayLike] = None,
 ) -> IsotropicModuli[_Array]: ...
+@overload
+def infer(  # type: ignore[misc]
+    *,
+    law: NormalLaw,
+    radius: ArrayLike,
+    void_ratio: ArrayLike,
+    pressure: Optional[ArrayLike] = ...,
+    stress_v: Optional[ArrayLike] = ...,
+    stress_h: Optional[ArrayLike] = ...,
+    fabric_anisotropy: ArrayLike = ...,
+    tangential_ratio: Optional[ArrayLike] = ...,
+    contact_means: Optional[ContactMeans] = ...,
+    relative_error: ArrayLike,
+    grain_density: Optional[float] = ...,
+    growth: Optional[Literal["sand", "fitted"]] = ...,
+    saturation: float = ...,
+    grain_shape: Literal["sand"] = ...,
+    sand: str,
+    uniformity: Optional[float] = ...,
+    least_void_ratio: Optional[float] = ...,
+    largest_void_ratio: Optional[float] = ...,
+    d50: Optional[float] = ...,
+    G: Optional[ArrayLike] = ...,
+    G_hh: Optional[ArrayLike] = ...,
+    K: Optional[ArrayLike] = ...,
+    V_s: Optional[ArrayLike] = ...,
+    V_s_hh: Optional[ArrayLike] = ...,
+    V_p: Optional[ArrayLike] = ...,
+    V_p_h: Optional[ArrayLike] = ...,
+) -> SandInference: ...
+@overload
+def infer(
+    *,
+    law: NormalLaw,
+    radius: ArrayLike,
+    void_ratio: ArrayLike,
+    pressure: Optional[ArrayLike] = ...,
+    stress_v: Optional[ArrayLike] = ...,
+    stress_h: Optional[ArrayLike] = ...,
+    fabric_anisotropy: ArrayLike = ...,
+    tangential_ratio: Optional[ArrayLike] = ...,
+    contact_means: Optional[ContactMeans] = ...,
+    relative_error: ArrayLike,
+    grain_density: Optional[float] = ...,
+    growth: Optional[Literal["sand", "fitted"]] = ...,
+    saturation: float = ...,
+    grain_shape: Literal["sand"],
+    sand: Optional[str] = ...,
+    uniformity: Optional[float] = ...,
+    least_void_ratio: Optional[float] = ...,
+    largest_void_ratio: Optional[float] = ...,
+    d50: Optional[float] = ...,
+    G: Optional[ArrayLike] = ...,
+    G_hh: Optional[ArrayLike] = ...,
+    K: Optional[ArrayLike] = ...,
+    V_s: Optional[ArrayLike] = ...,
+    V_s_hh: Optional[ArrayLike] = ...,
+    V_p: Optional[ArrayLike] = ...,
+    V_p_h: Optional[ArrayLike] = ...,
+) -> SandInference: ...
+@overload
 def infer(
     *,
     law: NormalLaw,
@@ -1539,9 +1656,12 @@ def infer(
     grain_density: Optional[float] = ...,
     pore_density: float = ...,
     rattler_fraction: Optional[float] = ...,
-    growth: Literal["packings", "fixed", "fitted"] = ...,
+    growth: Optional[Literal["packings", "fixed", "fitted"]] = ...,
     contacts: Literal["given", "rough", "power-law"] = ...,
     uncertainty: Optional[Mapping[str, float]] = ...,
+    saturation: float = ...,
+    grain_shape: Literal["sphere"] = ...,
+    sand: Optional[str] = ...,
     G: Optional[ArrayLike] = ...,
     G_hh: Optional[ArrayLike] = ...,
     K: Optional[ArrayLike] = ...,

@@ -10,7 +10,7 @@ import importlib
 
 import numpy as np
 
-from ._granum import Fabric, Inference, Ladder, Packing, Study, fabric_density
+from ._granum import Fabric, Inference, Ladder, Packing, SandInference, Study, fabric_density
 
 # What a colour stands for in every picture of granum: rows of include/granum/plot/palette.hpp.
 _CLOSED_FORM, _MEASURED, _FORCE, _GREY = "#a2457e", "#474f5a", "#b3261e", "#6b6f75"
@@ -243,6 +243,7 @@ def _attach():
         (Fabric, _rose),
         (Study, _study),
         (Packing, _chains),
+        (SandInference, _inference),
         (Inference, _inference),
     ):
         function.__name__ = "plot"

@@ -111,7 +111,8 @@ def _short(value):
     if isinstance(value, float):
         return f"{value:.6g}"
     if isinstance(value, np.ndarray):
-        return f"<{value.dtype} {value.shape}>"
+        few = value.ndim == 1 and value.size <= 4 and value.dtype.kind == "f"
+        return f"[{', '.join(map(_short, value.tolist()))}]" if few else f"<{value.dtype} {value.shape}>"
     if isinstance(value, (list, tuple)):
         if len(value) <= 3 and all(isinstance(item, (int, float)) for item in value):
             return "(" + ", ".join(_short(item) for item in value) + ")"

@@ -30,6 +30,13 @@ py::array array_of(const Vec3& v) {
   return out;
 }
 
+py::array array_of(const std::vector<Vec3>& vectors) {
+  py::array_t<double> out({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}});
+  if (!vectors.empty())
+    std::copy_n(&vectors.front().x, 3 * vectors.size(), out.mutable_data());
+  return out;
+}
+
 py::array array_of(const Mat3& m) {
   py::array_t<double> out({3, 3});
   std::copy_n(&m.m[0][0], 9, out.mutable_data());

@@ -49,6 +49,8 @@ template <class Element>
 /// Copies.
 [[nodiscard]] py::array array_of(const Vec3& vector);
 [[nodiscard]] py::array array_of(const Mat3& matrix);
+/// (N, 3), one vector a row.
+[[nodiscard]] py::array array_of(const std::vector<Vec3>& vectors);
 [[nodiscard]] py::array array_of(const elastic::Matrix6& matrix);
 
 /// A numpy array of float64 with these numbers, whatever real numbers they were; None and other objects are

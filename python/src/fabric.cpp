@@ -2,7 +2,6 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <iterator>
 
 #include <granum/fabric/anisotropy_estimate.hpp>
@@ -117,11 +116,7 @@ float or ndarray
   module.def(
       "sample_normals",
       [](double anisotropy, std::size_t count, std::uint64_t seed) {
-        const std::vector<Vec3> normals = fabric::sample_normals(anisotropy, count, seed);
-        py::array_t<double> out(std::vector<py::ssize_t>{static_cast<py::ssize_t>(count), 3});
-        if (count > 0)
-          std::copy_n(&normals.front().x, 3 * count, out.mutable_data());
-        return out;
+        return array_of(fabric::sample_normals(anisotropy, count, seed));
       },
       py::kw_only(), py::arg("anisotropy"), py::arg("count"), py::arg("seed"),
       (R"(Unit vectors drawn from E(gamma; a).

@@ -44,6 +44,16 @@ void bind_contacts(py::module_& module) {
   show_contact(type, "j", &Contact::j, "Second grain, j > i; of a wall its number.");
   show_contact(type, "branch", &Contact::branch,
                "Centre of j, its nearest image, minus centre of i [m], (N, 3).");
+  type.def_property_readonly(
+      "normal",
+      [](const Contacts& c) {
+        std::vector<Vec3> normals;
+        normals.reserve(c.list->size());
+        for (const Contact& contact : *c.list)
+          normals.push_back(packing::normal(contact));
+        return array_of(normals);
+      },
+      "Unit vector of branch [1], (N, 3): what fabric is of.");
   show_contact(type, "overlap", &Contact::overlap, "Full approach, R_i + R_j - |branch| [m].");
   show_contact(type, "normal_force", &Contact::normal_force, "Compression positive [N].");
   show_contact(type, "tangential_force", &Contact::tangential_force, "Exerted by i on j [N], (N, 3).");

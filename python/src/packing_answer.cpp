@@ -13,6 +13,7 @@
 #include "docstrings.hpp"
 #include "estimate.hpp"
 #include "question.hpp"
+#include "range.hpp"
 
 namespace granum::python {
 
@@ -40,13 +41,11 @@ std::string documentation(const estimate::FieldRow& row) {
          (row.needs_density ? "; NaN without grain_density." : ".");
 }
 
-/// One of the ranges of a result, which it keeps alive.
-struct RangeView {
-  py::object result;
-  std::size_t offset;
-
-  [[nodiscard]] py::object number(std::size_t part) const { return member<AnswerRow>(result, offset + part); }
-};
+/// One of the ranges of a result.
+RangeView range_view(const py::object& result, std::size_t offset) {
+  const auto number = [&](std::size_t part) { return member<AnswerRow>(result, offset + part); };
+  return {number(offsetof(Range, value)), number(offsetof(Range, low)), number(offsetof(Range, high))};
+}
 
 py::object packing_answer(const Arguments& a) {
   const QuestionArguments arguments(a);
@@ -89,23 +88,16 @@ std::string text_of(const py::object& result) {
 
 void bind_packing_answer(py::module_& module) {
   py::class_<RangeView>(module, "Range", "Numbers and what they may be as well: floats, or arrays.")
-      .def_property_readonly(
-          "value", [](const RangeView& r) { return r.number(offsetof(Range, value)); }, "The best answer.")
-      .def_property_readonly(
-          "low", [](const RangeView& r) { return r.number(offsetof(Range, low)); },
-          "The lower end of the range.")
-      .def_property_readonly(
-          "high", [](const RangeView& r) { return r.number(offsetof(Range, high)); },
-          "The upper end of the range.");
+      .def_readonly("value", &RangeView::value, "The best answer.")
+      .def_readonly("low", &RangeView::low, "The lower end of the range.")
+      .def_readonly("high", &RangeView::high, "The upper end of the range.");
   auto type = result_class<AnswerRow>(module, "PackingAnswer",
                                       "Relaxed moduli and wave speeds of packings, each with its range.");
   for (const estimate::FieldRow& row : estimate::fields())
     type.def_property_readonly(
         row.key,
-        [offset = offsetof(AnswerRow, ranges) +
-                  static_cast<std::size_t>(row.field) * sizeof(Range)](const py::object& result) {
-          return RangeView{result, offset};
-        },
+        [offset = offsetof(AnswerRow, ranges) + static_cast<std::size_t>(row.field) * sizeof(Range)](
+            const py::object& result) { return range_view(result, offset); },
         documentation(row).c_str());
   type.def_property_readonly("shares", &shares,
                              "How much of the range of shear_modulus each input makes: by name, [0, 1].");

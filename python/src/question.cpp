@@ -20,15 +20,13 @@ enum : std::size_t {
   uncertainty_at,
   grain_shape_at,
   sand_at,
-  numbers_of_sand_at
+  numbers_of_sand_at,
+  shear_strain_at = numbers_of_sand_at + std::size(numbers_of_sand)
 };
 
 /// Places of the columns behind those of the state.
-constexpr std::size_t density_column = 8, saturation_column = 9, sand_column = 10;
-
-/// Numbers of a sand, in the order of their keywords.
-constexpr const char* numbers_of_sand[] = {"uniformity", "least_void_ratio", "largest_void_ratio", "d50",
-                                           "shear_strain"};
+constexpr std::size_t density_column = 8, saturation_column = 9, sand_column = 10,
+                      strain_column = sand_column + std::size(numbers_of_sand);
 
 /// Inputs that are no column: they move the law of the contacts.
 constexpr const char *of_modulus = "grain_shear_modulus", *of_ratio = "grain_poisson_ratio",
@@ -56,8 +54,9 @@ std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more) {
   std::vector<Keyword> all = state_keywords(
       {{"preparation", "None"}, {"grain_density", "None"}, {"saturation", "0.0"}, {"uncertainty", "None"}});
   all.insert(all.end(), {{"grain_shape", "'sphere'"}, {"sand", "None"}});
-  for (const char* number : numbers_of_sand)
-    all.push_back({number, "None"});
+  for (const SandNumber& number : numbers_of_sand)
+    all.push_back({number.keyword, "None"});
+  all.push_back({"shear_strain", "None"});
   all[coordination_number_at].shown_default = "None";
   all.insert(all.end(), more);
   return all;
@@ -89,8 +88,20 @@ shear_strain : array_like, optional
     Amplitude at which G is asked for as well, of sands, in (0, 0.05] [1].
 )";
 
+Grains grains_of(const Arguments& a, std::size_t grain_shape_at, std::size_t sand_at) {
+  Grains grains;
+  if (a.given(sand_at)) {
+    grains.sand = &sands::known_sand(a.text(sand_at));
+    grains.shape = estimate::GrainShape::sand;
+  }
+  if (a.given(grain_shape_at))
+    grains.shape = estimate::grain_shape_of(a.text(grain_shape_at));
+  return grains;
+}
+
 QuestionArguments::QuestionArguments(const Arguments& a)
     : state_(a, StateArguments::CoordinationNumber::optional), has_density_(a.given(density_at)),
+      has_strain_(a.given(shear_strain_at)), grains_(grains_of(a, grain_shape_at, sand_at)),
       columns_(state_.columns().begin(), state_.columns().end()) {
   if (a.given(preparation_at))
     preparation_ = effective::preparation_of(a.text(preparation_at));
@@ -100,19 +111,15 @@ QuestionArguments::QuestionArguments(const Arguments& a)
   columns_.push_back({"saturation", 0.0});
   if (a.given(saturation_at))
     columns_.back().value = a[saturation_at];
-  if (a.given(grain_shape_at))
-    grain_shape_ = estimate::grain_shape_of(a.text(grain_shape_at));
-  if (a.given(sand_at)) {
-    sand_ = &sands::known_sand(a.text(sand_at));
-    if (!a.given(grain_shape_at))
-      grain_shape_ = estimate::GrainShape::sand;
-  }
-  for (std::size_t k = 0; k < told_of_sand_.size(); ++k) {
-    columns_.push_back({numbers_of_sand[k], 0.0});
-    told_of_sand_[k] = a.given(numbers_of_sand_at + k);
-    if (told_of_sand_[k])
+  for (std::size_t k = 0; k < has_number_of_sand_.size(); ++k) {
+    columns_.push_back({numbers_of_sand[k].keyword, 0.0});
+    has_number_of_sand_[k] = a.given(numbers_of_sand_at + k);
+    if (has_number_of_sand_[k])
       columns_.back().value = a[numbers_of_sand_at + k];
   }
+  columns_.push_back({"shear_strain", 0.0});
+  if (has_strain_)
+    columns_.back().value = a[shear_strain_at];
   if (!a.given(uncertainty_at))
     return;
   for (const auto& [name, deviation] : a.as<std::map<std::string, double>>(
@@ -139,14 +146,13 @@ estimate::Question QuestionArguments::question(const double* x) const {
   if (has_density_)
     question.grain_density = x[density_column];
   question.saturation = x[saturation_column];
-  question.grain_shape = grain_shape_;
-  question.sand = sand_ != nullptr ? sands::sand_of(*sand_) : sands::Sand{};
-  std::optional<double>* const numbers[] = {&question.sand.uniformity, &question.sand.least_void_ratio,
-                                            &question.sand.largest_void_ratio, &question.sand.d50,
-                                            &question.shear_strain};
-  for (std::size_t k = 0; k < told_of_sand_.size(); ++k)
-    if (told_of_sand_[k])
-      *numbers[k] = x[sand_column + k];
+  question.grain_shape = grains_.shape;
+  question.sand = grains_.known();
+  for (std::size_t k = 0; k < has_number_of_sand_.size(); ++k)
+    if (has_number_of_sand_[k])
+      question.sand.*numbers_of_sand[k].member = x[sand_column + k];
+  if (has_strain_)
+    question.shear_strain = x[strain_column];
   return question;
 }
 

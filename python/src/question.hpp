@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,6 +20,27 @@ namespace granum::python {
 [[nodiscard]] std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more = {});
 /// How many they are: where those of a function begin.
 inline constexpr std::size_t question_keyword_count = state_keyword_count + 11;
+/// What the grains are, by the keywords grain_shape and sand.
+struct Grains {
+  estimate::GrainShape shape = estimate::GrainShape::sphere;
+  const sands::KnownSand* sand = nullptr; ///< if it was named
+
+  /// What the name says of the sand.
+  [[nodiscard]] sands::Sand known() const { return sand != nullptr ? sands::sand_of(*sand) : sands::Sand{}; }
+};
+/// \throws   InvalidArgument for a shape or a sand that is unknown
+[[nodiscard]] Grains grains_of(const Arguments& arguments, std::size_t grain_shape_at, std::size_t sand_at);
+
+/// A number of a sand by the keyword that gives it.
+struct SandNumber {
+  const char* keyword;
+  std::optional<double> sands::Sand::*member;
+};
+inline constexpr SandNumber numbers_of_sand[] = {{"uniformity", &sands::Sand::uniformity},
+                                                 {"least_void_ratio", &sands::Sand::least_void_ratio},
+                                                 {"largest_void_ratio", &sands::Sand::largest_void_ratio},
+                                                 {"d50", &sands::Sand::d50}};
+
 /// What docstrings say of these keywords.
 extern const std::string question_parameters;
 
@@ -42,10 +64,9 @@ class QuestionArguments {
 
   StateArguments state_;
   effective::Preparation preparation_;
-  bool has_density_ = false;
-  estimate::GrainShape grain_shape_ = estimate::GrainShape::sphere;
-  const sands::KnownSand* sand_ = nullptr;
-  std::array<bool, 5> told_of_sand_{}; ///< which of the numbers of a sand are given
+  bool has_density_ = false, has_strain_ = false;
+  Grains grains_;
+  std::array<bool, std::size(numbers_of_sand)> has_number_of_sand_{};
   std::map<std::string, double> deviations_;
   std::vector<Argument> columns_;
   std::vector<double> numbers_;

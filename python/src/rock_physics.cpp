@@ -45,24 +45,9 @@ SpherePacking sphere_packing(const double* x) {
           .no_slip_fraction = x[5]};
 }
 
-constexpr const char* sphere_parameters = R"(
-Parameters
-----------
-shear_modulus : array_like
-    G_g > 0 of the grain [Pa].
-poisson_ratio : array_like
-    nu_g of the grain, -1 < nu_g <= 0.5 [1].
-porosity : array_like
-    Pore volume by total volume, in [0, 1) [1].
-coordination_number : array_like
-    C_n = 2 N_c/N >= 0 [1].
-pressure : array_like
-    p >= 0, effective, compression positive [Pa].
-)";
-
-constexpr const char* no_slip_parameter = R"(no_slip_fraction : array_like
-    Share of contacts without slip, in [0, 1] [1]: 1 rough, 0 smooth grains.
-)";
+const std::string sphere_parameters =
+    std::string(equal_spheres_parameters) +
+    "pressure : array_like\n    p >= 0, effective, compression positive [Pa].\n";
 
 /// Of both bounds: those of the packing at its critical porosity, and where between it and the mineral.
 const std::string bound_parameters = [] {
@@ -74,9 +59,7 @@ const std::string bound_parameters = [] {
          no_slip_parameter + "porosity : array_like\n    In [0, critical_porosity] [1].\n";
 }();
 
-constexpr const char* strict_and_result = R"(strict : bool
-    Raise at the first element that is refused, instead of NaN and a message in `errors`.
-
+const std::string strict_and_result = std::string(strict_parameter) + R"(
 Returns
 -------
 IsotropicModuli

@@ -100,26 +100,9 @@ rock_physics::StrainPath path_of(const std::string& name) {
 /// \param    result        the class
 std::string documentation(const std::string& what, const std::string& hydrostatic, const std::string& more,
                           const std::string& result, const std::string& source) {
-  return what + R"(
-
-Parameters
-----------
-shear_modulus : array_like
-    G_g > 0 of the grain [Pa].
-poisson_ratio : array_like
-    nu_g of the grain, -1 < nu_g <= 0.5 [1].
-porosity : array_like
-    Pore volume by total volume, in [0, 1) [1].
-coordination_number : array_like
-    C_n = 2 N_c/N >= 0 [1].
-)" + hydrostatic +
-         R"(uniaxial_strain : array_like
-    e3 along axis 3, in [0, 1), compression positive [1].
-no_slip_fraction : array_like
-    Share of contacts without slip, in [0, 1] [1]: 1 rough, 0 smooth grains.
-strict : bool
-    Raise at the first element that is refused, instead of NaN and a message in `errors`.
-)" + more +
+  return what + "\n" + equal_spheres_parameters + hydrostatic +
+         "uniaxial_strain : array_like\n    e3 along axis 3, in [0, 1), compression positive [1].\n" +
+         no_slip_parameter + strict_parameter + more +
          R"(
 Returns
 -------

@@ -99,7 +99,7 @@ def kinds_reached(values, depth=3):
     return kinds
 
 
-BLOCKS = 79
+BLOCKS = 80
 
 
 def test_every_example_of_the_site_prints_what_it_says(source, monkeypatch):

@@ -25,7 +25,13 @@ ARGUMENTS = {
     "least-void-ratio": "packing_answer.least_void_ratio",
     "largest-void-ratio": "packing_answer.largest_void_ratio",
     "saturation": "packing_answer.saturation",
-    "infer saturation": "infer.pore_density",
+    "infer saturation": "infer.saturation",
+    "infer sand": "infer.sand",
+    "infer grain-shape": "infer.grain_shape",
+    "infer uniformity": "infer.uniformity",
+    "infer least-void-ratio": "infer.least_void_ratio",
+    "infer largest-void-ratio": "infer.largest_void_ratio",
+    "infer d50": "infer.d50",
     "strain": "packing_answer.shear_strain",
     "coordination-number": "packing_answer.coordination_number",
     "mechanical-coordination-number": "packing_answer.mechanical_coordination_number",
@@ -128,8 +134,6 @@ EXCEPTIONS = {
     "probes": "compared by hand with network.relaxed of a Measurement",
     "threads": "the network takes all cores; results do not depend on it",
     "help": "help() of Python",
-    "infer sand": "not there yet: infer() is of the model of spheres",
-    "infer grain-shape": "not there yet: infer() is of the model of spheres",
 }
 
 

@@ -19,6 +19,7 @@ def arrays_of(packing):
     pairs = np.stack([contacts.i, contacts.j], axis=1).astype(np.int64)
     branch = contacts.branch
     normal = branch / np.linalg.norm(branch, axis=1)[:, None]
+    np.testing.assert_allclose(contacts.normal, normal, rtol=0, atol=1e-15)
     sense = np.where(turned, -1.0, 1.0)[:, None]
     pairs = np.where(turned[:, None], pairs[:, ::-1], pairs)
     return {

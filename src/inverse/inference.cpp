@@ -9,6 +9,7 @@
 #include <granum/core/number.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/elastic/wave_speeds.hpp>
+#include <granum/estimate/answer.hpp>
 
 #include "contact_model.hpp"
 
@@ -135,6 +136,12 @@ Inference solve_together(const std::shared_ptr<const detail::ContactModel>& mode
 }
 
 } // namespace
+
+Validity Inference::doubts(const effective::State& at, AskedPacking specimen) const {
+  estimate::Question asked{.state = at};
+  asked.state.mechanical_coordination_number = packing(at, specimen).mechanical_coordination_number.value;
+  return estimate::answer(asked).validity();
+}
 
 InferenceAnswer infer(std::span<const Observation> measurements, const InferenceOptions& options) {
   const auto model = std::make_shared<const detail::ContactModel>(measurements, options);

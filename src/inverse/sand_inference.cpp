@@ -118,6 +118,12 @@ LeastSquares solve(std::span<const Observation> all, const Question& known, cons
   return fit;
 }
 
+void require_wave_of_sand(Quantity quantity, const Question& known) {
+  if (row_of(quantity).speed && compresses(quantity) && known.saturation > 0)
+    throw InvalidArgument(
+        "a compression wave in wet pores is that of the water: it tells nothing of the sand");
+}
+
 void require_observations(std::span<const Observation> all, const Question& known, SandGrowth growth) {
   if (all.empty())
     throw InvalidArgument("measurements: none is given");
@@ -126,9 +132,7 @@ void require_observations(std::span<const Observation> all, const Question& know
     require_positive("mean stress of a measurement", one.state.mean_stress(), "Pa");
     if (row_of(one.quantity).speed && !known.grain_density)
       throw InvalidArgument("wave speeds need the density of the grains");
-    if (row_of(one.quantity).speed && compresses(one.quantity) && known.saturation > 0)
-      throw InvalidArgument(
-          "a compression wave in wet pores is that of the water: it tells nothing of the sand");
+    require_wave_of_sand(one.quantity, known);
   }
   const bool one_stress = std::all_of(all.begin(), all.end(), [&](const Observation& one) {
     return one.state.mean_stress() == all.front().state.mean_stress();
@@ -143,7 +147,12 @@ Question SandInference::question(const effective::State& at) const {
   return moved(known_, at, Parameters::Zero());
 }
 
+Validity SandInference::doubts(const effective::State& at) const {
+  return estimate::answer(question(at)).validity();
+}
+
 Measured SandInference::predict(Quantity quantity, const effective::State& at) const {
+  require_wave_of_sand(quantity, known_);
   const double value = value_of(known_, quantity, at, Parameters::Zero());
   const Parameters slope = slopes(known_, quantity, at, Parameters::Zero());
   const Eigen::Map<const Eigen::Matrix3d> covariance(covariance_.data());

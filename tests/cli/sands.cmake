@@ -84,6 +84,14 @@ granum_cli_test("sands: an error is assumed, and said" EXIT 0 STDOUT "assumed --
 granum_cli_test("sands: V_s alone does not tell contacts" EXIT 0 STDOUT "V_p beside V_s would" ARGS ${measured} --vs 200m/s+-2%)
 granum_cli_test("sands: V_p beside it does" EXIT 0 JSON "sand/tells_contacts=^(true|ON)$" ARGS ${measured} --vs 200m/s+-1% --vp 310m/s+-1% --json)
 granum_cli_test("sands: bonded" EXIT 0 STDERR "cemented" STDOUT "level" ARGS ${measured} --vs 600m/s)
+# What a sand would ignore is refused, and nothing of it is said to be uncertain.
+foreach(option "--uncertainty void-ratio=0.01" "--contacts rough" "--rattler-fraction 2%")
+  separate_arguments(words UNIX_COMMAND "${option}")
+  list(GET words 0 name)
+  granum_cli_test("sands: infer refuses ${name}" EXIT 2 STDERR "${name}: [^\n]*sphere" ARGS ${measured} --vs 200m/s ${words})
+endforeach()
+granum_cli_test("sands: infer assumes no uncertain input of spheres" EXIT 0 JSON "notes=^\\[ *\\]$"
+  ARGS ${measured} --vs 200m/s+-2% --grain-density 2650kg/m3 --json)
 granum_cli_test("sands: --growth packings asks for spheres" EXIT 0 JSON "grain_shape=^sphere$" "sand=^$" ARGS infer --void-ratio 0.6
   --pressure 100kPa --vs 280m/s+-2% --growth packings --json)
 granum_cli_test("sands: both where nothing implies it" EXIT 0 STDOUT "sand \\(measured laws\\).*predicted at.*beads \\(spheres of the model\\).*predicted at"

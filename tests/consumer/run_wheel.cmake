@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes an sdist, from it alone a wheel, and installs that where nothing is but numpy, all without a network; then it
-# computes there. What people see of the package before they install it stands in the wheel.
+# computes there. What people see of the package before they install it stands in the wheel. Then pip install . in a copy of
+# the source tree, as people type it, which finds compiled what the wheel was made of.
 #   cmake -DROOT=<source tree> -DSCRATCH=<folder> -DPYTHON=<interpreter with numpy, pip, setuptools> -DVERSION=<x.y.z>
 #     -P run_wheel.cmake
 cmake_minimum_required(VERSION 3.25)
@@ -29,11 +30,13 @@ endforeach()
 if(members MATCHES "granum-${VERSION}/tests/")
   message(FATAL_ERROR "tests are in ${sdist}")
 endif()
-file(REMOVE_RECURSE "${SCRATCH}/clone")
 
 # It is to be seen that it computes, not how fast: the compiler does not optimise.
-run("${CMAKE_COMMAND}" -E env CMAKE_ARGS=-DCMAKE_CXX_FLAGS_RELEASE=-O0 PIP_DISABLE_PIP_VERSION_CHECK=1
-  "${PYTHON}" -m pip wheel --no-index --no-deps --no-build-isolation --wheel-dir "${SCRATCH}" "${sdist}")
+set(ENV{CMAKE_ARGS} -DCMAKE_CXX_FLAGS_RELEASE=-O0)
+set(ENV{PIP_DISABLE_PIP_VERSION_CHECK} 1)
+set(tree "${SCRATCH}/granum-${VERSION}")
+file(ARCHIVE_EXTRACT INPUT "${sdist}" DESTINATION "${SCRATCH}")
+run("${PYTHON}" -m pip wheel --no-index --no-deps --no-build-isolation --wheel-dir "${SCRATCH}" "${tree}")
 file(GLOB wheel "${SCRATCH}/granum-${VERSION}-*.whl")
 
 # An environment without pip, in which numpy is the interpreter's own.
@@ -46,3 +49,14 @@ execute_process(COMMAND "${PYTHON}" -c "import numpy, os; print(os.path.dirname(
 file(CREATE_LINK "${numpy}" "${site}/numpy" SYMBOLIC)
 run("${PYTHON}" -m pip --python "${there}" install --no-index --no-deps "${wheel}")
 run("${CMAKE_COMMAND}" -E env --unset=PYTHONPATH "${there}" "${CMAKE_CURRENT_LIST_DIR}/use_wheel.py" "${VERSION}")
+
+# The tree becomes that of the clone; what both have stays as old as it is, and is not compiled again.
+file(GLOB_RECURSE files RELATIVE "${SCRATCH}/clone" "${SCRATCH}/clone/*")
+foreach(file IN LISTS files)
+  get_filename_component(folder "${tree}/${file}" DIRECTORY)
+  file(MAKE_DIRECTORY "${folder}")
+  file(COPY_FILE "${SCRATCH}/clone/${file}" "${tree}/${file}" ONLY_IF_DIFFERENT)
+endforeach()
+execute_process(COMMAND "${PYTHON}" -m pip install --no-index --no-deps --no-build-isolation --target "${SCRATCH}/site-packages" .
+  WORKING_DIRECTORY "${tree}" COMMAND_ERROR_IS_FATAL ANY COMMAND_ECHO STDOUT)
+run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${SCRATCH}/site-packages" "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/use_wheel.py" "${VERSION}")

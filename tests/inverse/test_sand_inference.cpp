@@ -148,6 +148,16 @@ TEST_CASE("far above what contacts have: bonded") {
   CHECK(found.validity().notes.front().find("cemented") != std::string::npos);
 }
 
+TEST_CASE("a forecast far beyond the tests is doubtful, one of a compression wave in wet pores is refused") {
+  estimate::Question wet = quartz({.uniformity = 1.48});
+  wet.saturation = 1;
+  const SandInference found = infer_sand(std::vector{measured(Quantity::V_s, 250, 0.02, 1e5)}, wet);
+  CHECK(found.doubts(at(2e5)).ok());
+  CHECK_FALSE(found.doubts(at(5e7)).ok());
+  CHECK(found.predict(Quantity::V_s, at(2e5)).value > 250);
+  CHECK_THROWS_AS((void)found.predict(Quantity::V_p, at(2e5)), InvalidArgument);
+}
+
 TEST_CASE("what tells nothing is refused") {
   CHECK_THROWS_AS((void)infer_sand({}, quartz()), InvalidArgument);
   estimate::Question wet = quartz();

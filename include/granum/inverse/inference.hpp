@@ -89,6 +89,10 @@ class Inference {
   ///           wet pores
   [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at,
                                  AskedPacking specimen = AskedPacking::same) const;
+  /// What makes a prediction at that state doubtful: the remarks of estimate::answer on the packing with its
+  /// contacts there.
+  /// \throws   InvalidArgument as estimate::answer
+  [[nodiscard]] Validity doubts(const effective::State& at, AskedPacking specimen = AskedPacking::same) const;
   /// The packing at a state, with its contacts, to ask any rung.
   [[nodiscard]] effective::State state(effective::State at, AskedPacking specimen = AskedPacking::same) const;
   /// Void ratio of the packing at another mean stress [Pa]: overlaps change it under GrowthRule::packings;

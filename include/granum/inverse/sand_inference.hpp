@@ -25,8 +25,12 @@ class SandInference {
   /// A quantity at another state of the same sand. One standard deviation of ln G from one measurement is
   /// sqrt(0.05^2 + (0.05 ln(p/p_0))^2 + measurement^2), half of that for a speed; where the measurements
   /// contradict one another it is as much larger as they do.
-  /// \throws   InvalidArgument as estimate::answer, and for a speed without the density of the grains
+  /// \throws   InvalidArgument as estimate::answer, for a speed without the density of the grains, and for a
+  ///           compression wave in wet pores
   [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at) const;
+  /// What makes a forecast at that state doubtful: the remarks of estimate::answer on the sand there.
+  /// \throws   InvalidArgument as estimate::answer
+  [[nodiscard]] Validity doubts(const effective::State& at) const;
   /// The question of the sand at a state, with what was measured in it.
   [[nodiscard]] estimate::Question question(const effective::State& at) const;
   /// z* and the softness of contacts that the measured Poisson's ratio and G imply at a state.

@@ -155,12 +155,10 @@ ExitCode run_sand(const InferOptions& o, const InferCase& question, const invers
   Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
   validity.merge(likely_mistakes(o.grains.grain_density));
   validity.merge(sand.validity());
-  for (const PredictedState& predicted : question.predicted) {
-    const Validity there = estimate::answer(sand.question(predicted.state)).validity();
-    for (const std::string& note : there.notes)
+  for (const PredictedState& predicted : question.predicted)
+    for (const std::string& note : sand.doubts(predicted.state).notes)
       validity.add("prediction at p = " + pretty(predicted.state.mean_stress(), Dimension::pressure) + ": " +
                    note);
-  }
   std::string text = sand_inference_text(question, sand) + "\n";
   for (const std::string& note : question.assumptions)
     text += "note: " + note + "\n";

@@ -328,6 +328,19 @@ void resolve_shape(const InferOptions& o, const PackingOptions& packing, InferCa
       o.growth == fitted_growth ? inverse::SandGrowth::fitted : inverse::SandGrowth::measured;
 }
 
+/// \throws   InvalidArgument for an option that a sand would ignore
+void require_options_of_sand(const InferOptions& o) {
+  const std::pair<bool, const char*> of_spheres[] = {
+      {!o.uncertain.empty(), "--uncertainty"},
+      {o.contacts != "given", "--contacts"},
+      {o.packing.rattler_fraction.given(), "--rattler-fraction"}};
+  for (const auto& [given, option] : of_spheres)
+    if (given)
+      throw InvalidArgument(std::string(option) +
+                            ": of the model of spheres, a sand takes none; leave it out, "
+                            "or ask for --grain-shape sphere");
+}
+
 } // namespace
 
 Measured parse_measured(const std::string& name, const std::string& text, Dimension dimension,
@@ -366,11 +379,7 @@ Validity complete_predictions(InferCase& question, const inverse::Inference& fit
                       pretty(p, Dimension::pressure), short_text(state.void_ratio)));
     if (same && p == measured.mean_stress())
       continue; // the measurements' own doubts are stated with them
-    estimate::Question asked{.state = state};
-    asked.state.mechanical_coordination_number =
-        fit.packing(state, specimen).mechanical_coordination_number.value;
-    const Validity there = estimate::answer(asked).validity();
-    for (const std::string& note : there.notes)
+    for (const std::string& note : fit.doubts(state, specimen).notes)
       doubts.add(place + note);
   }
   return doubts;
@@ -388,6 +397,8 @@ InferCase infer_case(const InferOptions& given) {
   if (question.of_spheres)
     for (const std::string& note : assumed_grains(packing, first))
       question.assumptions.push_back(note);
+  else
+    require_options_of_sand(o);
   if (!o.grains.grain_density.given())
     question.assumptions.push_back("assumed --grain-density " +
                                    pretty(o.grains.grain_density.value, Dimension::density));
@@ -397,7 +408,8 @@ InferCase infer_case(const InferOptions& given) {
                       .growth = of_spheres_alone(o.growth) || o.growth == fitted_growth
                                     ? inverse::growth_rule_of(o.growth)
                                     : inverse::GrowthRule::packings,
-                      .inputs = uncertain_inputs_of(o, packing, question.assumptions),
+                      .inputs = question.of_spheres ? uncertain_inputs_of(o, packing, question.assumptions)
+                                                    : inverse::SharedInputs{},
                       .contacts = inverse::unknown_contacts(o.contacts)};
   if (o.contacts != "given" && o.packing.contact != contact::Shape::sphere)
     throw InvalidArgument("--contacts " + o.contacts +

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include <granum/core/measured.hpp>
+#include <granum/inverse/sand_inference.hpp>
+
+#include "rows.hpp"
+
+/// What infer() of spheres and of sands have in common.
+namespace granum::python {
+
+struct MeasuredRow {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double standard_error = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Where a quantity is predicted, as keywords of predict().
+struct Elsewhere {
+  py::object pressure, stress_v, stress_h, void_ratio; ///< None: not given
+};
+
+/// What the docstrings of predict() say of quantity and stresses.
+inline constexpr const char* elsewhere_parameters = R"(
+Parameters
+----------
+quantity : str
+    G, G_hh, K, V_s, V_s_hh, V_p or V_p_h.
+pressure : array_like, optional
+    Isotropic stress [Pa], instead of stress_v and stress_h.
+stress_v, stress_h : array_like, optional
+    Compression positive [Pa].
+)";
+
+/// Predictions for every element.
+/// \param    first           the state of the first measurement, whose stresses and void ratio are replaced
+/// \param    void_ratio_at   that of the packing at another mean stress [Pa], where none is given
+[[nodiscard]] py::object
+predicted_rows(const Elsewhere& where, const effective::State& first,
+               const std::function<double(double mean_stress)>& void_ratio_at,
+               const std::function<Measured(const effective::State& at, Notes& notes)>& predict);
+
+/// Each measurement as it was fitted, and how far it is off.
+[[nodiscard]] std::vector<Measured> fitted_values(const std::vector<inverse::FittedObservation>& all);
+[[nodiscard]] std::vector<double> deviations(const std::vector<inverse::FittedObservation>& all);
+
+/// An Inference of Python.
+/// \throws   InvalidArgument and NotConverged as inverse::infer
+[[nodiscard]] py::object sphere_inference(const std::vector<inverse::Observation>& measurements,
+                                          const inverse::InferenceOptions& options);
+/// A SandInference of Python.
+/// \throws   InvalidArgument as inverse::infer_sand
+[[nodiscard]] py::object sand_inference(const std::vector<inverse::Observation>& measurements,
+                                        const estimate::Question& sand, inverse::SandGrowth growth);
+
+void bind_sand_inference(py::module_& module);
+/// The function infer().
+void bind_infer(py::module_& module);
+
+} // namespace granum::python

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <utility>
+
+#include "inverse.hpp"
+#include "range.hpp"
+
+namespace granum::python {
+
+namespace {
+
+using estimate::Field;
+using inverse::SandInference;
+
+/// What was found, with the state that predictions begin from.
+struct Sand {
+  SandInference found;
+  effective::State first;
+};
+
+RangeView sand_contacts(const Sand& sand, Field field) {
+  const estimate::Range range = sand.found.contacts(field, sand.first);
+  return {py::float_(range.value), py::float_(range.low), py::float_(range.high)};
+}
+
+py::object predict_sand(const Sand& sand, const std::string& quantity, const py::object& pressure,
+                        const py::object& stress_v, const py::object& stress_h,
+                        const py::object& void_ratio) {
+  const inverse::Quantity asked = inverse::quantity_of(quantity);
+  return predicted_rows(
+      {pressure, stress_v, stress_h, void_ratio}, sand.first, [&](double) { return sand.first.void_ratio; },
+      [&](const effective::State& at, Notes& notes) {
+        notes.add(sand.found.doubts(at));
+        return sand.found.predict(asked, at);
+      });
+}
+
+const std::string sand_prediction =
+    std::string("A quantity of the sand at other stresses, with its standard error.\n\n"
+                "From one measurement the standard deviation of ln G is sqrt(0.05^2 + (0.05 ln(p/p_0))^2 + "
+                "measurement^2), half of that for a\nspeed; measurements that contradict one another make it "
+                "larger.\n") +
+    elsewhere_parameters + R"(void_ratio : array_like, optional
+    e there [1]; without it that of the first measurement.
+
+Returns
+-------
+MeasuredRows
+
+Raises
+------
+InvalidArgument
+    For another quantity, a wave speed without grain_density, a compression wave in wet pores.
+)";
+
+void bind_numbers(py::class_<Sand>& type) {
+  type.def_property_readonly(
+          "level", [](const Sand& s) { return s.found.level(); },
+          "G of this sand over that of the pooled law of sands, or of the named sand [1].")
+      .def_property_readonly(
+          "stress_exponent", [](const Sand& s) { return s.found.exponent(); },
+          "s of G ~ p^s, from 50 kPa on [1].")
+      .def_property_readonly(
+          "poisson_ratio", [](const Sand& s) { return s.found.poisson_ratio(); },
+          "Of the dry or drained sand at the first measurement [1].")
+      .def_property_readonly(
+          "mechanical_coordination_number",
+          [](const Sand& s) { return sand_contacts(s, Field::mechanical_coordination_number); },
+          "z* that G and Poisson's ratio imply at the first measurement [1].")
+      .def_property_readonly(
+          "contact_softness", [](const Sand& s) { return sand_contacts(s, Field::contact_softness); },
+          "k/k_H, contact stiffness over that of smooth spheres, which they imply there [1].")
+      .def_property_readonly(
+          "tells_contacts", [](const Sand& s) { return s.found.tells_contacts(); },
+          "Whether the measurements tell Poisson's ratio, and with it contacts: V_p beside V_s, K beside G.")
+      .def_property_readonly(
+          "pressure", [](const Sand& s) { return s.first.mean_stress(); },
+          "Mean stress of the first measurement [Pa].")
+      .def_property_readonly(
+          "fitted", [](const Sand& s) { return fitted_values(s.found.measurements()); },
+          "Each measurement as all of them together have it [Pa or m/s].")
+      .def_property_readonly(
+          "deviations", [](const Sand& s) { return deviations(s.found.measurements()); },
+          "ln of measured over fitted, in standard errors, of each measurement.")
+      .def_property_readonly(
+          "chi_square", [](const Sand& s) { return s.found.chi_square(); }, "Sum of squared deviations.")
+      .def_property_readonly(
+          "degrees_of_freedom", [](const Sand& s) { return s.found.degrees_of_freedom(); },
+          "How many of them are free.")
+      .def_property_readonly(
+          "probability", [](const Sand& s) { return s.found.probability(); },
+          "That errors as stated make chi_square so large.")
+      .def_property_readonly(
+          "widening", [](const Sand& s) { return s.found.widening(); },
+          "By how much errors are larger than stated, because measurements contradict one another; else 1.")
+      .def_property_readonly(
+          "notes", [](const Sand& s) { return s.found.validity().notes; },
+          "What contradicts, and what it may be, a sentence each.");
+}
+
+} // namespace
+
+py::object sand_inference(const std::vector<inverse::Observation>& measurements,
+                          const estimate::Question& sand, inverse::SandGrowth growth) {
+  const auto infer = [&] {
+    const py::gil_scoped_release unlocked;
+    return inverse::infer_sand(measurements, sand, growth);
+  };
+  return py::cast(Sand{infer(), measurements.front().state});
+}
+
+void bind_sand_inference(py::module_& module) {
+  py::class_<Sand> type(
+      module, "SandInference",
+      "What measurements say of a sand: its level, how it grows with stress, Poisson's ratio.");
+  bind_numbers(type);
+  type.def("predict", &predict_sand, py::arg("quantity"), py::kw_only(), py::arg("pressure") = py::none(),
+           py::arg("stress_v") = py::none(), py::arg("stress_h") = py::none(),
+           py::arg("void_ratio") = py::none(), sand_prediction.c_str())
+      .def("__repr__", [](const Sand& s) {
+        const auto number = [](const Measured& m) {
+          return std::string(py::str("{:.3f} +- {:.3f}").format(m.value, m.standard_error));
+        };
+        return "SandInference(level=" + number(s.found.level()) +
+               ", stress_exponent=" + number(s.found.exponent()) +
+               ", poisson_ratio=" + number(s.found.poisson_ratio()) + ")";
+      });
+}
+
+} // namespace granum::python
