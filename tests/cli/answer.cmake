@@ -70,7 +70,7 @@ granum_cli_test("answer: by direction" EXIT 0 STDOUT "G_vh .*V_s .*shear wave, v
 foreach(case "0.7=105\\.7 MPa.*1\\.4 times stiffer than these spheres" "0.8=86\\.71 MPa.*2\\.4 times stiffer" "0.9=70\\.59 MPa.*2\\.1 times stiffer")
   string(REGEX REPLACE "=.*" "" e "${case}")
   string(REGEX REPLACE "^[^=]*=" "" text "${case}")
-  set(remark STDERR "spheres rest only if they can hardly roll|no sphere packing is so loose")
+  set(remark STDERR "spheres are stable only if they can hardly roll|no sphere packing is so loose")
   if(e STREQUAL "0.7")
     unset(remark)
   endif()

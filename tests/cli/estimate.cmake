@@ -26,7 +26,7 @@ granum_cli_test("estimate: exponents at frozen contacts" EXIT 0
   JSON "uniform_strain/m=^0\\.19967532467532" "uniform_strain/n=^0\\.13365800865800" "uniform_stress/m=^0\\.20031923383878"
   "uniform_stress/n=^0\\.13301409949454" ARGS estimate --void-ratio 0.558 --stress-v 100kPa --stress-h 100kPa --json)
 
-set(far_fabric STDERR "beyond what the relaxation of anisotropic packings was compared with")
+set(far_fabric STDERR "beyond the range in which the relaxation of anisotropic packings was validated")
 # Contacts of one stiffness, a = 1/2, r = 0.9: moduli over P k_n are 234/875, 372/875, 1013/2385, 464967/1740115.
 granum_cli_test("estimate: fabric" EXIT 0 ${far_fabric} JSON "uniform_strain/C11=^3314886660\\.8442"
   "uniform_strain/C33=^5269819819\\.8037" "uniform_strain/E_v=^5264800774\\.0791" "uniform_strain/E_h=^3312112348\\.5494"
@@ -163,7 +163,7 @@ granum_estimate_refuses("constant of a sphere" "--profile-constant goes with --c
 granum_estimate_refuses("unknown contact" "--contact: egg not in {cone,sphere,flat,power-law,rough}" ${state} --contact egg)
 granum_estimate_refuses("unknown option" "[^\n]*--pressur" ${state} --pressur 5kPa)
 granum_estimate_refuses("huge k_t" "tangential_ratio = 1e\\+20 is outside \\[0, 100\\]" ${state} --tangential-ratio 1e20)
-granum_estimate_refuses("overflow" "the moduli exceed what a double can hold" ${state}
+granum_estimate_refuses("overflow" "the moduli exceed the range of a double" ${state}
   --contact flat --punch-radius 1m --radius 1nm --grain-shear-modulus 1e300Pa)
 
 granum_cli_test("estimate: unwritable output" EXIT 3 STDERR "no such folder/estimate\\.json: cannot be written"

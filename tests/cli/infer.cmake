@@ -47,15 +47,15 @@ granum_cli_test("infer: table of measurements" EXIT 0 JSON "degrees_of_freedom=^
   ARGS infer --table beads_speeds.csv --porosity 0.38 ${glass} --measurement-error 1% --growth fitted --json)
 
 granum_cli_test("infer: K and G that contradict each other" EXIT 4 STDOUT "chi\\^2 of the measurements"
-  STDERR "^granum: error: the measurements contradict each other: [^\n]*the worst is V_p = 838 m/s at 2760 kPa, [0-9.]+ standard errors softer than the rest says\n$"
+  STDERR "^granum: error: the measurements contradict each other: [^\n]*V_p = 838 m/s at 2760 kPa, [0-9.]+ standard errors softer[^\n]*\n$"
   ARGS ${beads} --vs 587m/s+-1% --vp 838m/s+-1% --strict)
 granum_cli_test("infer: too stiff for any contacts" EXIT 1 STDOUT "V_s +1587 m/s \\+- 2 % .*z\\* none"
   STDERR "no contact number explains V_s = 1587 m/s at 2760 kPa: with 12 contacts[^\n]*\ngranum: error: nothing measured can be explained"
   ARGS ${beads} --vs 1587m/s)
 granum_cli_test("infer: too soft for any contacts" EXIT 1 JSON "measurements/0/explained=^too soft$"
-  STDERR "the loosest network of contacts that is rigid would have" ARGS ${beads} --bulk-modulus 100MPa --json)
-granum_cli_test("infer: more contacts than packings of that void ratio have" EXIT 0 JSON "measurements/0/explained=^yes$"
-  STDERR "is more than packings of spheres of void ratio 0.613 have at this stress" ARGS ${beads} --vs 750m/s --json)
+  STDERR "the loosest rigid network of contacts would have" ARGS ${beads} --bulk-modulus 100MPa --json)
+granum_cli_test("infer: more contacts than usual at that void ratio" EXIT 0 JSON "measurements/0/explained=^yes$"
+  STDERR "is larger than in packings of spheres of void ratio 0.613 at this stress" ARGS ${beads} --vs 750m/s --json)
 
 function(granum_infer_refuses what message)
   granum_cli_test("infer: ${what}" EXIT 2 STDERR "^granum: error: ${message}" ARGS infer ${ARGN})
@@ -95,7 +95,7 @@ set_tests_properties("cli: infer: files" PROPERTIES LABELS cli)
 
 # What contacts speeds imply: more numbers than z*, each with its error, and what data cannot tell.
 set(quartz --grain quartz --radius 0.1mm)
-granum_cli_test("infer: contacts of both speeds" EXIT 0 STDERR "more than packings of spheres" JSON "contacts/kind=^power-law$" "contacts/numbers/0/key=^z\\*$" "contacts/numbers/0/value=^4\\.99"
+granum_cli_test("infer: contacts of both speeds" EXIT 0 STDERR "larger than in packings of spheres" JSON "contacts/kind=^power-law$" "contacts/numbers/0/key=^z\\*$" "contacts/numbers/0/value=^4\\.99"
     "contacts/numbers/0/determined=^(ON|true)$" "contacts/numbers/1/key=^softness$" "contacts/numbers/2/key=^alpha$" "contacts/correlation/1=^-0\\.[89]"
     "contacts/would_determine=^$"
   ARGS infer --table sand_speeds.csv ${quartz} --contacts power-law --json)

@@ -220,7 +220,7 @@ TEST_CASE("inference: contacts that no packing of that void ratio has") {
   const auto answer = infer(std::span(&many, 1), options_with());
   REQUIRE(answer.together);
   REQUIRE_FALSE(answer.validity.ok());
-  CHECK(answer.validity.notes.back().find("is more than packings of spheres of void ratio 0.72") !=
+  CHECK(answer.validity.notes.back().find("is larger than in packings of spheres of void ratio 0.72") !=
         std::string::npos);
   const Observation usual = measurement(Quantity::G_vh, beads(1e6, 1e6, 0.6), 5.3, 0.02);
   CHECK(infer(std::span(&usual, 1), options_with()).validity.ok());
