@@ -54,7 +54,7 @@ foreach(hypothesis uniform_strain uniform_stress)
   granum_cli_test("estimate: unloaded spheres, ${hypothesis}" EXIT 0 JSON ${nothing} "${hypothesis}/s=^0\\.3333333333333"
     ARGS estimate --void-ratio 0.6 --pressure 0Pa --json)
 endforeach()
-granum_cli_test("estimate: unloaded, in the table" EXIT 0 STDOUT "E_v +0 Pa +0 Pa.*limit on the isotropic path"
+granum_cli_test("estimate: unloaded, in the table" EXIT 0 STDOUT "E_v +0 Pa +0 Pa.*limits along the isotropic path"
   ARGS estimate --bounds --void-ratio 0.6 --pressure 0Pa)
 set(frictionless --void-ratio 0.6 --pressure 100kPa --tangential-ratio 0 --json)
 granum_cli_test("estimate: k_t = 0" EXIT 0 STDERR "warning: uniform stress without tangential stiffness"
@@ -266,7 +266,7 @@ granum_cli_test("estimate: --uniformity with --d50" EXIT 0 STDERR "contacts of u
 granum_cli_test("estimate: --d50 is the diameter of half of the mass" EXIT 0 STDERR "contacts of unequal grains" JSON "inputs/gradation/d50=^0\\.000(5|4999999)"
   ARGS ${dense} --grain-shape sphere --uniformity 2.5 --d50 0.5mm --json)
 granum_cli_test("estimate: a wide distribution says that it was not compared" EXIT 0 STDERR "contacts of unequal grains"
-  STDOUT "C_u is 2\\.5: which sizes touch was compared with packings up to 1\\.75 alone" ARGS ${dense} --grain-shape sphere --uniformity 2.5)
+  STDOUT "C_u is 2\\.5: the sizes in contact were validated with packings only up to 1\\.75" ARGS ${dense} --grain-shape sphere --uniformity 2.5)
 granum_cli_test("estimate: --d50 moves as --radius does" EXIT 0 STDERR "contacts of unequal grains"
   JSON "answer/stated_deviations/d50=^0\\.0001" ARGS ${dense} --grain-shape sphere --uniformity 2.5 --d50 0.5mm --uncertainty d50=0.1mm --json)
 granum_cli_test("estimate: a sieve curve that does not end" EXIT 3 STDERR "sieve_cut.csv:4: sieve curve: passing must end at 1"
@@ -274,8 +274,8 @@ granum_cli_test("estimate: a sieve curve that does not end" EXIT 3 STDERR "sieve
 granum_cli_test("estimate: no sieve curve" EXIT 3 STDERR "no_such.csv.*cannot be read" ARGS ${dense} --sieve no_such.csv)
 granum_cli_test("estimate: sizes of no form" EXIT 2 STDERR "sizes 'normal:1' are not one of equal, bidisperse"
   ARGS ${dense} --sizes normal:1)
-granum_cli_test("estimate: sizes said twice" EXIT 2 STDERR "--sizes, --sieve and --uniformity mean the same"
+granum_cli_test("estimate: sizes given twice" EXIT 2 STDERR "--sizes, --sieve and --uniformity are alternatives"
   ARGS ${dense} --sizes uniform:1:2 --uniformity 2)
 granum_cli_test("estimate: a sieve curve says the radius" EXIT 2 STDERR "leave out --radius"
   ARGS ${dense} --sieve sieve.csv --radius 1mm)
-granum_cli_test("estimate: --radius and --d50" EXIT 2 STDERR "--radius and --d50 mean the same" ARGS ${dense} --radius 1mm --d50 2mm)
+granum_cli_test("estimate: --radius and --d50" EXIT 2 STDERR "--radius and --d50 are alternatives" ARGS ${dense} --radius 1mm --d50 2mm)

@@ -12,7 +12,7 @@ granum_cli_test("infer: there and back" EXIT 0 JSON
     "degrees_of_freedom=^0$" "growth_exponent=^$" "error_shares/rung 3=^0\\.0"
   ARGS infer ${packing} --shear-modulus ${G} --rattler-fraction 2% --json)
 granum_cli_test("infer: table" EXIT 0 STDERR "prediction at p = 34\\.47 MPa"
-  STDOUT "^Contacts that measured stiffness implies.*V_s +587 m/s \\+- +1 %.*\n  z\\* +5\\.7.*\n  of the variance of z\\*: rung 3 .*\npredicted at p = 34\\.47 MPa, e = 0\\.5[0-9]*\n  z\\* [^\n]*\n  G +[0-9.]+ .Pa [^\n]*\n  K +[0-9.]+ .Pa [^\n]*\n  V_s +[0-9.]+ m/s [^\n]*\n  V_p +[0-9.]+ m/s "
+  STDOUT "^Contacts implied by measured stiffness.*V_s +587 m/s \\+- +1 %.*\n  z\\* +5\\.7.*\n  shares in the variance of z\\*: rung 3 .*\npredicted at p = 34\\.47 MPa, e = 0\\.5[0-9]*\n  z\\* [^\n]*\n  G +[0-9.]+ .Pa [^\n]*\n  K +[0-9.]+ .Pa [^\n]*\n  V_s +[0-9.]+ m/s [^\n]*\n  V_p +[0-9.]+ m/s "
   ARGS ${beads} --vs 587m/s+-1% --predict-pressure 34.47MPa)
 granum_cli_test("infer: a prediction outside of what is calibrated is doubted, and strictly refused" EXIT 4
   STDOUT "predicted at p = 1 GPa" STDERR "prediction at p = 1 GPa"
@@ -33,7 +33,7 @@ granum_cli_test("infer: uncertain inputs have their share" EXIT 0 BELOW "error_s
     "grain-shear-modulus=^0\\.3" "grain-poisson-ratio=^0\\.2" "grain-density=^0\\.02" "void-ratio=^0\\.001"
   ARGS ${beads} --vs 587m/s --uncertainty grain-shear-modulus=5% --uncertainty grain-poisson-ratio=0.05
       --uncertainty grain-density=20kg/m3 --uncertainty void-ratio=0.01 --measurement-error 0% --json)
-granum_cli_test("infer: what is assumed is uncertain" EXIT 0 STDOUT "of the variance of z\\*: grain-shear-modulus 9.*note: assumed --grain-density 2650 kg/m3\nnote: taken to be uncertain: grain-shear-modulus by 9 GPa"
+granum_cli_test("infer: assumed inputs are uncertain" EXIT 0 STDOUT "in the variance of z\\*: grain-shear-modulus 9.*note: assumed --grain-density 2650 kg/m3\nnote: uncertain input: grain-shear-modulus by 9 GPa"
   ARGS infer ${packing} --vs 280m/s+-2%)
 granum_cli_test("infer: exact where that is said" EXIT 0 JSON "error_shares/rung 3=^(1\\.0|0\\.9)"
   ARGS infer ${packing} --shear-modulus ${G} --rattler-fraction 2% --uncertainty grain-shear-modulus=0% --uncertainty fabric=0
@@ -50,7 +50,7 @@ granum_cli_test("infer: K and G that contradict each other" EXIT 4 STDOUT "chi\\
   STDERR "^granum: error: the measurements contradict each other: [^\n]*V_p = 838 m/s at 2760 kPa, [0-9.]+ standard errors softer[^\n]*\n$"
   ARGS ${beads} --vs 587m/s+-1% --vp 838m/s+-1% --strict)
 granum_cli_test("infer: too stiff for any contacts" EXIT 1 STDOUT "V_s +1587 m/s \\+- 2 % .*z\\* none"
-  STDERR "no contact number explains V_s = 1587 m/s at 2760 kPa: with 12 contacts[^\n]*\ngranum: error: nothing measured can be explained"
+  STDERR "no contact number explains V_s = 1587 m/s at 2760 kPa: with 12 contacts[^\n]*\ngranum: error: no measurement can be explained"
   ARGS ${beads} --vs 1587m/s)
 granum_cli_test("infer: too soft for any contacts" EXIT 1 JSON "measurements/0/explained=^too soft$"
   STDERR "the loosest rigid network of contacts would have" ARGS ${beads} --bulk-modulus 100MPa --json)
@@ -69,16 +69,16 @@ granum_infer_refuses("a speed without unit" "--shear-wave-speed = 200 has no uni
 granum_infer_refuses("an error without unit" "--shear-modulus error = 5 has no unit" ${packing} --shear-modulus 100MPa+-5)
 granum_infer_refuses("a negative error" "--shear-modulus error = -5000000 Pa" ${packing} --shear-modulus 100MPa+--5MPa)
 granum_infer_refuses("a negative modulus" "G = -100000000 Pa is outside" ${packing} --shear-modulus -100MPa)
-granum_infer_refuses("contacts that are asked for" "granum infer has no option --coordination-number; --coordination-number is for granum estimate"
+granum_infer_refuses("an input of contacts, which are inferred" "granum infer has no option --coordination-number; --coordination-number is for granum estimate"
   ${packing} --shear-modulus 100MPa --coordination-number 5)
 granum_infer_refuses("no stress" "stress = 0 Pa is outside" --grain-shape sphere --void-ratio 0.6 --pressure 0kPa --shear-modulus 100MPa)
 granum_infer_refuses("growth of one measurement" "the growth of z\\* with stress can be fitted to measurements at two stresses"
   ${packing} --shear-modulus 100MPa --growth fitted)
-granum_infer_refuses("an uncertainty of contacts" "--uncertainty pressure: not an input that the measurements share, which are grain-shear-modulus, "
+granum_infer_refuses("an uncertainty of contacts" "--uncertainty pressure: not an input common to all measurements; these are grain-shear-modulus, "
   ${packing} --shear-modulus 100MPa --uncertainty pressure=5%)
 granum_infer_refuses("an uncertainty twice" "--uncertainty void-ratio is given twice"
   ${packing} --shear-modulus 100MPa --uncertainty void-ratio=0.01 --uncertainty void-ratio=0.02)
-granum_infer_refuses("options beside a table" "measurements stand in --table, or in options: give one of the two"
+granum_infer_refuses("options beside a table" "measurements are given both by --table and by options: use one of the two"
   --table beads_speeds.csv --porosity 0.38 --vs 200m/s)
 granum_infer_refuses("picture of another kind" "--picture = 'a\\.png' must end in \\.svg" ${packing} --shear-modulus 100MPa --picture a.png)
 granum_cli_test("infer: a table without measurements" EXIT 3 STDERR "sweep_states\\.csv: has no column of a measured quantity"

@@ -69,7 +69,7 @@ foreach(line "sample,contact,e,C_n,a,sigma_v_kPa,sigma_h_kPa,slope,G_answer_Pa,G
     "S3,[^\n]*\"stress_h = -100000 Pa is outside" "S4,sphere,0\\.558,,0,100,100,,[0-9.]+,[0-9.]+,[0-9.]+,[^\n]*,,sphere," "S5,[^\n]*contact 'egg' is not one of cone"
     "S6,[^\n]*expected a finite number in column 'e', found 'dense'" "S7,[^\n]*--slope goes with --contact cone"
     "S8,[^\n]*coordination number exceeds 12" "S1[^\n]*\nS2[^\n]*\nS3[^\n]*\nS4[^\n]*\nS5[^\n]*\nS6[^\n]*\nS7[^\n]*\nS8[^\n]*\nS9[^\n]*\n$"
-    "# note: columns that are no inputs: sample\n")
+    "# note: unused columns: sample\n")
   granum_cli_test("sweep: table, ${line}" EXIT 1 STDOUT "${line}" STDERR "${four_of_nine}" ARGS ${table})
 endforeach()
 granum_cli_test("sweep: table as JSON" EXIT 1 BELOW "states/" JSON
@@ -96,7 +96,7 @@ granum_cli_test("sweep: two kinds of separators" EXIT 3 STDERR "sweep_mixed\\.cs
   ARGS sweep --table sweep_mixed.csv)
 granum_cli_test("sweep: decimal commas between commas" EXIT 3 STDERR "sweep_commas\\.csv:2: expected 2 fields [^\n]* with decimal commas, separate the fields by semicolons"
   ARGS sweep --table sweep_commas.csv)
-granum_cli_test("sweep: a preparation is an option and a column" EXIT 2 STDERR "--preparation is an option and the column 'preparation' too"
+granum_cli_test("sweep: a preparation is an option and a column" EXIT 2 STDERR "--preparation is given as an option and by the column 'preparation'"
   ARGS sweep --table sweep_tapped.csv --preparation dense)
 granum_cli_test("sweep: options fill what a table leaves out" EXIT 0 JSON "states/0/rung0/s=^0\\.5"
   ARGS sweep --table isotropic.csv --contact cone --json)
@@ -104,7 +104,7 @@ granum_cli_test("sweep: options fill what a table leaves out" EXIT 0 JSON "state
 function(granum_sweep_refuses what message)
   granum_cli_test("sweep: ${what}" EXIT 2 STDERR "^granum: error: ${message}" ARGS sweep ${ARGN})
 endfunction()
-granum_sweep_refuses("no path and no table" "--from is missing: the mean stress at which the path begins, or --table" ${packing})
+granum_sweep_refuses("no path and no table" "--from, the mean stress at the start of the path, is missing, or --table" ${packing})
 granum_sweep_refuses("no end" "--to is missing" ${packing} --from 10kPa)
 granum_sweep_refuses("no eta" "give one of --eta and --friction-angle" ${packing} --path txc --from 10kPa)
 granum_sweep_refuses("eta and angle" "give one of --eta and --friction-angle"
@@ -123,12 +123,12 @@ granum_sweep_refuses("negative start" "--from = -1000 Pa is outside" ${packing} 
 granum_sweep_refuses("one point" "--points: 1 is not in the range 2 to 1000000" ${packing} --from 1kPa --to 2kPa --points 1)
 granum_sweep_refuses("unknown rung" "--rungs: 7 not in {0,1,2,3,uniform-stress}" ${packing} --from 1kPa --to 2kPa --rungs 0,7)
 granum_sweep_refuses("unknown path" "--path: iss not in" ${packing} --path iss --from 1kPa --to 2kPa)
-granum_sweep_refuses("stress of a path" "--pressure goes with --table; a path takes its stress from --from"
+granum_sweep_refuses("stress of a path" "--pressure goes with --table; the stress of a path begins at --from"
   ${packing} --from 1kPa --to 2kPa --pressure 1kPa)
 granum_sweep_refuses("an impossible packing once" "void_ratio = -1 is outside[^\n]*\n$" --void-ratio -1 --from 1kPa --to 2kPa)
 granum_sweep_refuses("no density" "the density is missing" --from 1kPa --to 2kPa)
 granum_sweep_refuses("path and table" "--from excludes --table" --table isotropic.csv --from 1kPa)
-granum_sweep_refuses("option and column" "--void-ratio is an option and the column 'e' too"
+granum_sweep_refuses("option and column" "--void-ratio is given as an option and by the column 'e'"
   --table isotropic.csv --void-ratio 0.6)
 granum_sweep_refuses("picture of another kind" "--picture = 'a\\.png' must end in \\.svg"
   ${packing} --from 1kPa --to 2kPa --out a.csv --picture a.png)
