@@ -40,7 +40,7 @@ std::string documentation(const estimate::FieldRow& row) {
          (row.needs_density ? "; NaN without grain_density." : ".");
 }
 
-/// One of the ranges of a result, which it keeps alive.
+/// One of the ranges of a result; it keeps the result alive.
 struct RangeView {
   py::object result;
   std::size_t offset;
@@ -58,7 +58,7 @@ py::object packing_answer(const Arguments& a) {
       }));
 }
 
-/// The share of each input; 0 where an element has none of it.
+/// The share of each input; 0 for elements without this input.
 py::dict shares(const Rows<AnswerRow>& rows) {
   std::set<std::string> inputs;
   for (const AnswerRow& row : rows.rows)
@@ -88,9 +88,9 @@ std::string text_of(const py::object& result) {
 } // namespace
 
 void bind_packing_answer(py::module_& module) {
-  py::class_<RangeView>(module, "Range", "Numbers and what they may be as well: floats, or arrays.")
+  py::class_<RangeView>(module, "Range", "Values with their ranges: floats, or arrays.")
       .def_property_readonly(
-          "value", [](const RangeView& r) { return r.number(offsetof(Range, value)); }, "The best answer.")
+          "value", [](const RangeView& r) { return r.number(offsetof(Range, value)); }, "The best estimate.")
       .def_property_readonly(
           "low", [](const RangeView& r) { return r.number(offsetof(Range, low)); },
           "The lower end of the range.")
@@ -108,13 +108,13 @@ void bind_packing_answer(py::module_& module) {
         },
         documentation(row).c_str());
   type.def_property_readonly("shares", &shares,
-                             "How much of the range of shear_modulus each input makes: by name, [0, 1].");
+                             "Share of each input in the range of shear_modulus: by name, in [0, 1].");
   type.def("__repr__", &text_of);
   define(module,
          {"packing_answer", question_keywords(), &packing_answer,
-          std::string("The best answer there is for a packing, with its range: what granum estimate "
-                      "gives first.\n\nRung 3 at the contacts that are known, or else in the middle of "
-                      "those that a packing of this void ratio may have. The range covers the "
+          std::string("The best estimate for a packing, with its range: the first result of granum "
+                      "estimate.\n\nRung 3 with the given contacts, or else with the middle of the possible "
+                      "contacts of a packing of this void ratio. The range covers the "
                       "preparation, the error of rung 3 and uncertain inputs.\n") +
               question_parameters + R"(
 Returns
@@ -124,9 +124,9 @@ PackingAnswer
 Raises
 ------
 InvalidArgument
-    For numbers that no packing can have; arrays: under strict.
+    For impossible numbers; with arrays only under strict.
 )" +
-              notes("Water in full pores by Gassmann. [Gassmann1951] [Mavko2009]", "estimate::answer",
+              notes("Water in saturated pores by Gassmann. [Gassmann1951] [Mavko2009]", "estimate::answer",
                     "estimate/answer.hpp")});
 }
 

@@ -11,15 +11,15 @@
 
 #include "state.hpp"
 
-/// What granum estimate is asked, as keywords of Python.
+/// The question of granum estimate, as keywords of Python.
 namespace granum::python {
 
-/// Keywords of a question in the order in which QuestionArguments reads them, and those of one function
-/// behind.
+/// Keywords of a question in the order in which QuestionArguments reads them, followed by those of one
+/// function.
 [[nodiscard]] std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more = {});
-/// How many they are: where those of a function begin.
+/// Their number, the index of the first keyword of a function.
 inline constexpr std::size_t question_keyword_count = state_keyword_count + 11;
-/// What docstrings say of these keywords.
+/// The docstring of these keywords.
 extern const std::string question_parameters;
 
 /// The keywords of a question, read.

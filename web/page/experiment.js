@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The live experiment: a worker makes and compresses a packing, the page shows it and what was measured.
+// The live experiment: a worker makes and compresses a packing, the page shows it and its measurements.
 "use strict";
 
 /// Dense and loose of the paper's three shapes.
@@ -13,8 +13,8 @@ class ExperimentPanel {
     this.texts = texts;
     this.words = texts.experiment;
     this.version = granum.call("version").notes[0];
-    this.runs = []; // the last one is made or was made
-    this.queue = []; // setups that come next
+    this.runs = []; // the last one is the current one
+    this.queue = []; // next setups
     this.modulus = "G";
     this.worker = null;
     this.phase = "none"; // compression, compressed, shear
@@ -98,7 +98,7 @@ class ExperimentPanel {
     if (this.view) Object.assign(this.view, change).ask();
   }
 
-  /// The number in a field, or nothing where it is not one of those that may be; the reader hears which.
+  /// The number in a field, or nothing if it is not allowed; the allowed range is then shown.
   asked(input) {
     const value = Number(input.value), right = input.checkValidity() && (input.value !== "" || input === this.inputs.guess);
     input.toggleAttribute("aria-invalid", !right);
@@ -141,7 +141,7 @@ class ExperimentPanel {
     this.enable();
     this.drawStates();
   }
-  /// The specimen stays with the worker after its compression, to be sheared once.
+  /// After its compression the worker keeps the specimen, which can be sheared once.
   shear(mode) {
     this.viewed({ reference: this.view?.data });
     this.worker.postMessage({ what: "shear", mode, largestStrain: largestShearStrain });
@@ -222,7 +222,7 @@ class ExperimentPanel {
     this.enter("compressed", "", filled(this.words.done, { s: fixed(state.s, 3), error: fixed(state.sError, 3), contact: written(state.contactExponent), z0: written(first.z), z1: written(state.z),
       from: written(first.pressure / 1e3), to: written(state.pressure / 1e3) }) + (Number.isFinite(run.guess) ? ` ${filled(this.words.guessed, { guess: written(run.guess) })}` : "") + this.notAtRest);
   }
-  /// The specimen as it is seen now, in small.
+  /// A small picture of the specimen in its current view.
   snapshot() {
     if (!this.view) return undefined;
     this.view.draw();
