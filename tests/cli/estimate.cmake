@@ -100,9 +100,9 @@ granum_cli_test("estimate: assumed punch" EXIT 0 JSON "inputs/punch_radius=^5\\.
 granum_cli_test("estimate: rungs have the contacts of the answer" EXIT 0
   STDOUT "\n  G +156\\.9 MPa .*C_n = 5\\.379, z\\* = 5\\.489\n.*G_vh = C44 +[0-9.]+ MPa +[0-9.]+ MPa +156\\.9 MPa \\+- .*C_n = 5\\.38 .*--coordination-number"
   ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa --rattler-fraction 2%)
-add_test(NAME "cli: estimate: rungs at contacts that are given and at those of the answer"
+add_test(NAME "cli: estimate: rungs with given contacts and with those of the answer"
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_rungs.cmake")
-set_tests_properties("cli: estimate: rungs at contacts that are given and at those of the answer" PROPERTIES LABELS cli)
+set_tests_properties("cli: estimate: rungs with given contacts and with those of the answer" PROPERTIES LABELS cli)
 granum_cli_test("estimate: table" EXIT 0
   STDOUT "\n  K +208 MPa +208 MPa +186\\.3 MPa .*\n  s = m . n +0\\.3333 +0\\.3333 +0\\.3333"
   ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa --coordination-number 5.73)
@@ -217,7 +217,7 @@ granum_cli_test("estimate: a tolerance that nothing meets" EXIT 0 JSON "ladder/t
   STDERR "warning: [^\n]* 1 % is not met: [^\n]* 3, [^\n]* 3 %\n" ARGS estimate ${counted} --tolerance 1% --json)
 granum_cli_test("estimate: a tolerance that nothing meets, strictly" EXIT 4 STDOUT "a packing of grains"
   STDERR "error: [^\n]* 1 % is not met" ARGS estimate ${counted} --tolerance 1% --strict)
-granum_cli_test("estimate: what is assumed counts in a stated error" EXIT 0 STDERR "not met"
+granum_cli_test("estimate: assumed inputs contribute to a stated error" EXIT 0 STDERR "not met"
   JSON "ladder/rungs/3/relative_error/G_vh=^0\\.2[0-9]" "ladder/rungs/3/error_source=grain-shear-modulus 20 %"
   ARGS estimate ${dense} --rattler-fraction 0.02 --fabric 0 --tolerance 5% --json)
 granum_cli_test("estimate: unknown rattlers count in a stated error" EXIT 0 STDERR "not met"
@@ -226,10 +226,10 @@ granum_cli_test("estimate: unknown rattlers count in a stated error" EXIT 0 STDE
   ARGS estimate --void-ratio 0.57 --pressure 10kPa --coordination-number 4.1 --tolerance 5% --json)
 granum_cli_test("estimate: rungs 1 and 2 miss the fabric" EXIT 0 STDERR "not met" JSON "ladder/rungs/1/verdict=^inputs_missing$"
   "ladder/rungs/2/missing/0=fabric" "ladder/rungs/0/missing=^\\[ *\\]$" ARGS estimate ${dense} --tolerance 5% --json)
-granum_cli_test("estimate: the error of contacts that nobody counted" EXIT 4 STDERR "10 % is not met"
+granum_cli_test("estimate: the error of uncounted contacts" EXIT 4 STDERR "10 % is not met"
   JSON "ladder/rungs/3/relative_error/G_vh=^0\\.5[0-9]" "ladder/rungs/3/error_source=contacts 50 %" "ladder/rungs/0/relative_error/G_vh=^[1-9]"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --tolerance 10% --strict --json)
-granum_cli_test("estimate: below the isostatic point no error is known" EXIT 0 JSON "ladder/rungs/0/relative_error=^$"
+granum_cli_test("estimate: below the isostatic point the error is unknown" EXIT 0 JSON "ladder/rungs/0/relative_error=^$"
   STDERR "may not be rigid" ARGS estimate ${dense} --mechanical-coordination-number 3.5 --tolerance 5% --json)
 granum_estimate_refuses("tolerance 0" "tolerance = 0 is outside \\(0, inf\\)" ${dense} --tolerance 0)
 granum_estimate_refuses("tolerance NaN" "--tolerance = 'nan' is not a pure number" ${dense} --tolerance nan)
@@ -246,7 +246,7 @@ granum_cli_test("estimate: ladder at k_t = k_n" EXIT 0 JSON "ladder/rung=^3$"
     --tolerance 10% --json)
 granum_cli_test("estimate: k_t = k_n of grains of nu = 0" EXIT 0 JSON "relaxed/n=^0\\.[1-9]"
   ARGS estimate --void-ratio 0.6 --grain-poisson-ratio 0 --pressure 100kPa --rattler-fraction 2% --json)
-granum_cli_test("estimate: warnings of the ladder stand in the JSON" EXIT 0 STDERR "tolerance of 0.1 % is not met"
+granum_cli_test("estimate: warnings of the ladder are in the JSON" EXIT 0 STDERR "tolerance of 0.1 % is not met"
   JSON "warnings/0=tolerance of 0.1 % is not met" ARGS estimate ${equal_stiffness} --coordination-number 6 --fabric 0
     --tolerance 0.1% --json)
 
@@ -265,7 +265,7 @@ granum_cli_test("estimate: --uniformity with --d50" EXIT 0 STDERR "contacts of u
   ARGS ${dense} --grain-shape sphere --uniformity 2.5 --d50 0.5mm --json)
 granum_cli_test("estimate: --d50 is the diameter of half of the mass" EXIT 0 STDERR "contacts of unequal grains" JSON "inputs/gradation/d50=^0\\.000(5|4999999)"
   ARGS ${dense} --grain-shape sphere --uniformity 2.5 --d50 0.5mm --json)
-granum_cli_test("estimate: a wide distribution says that it was not compared" EXIT 0 STDERR "contacts of unequal grains"
+granum_cli_test("estimate: a wide distribution is reported as not validated" EXIT 0 STDERR "contacts of unequal grains"
   STDOUT "C_u is 2\\.5: the sizes in contact were validated with packings only up to 1\\.75" ARGS ${dense} --grain-shape sphere --uniformity 2.5)
 granum_cli_test("estimate: --d50 moves as --radius does" EXIT 0 STDERR "contacts of unequal grains"
   JSON "answer/stated_deviations/d50=^0\\.0001" ARGS ${dense} --grain-shape sphere --uniformity 2.5 --d50 0.5mm --uncertainty d50=0.1mm --json)
@@ -276,6 +276,6 @@ granum_cli_test("estimate: sizes of no form" EXIT 2 STDERR "sizes 'normal:1' are
   ARGS ${dense} --sizes normal:1)
 granum_cli_test("estimate: sizes given twice" EXIT 2 STDERR "--sizes, --sieve and --uniformity are alternatives"
   ARGS ${dense} --sizes uniform:1:2 --uniformity 2)
-granum_cli_test("estimate: a sieve curve says the radius" EXIT 2 STDERR "leave out --radius"
+granum_cli_test("estimate: a sieve curve sets the radius" EXIT 2 STDERR "leave out --radius"
   ARGS ${dense} --sieve sieve.csv --radius 1mm)
 granum_cli_test("estimate: --radius and --d50" EXIT 2 STDERR "--radius and --d50 are alternatives" ARGS ${dense} --radius 1mm --d50 2mm)

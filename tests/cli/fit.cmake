@@ -14,7 +14,7 @@ granum_cli_test("fit: another p_a gives another C" EXIT 0 JSON "C=^213\\.1209"
 granum_cli_test("fit: isotropic path, sum only" EXIT 0 STDOUT "  s +0\\.3490"
   ARGS fit isotropic.csv --sum-only)
 granum_cli_test("fit: sum only has no m" EXIT 0 JSON "m=^$" ARGS fit isotropic.csv --sum-only --json)
-granum_cli_test("fit: isotropic path cannot tell m from n" EXIT 2
+granum_cli_test("fit: isotropic path cannot determine m and n separately" EXIT 2
   STDERR "m and n cannot be separated: .*fit s alone" ARGS fit isotropic.csv)
 granum_cli_test("fit: a note is a warning" EXIT 0 STDOUT "s +0\\.51"
   STDERR "granum: warning: sigma_i/sigma_j changes"

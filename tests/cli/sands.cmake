@@ -20,9 +20,9 @@ foreach(case "--grain-shape sphere" "--grain glass" "--grain steel" "--coordinat
 endforeach()
 granum_cli_test("sands: --uniformity 2 --grain glass are spheres" EXIT 0 STDERR "contacts of unequal grains" JSON "answer/grain_shape=^sphere$"
   ARGS estimate ${at} --uniformity 2 --grain glass --json)
-granum_cli_test("sands: a relative density alone" EXIT 0 JSON "answer/shear_modulus/value=^9653" "answer/grain_shape=^sand$"
+granum_cli_test("sands: only a relative density" EXIT 0 JSON "answer/shear_modulus/value=^9653" "answer/grain_shape=^sand$"
   ARGS estimate --relative-density 60% --pressure 100kPa --json)
-granum_cli_test("sands: one limit alone" EXIT 2 STDERR "go together" ARGS estimate --relative-density 60% --least-void-ratio 0.5 --pressure 100kPa)
+granum_cli_test("sands: only one limit" EXIT 2 STDERR "go together" ARGS estimate --relative-density 60% --least-void-ratio 0.5 --pressure 100kPa)
 granum_cli_test("sands: spheres of C_u 10" EXIT 2 STDERR "\\[1, 4\\] for spheres" ARGS estimate ${at} --uniformity 10 --grain-shape sphere)
 granum_cli_test("sands: strain of spheres" EXIT 2 STDERR "measured on sands" ARGS estimate ${at} --strain 0.01% --grain-shape sphere)
 granum_cli_test("sands: each law with its bias" EXIT 0 STDOUT "kokusho +106\\.8 MPa +1\\.09 Toyoura" ARGS estimate ${at} --grain-shape sand)
@@ -32,7 +32,7 @@ granum_cli_test("sands: cement" EXIT 0 JSON "cemented/porosity=^0\\.391764" "cem
 granum_cli_test("sands: more cement than pores" EXIT 2 STDERR "--cement = 0\\.5 is outside" ARGS estimate ${at} --cement 50%)
 granum_cli_test("sands: cement in wet pores" EXIT 2 STDERR "dry pores" ARGS estimate ${at} --cement 2% --saturation 100%)
 granum_cli_test("sands: K_0" EXIT 0 JSON "inputs/stress_h=^50000" ARGS estimate --void-ratio 0.7 --stress-v 100kPa --k0 0.5 --json)
-granum_cli_test("sands: K_0 beside both stresses" EXIT 2 STDERR "give one of the two" ARGS estimate --void-ratio 0.7 --stress-v 100kPa
+granum_cli_test("sands: K_0 with both stresses" EXIT 2 STDERR "give one of the two" ARGS estimate --void-ratio 0.7 --stress-v 100kPa
   --stress-h 50kPa --k0 0.5)
 
 # ---- the same by sweeps
@@ -46,10 +46,10 @@ granum_cli_test("sands: rungs are of spheres" EXIT 2 STDERR "Grain shape sphere 
 granum_cli_test("sands: but beads stay beads" EXIT 0 STDOUT "beads \\(spheres of the model\\)" ARGS sweep --depth 1m..20m --points 2
   --void-ratio 0.6 --grain glass)
 
-add_test(NAME "cli: sands: what pictures show" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
+add_test(NAME "cli: sands: content of pictures" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/sand_pictures"
     -P "${CMAKE_CURRENT_SOURCE_DIR}/check_sand_pictures.cmake")
-set_tests_properties("cli: sands: what pictures show" PROPERTIES LABELS cli)
+set_tests_properties("cli: sands: content of pictures" PROPERTIES LABELS cli)
 
 add_test(NAME "cli: sands: layers, and depths in tables" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/layers"
@@ -74,15 +74,15 @@ granum_cli_test("sands: a measured speed of 0" EXIT 1 STDERR "V_s = 0 m/s" STDOU
 
 # ---- what slip at contacts takes
 granum_cli_test("sands: slip begins" EXIT 0 JSON "answer/slip_strain/value=^1\\.2[0-9]*e-05" ARGS estimate ${at} --strain 0.01% --json)
-granum_cli_test("sands: slip is asked for with strain" EXIT 0 JSON "answer/slip_strain=^$" ARGS estimate ${at} --grain-shape sand --json)
+granum_cli_test("sands: slip is computed with strain" EXIT 0 JSON "answer/slip_strain=^$" ARGS estimate ${at} --grain-shape sand --json)
 
 # ---- infer
 set(measured infer --void-ratio 0.58 --pressure 50kPa --uniformity 1.48)
 granum_cli_test("sands: a forecast" EXIT 0 JSON "sand/predictions/0/G/value=^1[89]" "sand/tells_contacts=^(false|OFF)$" "grain_shape=^sand$"
   ARGS ${measured} --shear-modulus 68.3MPa+-2% --predict-pressure 500kPa --json)
-granum_cli_test("sands: an error is assumed, and said" EXIT 0 STDOUT "assumed --measurement-error 2 % of speeds" ARGS ${measured} --vs 200m/s)
+granum_cli_test("sands: an assumed error is reported" EXIT 0 STDOUT "assumed --measurement-error 2 % of speeds" ARGS ${measured} --vs 200m/s)
 granum_cli_test("sands: V_s alone does not determine contacts" EXIT 0 STDOUT "V_p and V_s together would" ARGS ${measured} --vs 200m/s+-2%)
-granum_cli_test("sands: V_p beside it does" EXIT 0 JSON "sand/tells_contacts=^(true|ON)$" ARGS ${measured} --vs 200m/s+-1% --vp 310m/s+-1% --json)
+granum_cli_test("sands: V_p with V_s does" EXIT 0 JSON "sand/tells_contacts=^(true|ON)$" ARGS ${measured} --vs 200m/s+-1% --vp 310m/s+-1% --json)
 granum_cli_test("sands: bonded" EXIT 0 STDERR "cemented" STDOUT "level" ARGS ${measured} --vs 600m/s)
 granum_cli_test("sands: --growth packings asks for spheres" EXIT 0 JSON "grain_shape=^sphere$" "sand=^$" ARGS infer --void-ratio 0.6
   --pressure 100kPa --vs 280m/s+-2% --growth packings --json)

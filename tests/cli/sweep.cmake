@@ -38,7 +38,7 @@ set(flat sweep --contact flat --punch-radius 50um --void-ratio 0.558 --coordinat
 granum_cli_test("sweep: fabric of rungs 0 and 1" EXIT 0 ${far_fabric} JSON "states/1/rung1/E_v=^5264800774\\.0791"
   "states/1/rung1/E_h=^3312112348\\.5494" "states/0/rung0/G_hv=^1941947491\\.840" ARGS ${flat} --fabric 0.5)
 granum_cli_test("sweep: rung 0 without fabric" EXIT 0 JSON "states/0/rung0/G_hv=^1941947491\\.840" ARGS ${flat} --fabric 0)
-granum_cli_test("sweep: chosen rungs alone" EXIT 0 STDOUT "\np_Pa,q_Pa,eta,sigma_v_Pa,sigma_h_Pa,e,C_n,a,G_answer_Pa,G_low_Pa,G_high_Pa,[^\n]*,s_answer,s_low,s_high,G_hh_rung0_Pa,[^\n]*s_rung0,G_hh_uniform_stress_Pa,[^\n]*,notes,error,grain_shape[^\n]*\n10000,"
+granum_cli_test("sweep: only the chosen rungs" EXIT 0 STDOUT "\np_Pa,q_Pa,eta,sigma_v_Pa,sigma_h_Pa,e,C_n,a,G_answer_Pa,G_low_Pa,G_high_Pa,[^\n]*,s_answer,s_low,s_high,G_hh_rung0_Pa,[^\n]*s_rung0,G_hh_uniform_stress_Pa,[^\n]*,notes,error,grain_shape[^\n]*\n10000,"
   ARGS ${iso} --rungs uniform-stress,0)
 granum_cli_test("sweep: assumptions are noted" EXIT 0 STDOUT "# note: assumed --grain-shear-modulus 30 GPa \\+- 9 GPa.*# note: assumed --fabric 0 \\+- 0\\.05"
   ARGS ${iso})
@@ -76,7 +76,7 @@ granum_cli_test("sweep: table as JSON" EXIT 1 BELOW "states/" JSON
     "2/error=stress_h" "2/rung2/K=^$" "2/answer=^$" "1/rung2/s=^0\\.(5$|4999999999999|50000000000000)" "8/line=^11$"
   STDERR "${four_of_nine}"
     ARGS ${table} --json)
-granum_cli_test("sweep: a table has the answers alone unless rungs are asked for" EXIT 0
+granum_cli_test("sweep: a table has only the answers unless rungs are requested" EXIT 0
   STDOUT "\np_kPa,e,[^\n]*,V_p_high_m/s,z_star_answer,z_star_low,z_star_high,s_answer,s_low,s_high,notes,error,grain_shape" ARGS sweep --table sweep_few.csv)
 granum_cli_test("sweep: all columns of a table" EXIT 0 STDOUT ",rattlers_high,C_n_answer,[^\n]*,s_high,[^\n]*G_hh_rung0_Pa,[^\n]*,G_hv_rung3_Pa,[^\n]*,s_uniform_stress,notes,error,grain_shape"
   ARGS sweep --table sweep_few.csv --columns all)
@@ -98,7 +98,7 @@ granum_cli_test("sweep: decimal commas between commas" EXIT 3 STDERR "sweep_comm
   ARGS sweep --table sweep_commas.csv)
 granum_cli_test("sweep: a preparation is an option and a column" EXIT 2 STDERR "--preparation is given as an option and by the column 'preparation'"
   ARGS sweep --table sweep_tapped.csv --preparation dense)
-granum_cli_test("sweep: options fill what a table leaves out" EXIT 0 JSON "states/0/rung0/s=^0\\.5"
+granum_cli_test("sweep: options replace missing columns of a table" EXIT 0 JSON "states/0/rung0/s=^0\\.5"
   ARGS sweep --table isotropic.csv --contact cone --json)
 
 function(granum_sweep_refuses what message)

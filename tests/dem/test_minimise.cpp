@@ -89,7 +89,7 @@ TEST_CASE("frictionless stages clear rotations and histories") {
   CHECK(state.angular_velocity == std::vector<Vec3>(state.grain_count()));
 }
 
-TEST_CASE("a minimiser that may not run says that it did not arrive") {
+TEST_CASE("a minimiser without allowed steps reports that it did not converge") {
   Specimen state = disordered(1e-3);
   MinimiseOptions options;
   options.max_steps = 3;

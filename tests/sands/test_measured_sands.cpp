@@ -62,7 +62,7 @@ TEST_CASE("Wichtmann and Triantafyllidis: well graded sands are softer at the sa
   }
 }
 
-TEST_CASE("outside of the tests a law says so") {
+TEST_CASE("a law reports values outside of its tests") {
   const MeasuredLaw& law = measured_law("kokusho");
   CHECK(shear_modulus(law, {0.7, 98e3}).validity.ok());
   CHECK(shear_modulus(law, {0.5, 98e3}).validity.notes.size() == 1);
