@@ -116,7 +116,7 @@ TEST_CASE("impossible minimisations are refused") {
   CHECK_THROWS_AS((void)minimise_energy(empty, law), InvalidArgument);
 }
 
-TEST_CASE("a wish to stop ends a relaxation before its next step, in the state that so many steps lead to") {
+TEST_CASE("a stop request ends a relaxation before its next step, in the state of its last step") {
   constexpr double radius = 1e-3;
   for (const std::size_t question : {1u, 7u, 30u}) {
     CAPTURE(question);

@@ -178,7 +178,7 @@ TEST_CASE("a run at fixed cell may end when its stress is constant, in less time
   CHECK_THROWS_AS((void)sheared(-1), InvalidArgument);
 }
 
-TEST_CASE("a run that did not arrive gives no stress but by its other name") {
+TEST_CASE("a run that did not converge gives its stress only by its other name") {
   QuasistaticReport report;
   report.last_stress = Mat3::identity();
   for (const Outcome outcome : {Outcome::step_limit, Outcome::unstable, Outcome::stopped}) {

@@ -164,7 +164,7 @@ TEST_CASE("batch: results may take the place of the inputs") {
   CHECK(in.porosity == out.shear);
 }
 
-TEST_CASE("batch: bad rows are named and zero, the others are worked out") {
+TEST_CASE("batch: bad rows are named and zero, the others are computed") {
   const contact::PowerLaw law = test::law_of(2, 0.15);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Inputs in(600);

@@ -197,7 +197,7 @@ TEST_CASE("contact prior: without pressure the contacts are those of rigid grain
   CHECK(prior.relative_overlap == 0);
 }
 
-TEST_CASE("contact prior: carried there and back") {
+TEST_CASE("contact prior: to another stress and back") {
   for (const double z_star : {4.3, 5.0, 6.2}) // the last above the densest line
     for (const double e : {0.572, 0.6, 0.7}) {
       const State start = spheres(e, 1e4);
@@ -215,7 +215,7 @@ TEST_CASE("contact prior: carried there and back") {
     }
 }
 
-TEST_CASE("contact prior: a packing of the densest line stays on it when it is carried") {
+TEST_CASE("contact prior: a packing of the densest line is on it at every stress") {
   const ContactPrior prior = effective::contact_prior(spheres(0.65, 1e4), dense);
   const auto carried = effective::carried_contacts(spheres(0.65, 1e4), prior.middle, 1e6);
   const ContactPrior there = effective::contact_prior(spheres(carried.void_ratio, 1e6), dense);

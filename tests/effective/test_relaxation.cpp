@@ -269,7 +269,8 @@ TEST_CASE("relaxed: notes on states outside the calibration") {
   CHECK_FALSE(relaxed(state_of(2, 0, 0.15, 1e8, 1e8), 5.9).validity.ok()); // overlaps of 2 %
 }
 
-TEST_CASE("relaxation: beyond b = 1/2 the factors go on from there, rough contacts lower than power laws") {
+TEST_CASE(
+    "relaxation: beyond b = 1/2 the factors are continuous, for rough contacts lower than for power laws") {
   using enum effective::Stiffening;
   for (const double r : ratios)
     for (double z = 4.1; z < 9; z += 0.1) {

@@ -77,7 +77,7 @@ TEST_CASE("relaxed exponents: derivatives of the relaxed estimate along the path
           }
 }
 
-TEST_CASE("relaxed exponents: where constants of uniform strain vanish, the others go on") {
+TEST_CASE("relaxed exponents: where constants of uniform strain vanish, the others have exponents") {
   // C12 = C13 = 0 at k_t = k_n; without tangential stiffness, at the ends of a, and in flat contacts nothing
   // is special either.
   for (const double ratio : {0.0, 1e-300, 1.0, 1.0 + 1e-15, 4.0 / 3})

@@ -102,7 +102,7 @@ TEST_CASE("rungs: exponents are derivatives of the moduli of the rung") {
     }
 }
 
-TEST_CASE("rungs: a modulus that vanishes has no exponents, and the others go on") {
+TEST_CASE("rungs: a vanishing modulus has no exponents, the others have") {
   for (const double ratio : {0.0, 1.0})
     for (const double a : {-1.0, 0.0, 1.0})
       for (const double alpha : {1.0, 2.0, infinity})

@@ -57,7 +57,7 @@ TEST_CASE("answer: glass beads without further inputs are within a factor of 3.1
   CHECK(a.validity().ok());
 }
 
-TEST_CASE("answer: every number of spheres is positive, and none is of the strain of sands") {
+TEST_CASE("answer: every number of spheres is positive, and strain numbers of sands are absent") {
   const Answer a = estimate::answer(beads());
   for (const estimate::FieldRow& row : estimate::fields())
     if (const std::optional<Range>& range = a.find(row.field)) {
@@ -168,7 +168,7 @@ TEST_CASE("answer: rattlers of equal grains determine z*, those of unequal ones 
   CHECK(has(estimate::answer(few).validity(), "unequal grains"));
 }
 
-TEST_CASE("answer: of one share of rattlers, looser is never stiffer, also where no packing of spheres is so "
+TEST_CASE("answer: at one rattler fraction looser is never stiffer, also where no packing of spheres is so "
           "loose") {
   for (const double rattlers : {0.001, 0.013, 0.05, 0.2}) {
     double before = std::numeric_limits<double>::infinity();
@@ -233,7 +233,7 @@ TEST_CASE("answer: water adds mass, and stiffness only to V_p and only without a
   CHECK(estimate::answer(q)[Field::compression_wave_speed].value < dry[Field::compression_wave_speed].value);
 }
 
-TEST_CASE("answer: stresses that differ give speeds by direction") {
+TEST_CASE("answer: unequal stresses give speeds by direction") {
   Question q = beads();
   q.state.stress_v = 2e5;
   const Answer a = estimate::answer(q);
@@ -352,7 +352,7 @@ TEST_CASE("answer: Poisson's ratio of an anisotropic packing may exceed 0.5, and
   CHECK(nu.high >= nu.value);
 }
 
-TEST_CASE("answer: an input is moved as far as packings allow") {
+TEST_CASE("answer: an input is changed as far as a packing is possible") {
   const Question q =
       grains_of(2, 0, 9000e5, 1e5); // forces of 9,000 to 1, near the most that a state may have
   Question counted = q;

@@ -176,7 +176,7 @@ TEST_CASE(
   CHECK(ladder.rungs[3].verdict == RungVerdict::cheaper_does);
 }
 
-TEST_CASE("ladder: a looser tolerance never takes a dearer rung") {
+TEST_CASE("ladder: a larger tolerance never leads to a more expensive rung") {
   std::vector<estimate::Answer> answers;
   for (const Recorded& row : recorded()) {
     answers.push_back(estimate::answer(known(row)));

@@ -36,7 +36,7 @@ Range field(const estimate::Question& q, Field wanted) { return estimate::answer
 } // namespace
 
 // The rows of tests/sands/data/sand_states.csv; forecasts are in tests/inverse.
-TEST_CASE("a sand: states that were measured lie where the table of states wants them") {
+TEST_CASE("a sand: measured states agree with the table of states") {
   const auto holds = [](const Range& range, double measured, double deviations) {
     const double off = std::log(measured / range.value);
     const double one = off > 0 ? std::log(range.high / range.value) : std::log(range.value / range.low);

@@ -163,7 +163,7 @@ TEST_CASE("V_s alone does not determine contacts, and V_p would") {
   CHECK(contacts.would_determine == Quantity::V_p);
 }
 
-TEST_CASE("contacts as given answer as ever") {
+TEST_CASE("contacts as given do not change the result") {
   const auto measured = speeds(sand(1e5).law, 5.4, both, 0.01);
   CHECK_FALSE(asked(measured, "given").together.value().contacts());
 }

@@ -243,7 +243,7 @@ TEST_CASE("inference: K and G that contradict each other") {
   CHECK(infer(all, options_with()).together->probability() > 0.1);
 }
 
-TEST_CASE("inference: three of a thousand are taken for a contradiction") {
+TEST_CASE("inference: a probability of three in a thousand counts as a contradiction") {
   bool before = false;
   for (double factor = 1; factor < 1.5; factor *= 1.01) {
     std::vector<Observation> all{measurement(Quantity::G_vh, beads(1e6), 5.2, 0.02),
@@ -367,7 +367,7 @@ TEST_CASE("inference: exact measurements of dependent quantities") {
   CHECK(answer.together->packing(beads(1e6)).mechanical_coordination_number.value == relative(5.0, 1e-9));
 }
 
-TEST_CASE("inference: water in the pores weighs, and hides the compression wave") {
+TEST_CASE("inference: pore water adds mass, and excludes the compression wave") {
   InferenceOptions wet = options_with();
   wet.pore_density = 998;
   const double e = 0.61, ratio = (density + e * 998) / density;

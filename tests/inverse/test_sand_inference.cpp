@@ -63,7 +63,7 @@ TEST_CASE("forecasts are the answers of estimate for the sand that was found, to
   }
 }
 
-TEST_CASE("an Ottawa sand: 222.1 MPa at 500 kPa are foretold from 68.3 at 50 within two stated errors") {
+TEST_CASE("an Ottawa sand: 222.1 MPa at 500 kPa are predicted from 68.3 at 50 within two stated errors") {
   const SandInference found =
       infer_sand(std::vector{measured(Quantity::G_vh, 68.3e6, 0, 50e3)}, quartz({.uniformity = 1.48}));
   const Measured there = found.predict(Quantity::G_vh, at(500e3));
@@ -99,7 +99,7 @@ TEST_CASE("forecasts do not jump with the pressure they are for") {
   }
 }
 
-TEST_CASE("several pressures move the exponent, as far as they are fitted wholly") {
+TEST_CASE("several pressures change the exponent, and determine it if it is fitted") {
   const double s = 0.55;
   std::vector<Observation> all;
   for (const double p : {50e3, 100e3, 200e3, 400e3})

@@ -304,7 +304,7 @@ TEST_CASE("assemblies without a load-bearing network have zero stiffness") {
   check_zero(27);
 }
 
-TEST_CASE("a result that was not reached is not handed out") {
+TEST_CASE("a result that did not converge is not returned") {
   const packing::Assembly a = samples::random_network({.seed = 18, .kept = 0.5});
   const auto hasty = network::linear_response(a, {.iteration_limit = 2});
   CHECK_FALSE(hasty.converged());
