@@ -249,7 +249,7 @@ void add_answer_options(Command& command, AnswerOptions& o) {
        {.name = "--grain-density",
         .value = number(o.grain_density),
         .group = grains_group,
-        .meaning = "rho_s of the grains' solid, for wave speeds",
+        .meaning = "Density rho_s of the grain mineral, for wave speeds",
         .synonyms = grain_density_synonyms()},
        {.name = "--saturation",
         .value = number(o.saturation),

@@ -186,7 +186,8 @@ const std::vector<NumberRow>& number_rows() {
        false,
        {.name = "--tangential-ratio",
         .group = law_group,
-        .meaning = "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip"}},
+        .meaning =
+            "Tangential over normal contact stiffness, k_t/k_n; by default 2(1-nu_g)/(2-nu_g), no slip"}},
       {&PackingOptions::void_ratio,
        false,
        {.name = "--void-ratio",

@@ -31,7 +31,7 @@ void add_study_options(Command& command, StudyOptions& options, studies::SceneCo
                {.name = "--seeds",
                 .value = count(options.seeds),
                 .group = group,
-                .meaning = "Specimens of each kind"},
+                .meaning = "Specimens of each contact shape and density"},
                {.name = "--threads",
                 .value = count(options.threads),
                 .group = group,

@@ -158,7 +158,7 @@ Command make_trade() {
   command.add({{.name = "--quick",
                 .value = flag(options->quick),
                 .group = "Extent",
-                .meaning = "Up to 1,000 grains, a few values, two seeds",
+                .meaning = "Up to 1,000 grains, few values of each setting, two seeds",
                 .excludes = {{"--full --budget", "--quick cannot go with --full or --budget"}}},
                {.name = "--full",
                 .value = flag(options->full),
