@@ -2,7 +2,7 @@
 // Small charts as SVG text. Colours are those of the style sheet, so that they follow light and dark.
 "use strict";
 
-/// What each colour stands for is said by include/granum/plot/palette.hpp, from which the style sheet has it.
+/// Colours have the meanings of include/granum/plot/palette.hpp, the source of the style sheet.
 const colours = Object.fromEntries([..."<!--colours-->".split(" "), "grey"].map((name) => [name, `var(--${name})`]));
 /// A contact law without a colour of its own has that of power laws.
 const shapeColourName = (shape) => (shape in colours ? shape : "power_law");

@@ -7,7 +7,7 @@
 
 namespace granum::effective {
 
-/// Contacts that all have the same stiffness, whatever their direction.
+/// Contacts of equal stiffness in all directions.
 struct UniformContacts {
   double prefactor = State::unset;            ///< P = N_c <l^2>/V > 0 [1/m]
   double normal_stiffness = State::unset;     ///< k_n >= 0 [N/m]
@@ -40,7 +40,7 @@ struct Estimate {
 /// Checked by validation/accuracy, tests/effective/test_free_spin.cpp
 [[nodiscard]] elastic::TransverselyIsotropic free_spin_stiffness(const UniformContacts& contacts);
 
-/// Stiffness if the contact forces are df = V/(N_c <l>) dstress F^-1 n, whatever the length of the branch,
+/// Stiffness if the contact forces are df = V/(N_c <l>) dstress F^-1 n, for any length of the branch,
 /// all contacts equally stiff: from the complementary energy (1/2V) sum (df_n^2/k_n + df_t^2/k_t). Its
 /// shear moduli vanish with k_t. The sources call it the lower estimate. It is no lower bound, because its
 /// forces do not balance on each grain.

@@ -83,7 +83,7 @@ struct FrameChoice {
 [[nodiscard]] std::optional<packing::TurningSpring> parse_turning(const std::string& name,
                                                                   const std::string& text);
 
-/// \throws   InvalidArgument for options that contradict one another
+/// \throws   InvalidArgument for options that contradict each other
 [[nodiscard]] studies::MeasureOptions measure_options(const AnalyseOptions& options);
 
 } // namespace granum::cli

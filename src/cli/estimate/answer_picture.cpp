@@ -69,7 +69,7 @@ plot::Chart chart_of(std::string title, plot::Axis x) {
 
 /// The requested answers, on their curves.
 void mark(plot::Chart& chart, std::vector<double> at, std::vector<double> answers) {
-  chart.series.push_back({.name = "asked for",
+  chart.series.push_back({.name = "given strain",
                           .mark = plot::Mark::marker,
                           .x = std::move(at),
                           .y = std::move(answers),
