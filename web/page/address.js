@@ -51,8 +51,8 @@ function element(tag, attributes = {}, ...children) {
 }
 
 /// A slider between its name and its value with the unit.
-function slider({ id, name, min, max, step, value, unit, said = (number) => written(number), change }) {
-  const withUnit = (number) => `${said(number)}${unit ? ` ${unit}` : ""}`;
+function slider({ id, name, min, max, step, value, unit, format = (number) => written(number), change }) {
+  const withUnit = (number) => `${format(number)}${unit ? ` ${unit}` : ""}`;
   const shown = element("output", { for: id, "aria-live": "off" }, withUnit(value));
   const input = element("input", { type: "range", id, min, max, step, value, "aria-valuetext": withUnit(value), oninput: () => {
     const number = Number(input.value);

@@ -149,14 +149,14 @@ function addCalculator(granum, texts) {
     } });
     return element("label", {}, words[key], input);
   };
-  const choice = (key, label, names, said, change = () => {}) => {
+  const choice = (key, label, names, textOf, change = () => {}) => {
     known[key] = address.choice(`c${key}`, names[0], names);
     const select = element("select", { id: `c${key}`, onchange: () => {
       known[key] = select.value;
       address.put(`c${key}`, select.value);
       change();
       show();
-    } }, ...names.map((name) => element("option", { value: name, selected: name === known[key] }, said(name))));
+    } }, ...names.map((name) => element("option", { value: name, selected: name === known[key] }, textOf(name))));
     return element("label", {}, label, select);
   };
   const preparation = choice("preparation", words.preparation, preparations, (name) => words[name]);

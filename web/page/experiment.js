@@ -72,7 +72,7 @@ class ExperimentPanel {
       this.viewed({ slice: Number(slice.value) });
       slice.setAttribute("aria-valuetext", slice.value > 1 ? w.whole : `${Math.round(100 * slice.value)} %`);
     } });
-    const exaggerated = slider({ id: "xexaggerate", name: w.exaggerate, min: 1, max: 200, step: 1, value: 1, unit: "", said: (times) => `${times} ×`, change: (times) => this.viewed({ exaggeration: times }) });
+    const exaggerated = slider({ id: "xexaggerate", name: w.exaggerate, min: 1, max: 200, step: 1, value: 1, unit: "", format: (times) => `${times} ×`, change: (times) => this.viewed({ exaggeration: times }) });
     const choice = (name, legend, options, change) => element("fieldset", {}, element("legend", {}, legend), ...options.map(([value, text], k) =>
       element("label", {}, element("input", { type: "radio", name, checked: k === 0, onchange: () => change(value) }), ` ${text}`)));
     const show = choice("xshow", w.show, [[false, w.grainsView], [true, w.forcesView]], (forces) => this.viewed({ forces }));
@@ -241,7 +241,7 @@ class ExperimentPanel {
   hearPoint({ point, paused }) {
     this.curves.add(point);
     if (point.event === 2) this.end(this.words.unstable);
-    else if (point.event === 1) this.end(this.curves.said(this.run.setup.grain.frictionAngle));
+    else if (point.event === 1) this.end(this.curves.peakText(this.run.setup.grain.frictionAngle));
     else if (paused) this.showPaused(true);
   }
 

@@ -185,9 +185,9 @@ function addStep(granum, texts, step, number) {
   const pictures = [element("div", { class: "picture" }), ...(words.second ? [element("div", { class: "picture" })] : [])];
   const draw = () => {
     const drawn = step.picture(granum, grain, at, texts, words);
-    const said = filled(words.finding, drawn.values);
-    finding.replaceChildren(...worded(said));
-    const shown = drawn.rose ? [`<div class="rose">${rose(drawn.rose, words.title, plain(said))}</div>`] : drawn.charts.map((what) => chart({ finding: plain(said), ...what, title: plain(what.title) }));
+    const sentence = filled(words.finding, drawn.values);
+    finding.replaceChildren(...worded(sentence));
+    const shown = drawn.rose ? [`<div class="rose">${rose(drawn.rose, words.title, plain(sentence))}</div>`] : drawn.charts.map((what) => chart({ finding: plain(sentence), ...what, title: plain(what.title) }));
     shown.forEach((html, k) => { pictures[k].innerHTML = html; });
   };
   const controls = Object.entries(step.controls).map(([key, range]) => {

@@ -37,7 +37,7 @@ class ShearCurves {
   }
 
   /// The peak as text, if there are points.
-  said(grainFriction) {
+  peakText(grainFriction) {
     const last = this.points.at(-1);
     return filled(this.words.peak, { q: written(last.peakDeviator / 1e3), strain: written(100 * last.peakStrain, 2), angle: written((180 / Math.PI) * last.peakAngle),
       grain: written((180 / Math.PI) * grainFriction) });
