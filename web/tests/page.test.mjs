@@ -132,7 +132,7 @@ test("a measurement says how many contacts there are, and what follows elsewhere
   assert.equal(await other.textContent("#inference"), now, "the address does not hold the measurement");
   await page.fill("#cvalue", "90000");
   assert.match(await said(), /No number of contacts explains/);
-  assert.match(await said(), /with 12 contacts a grain/, "granum's own remark");
+  assert.match(await said(), /with 12 contacts per grain/, "granum's own remark");
   assert.deepEqual(page.complaints, []);
   await page.context().close();
   await other.context().close();
