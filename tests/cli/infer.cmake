@@ -60,8 +60,8 @@ granum_cli_test("infer: more contacts than usual at that void ratio" EXIT 0 JSON
 function(granum_infer_refuses what message)
   granum_cli_test("infer: ${what}" EXIT 2 STDERR "^granum: error: ${message}" ARGS infer ${ARGN})
 endfunction()
-granum_infer_refuses("nothing measured" "nothing is measured: give --shear-modulus" ${packing})
-granum_infer_refuses("a compression wave in water" "a compression wave in wet pores is that of the water" ${packing} --vp 1600m/s
+granum_infer_refuses("nothing measured" "no measurement is given: use --shear-modulus" ${packing})
+granum_infer_refuses("a compression wave in water" "a compression wave in wet pores travels mainly in the water" ${packing} --vp 1600m/s
   --saturation 100%)
 granum_infer_refuses("a picture of a quantity that is not predicted" "--picture-of V_p: no compression wave in wet pores" ${packing} --vs 200m/s
   --saturation 100% --picture a.svg --picture-of V_p)

@@ -42,7 +42,7 @@ granum_cli_test("sands: the ground is soil" EXIT 0 STDOUT "void ratio 0\\.7648: 
   ARGS sweep --depth 1m..20m --points 2 --sand toyoura --relative-density 60%)
 granum_cli_test("sands: from the surface on, strictly" EXIT 0 STDOUT "there are no tests of sands below p' = 25 kPa, here at 1\\.7 m and less"
   ARGS sweep --depth 0m..20m --points 201 --sand toyoura --relative-density 60% --k0 1 --unit-weight 14.7kN/m3 --strict)
-granum_cli_test("sands: rungs are of spheres" EXIT 2 STDERR "Grain shape sphere has the rungs" ARGS estimate --sand toyoura ${at} --tolerance 5%)
+granum_cli_test("sands: rungs are of spheres" EXIT 2 STDERR "Use grain shape sphere for the rungs" ARGS estimate --sand toyoura ${at} --tolerance 5%)
 granum_cli_test("sands: but beads stay beads" EXIT 0 STDOUT "beads \\(spheres of the model\\)" ARGS sweep --depth 1m..20m --points 2
   --void-ratio 0.6 --grain glass)
 
@@ -105,7 +105,7 @@ granum_new_user("K_0" "estimate --void-ratio 0.7 --stress-v 200kPa --k0 0.5 --gr
 granum_new_user("K0 in capitals" "estimate --void-ratio 0.7 --stress-v 200kPa --K0 0.5 --grain-shape sand" 2 "did you mean --k0")
 granum_new_user("strain" "estimate --void-ratio 0.7 --pressure 100kPa --strain 0.01%" 0 "G/G0 +0\\.8[0-9]*")
 granum_new_user("strain as a number" "estimate --void-ratio 0.7 --pressure 100kPa --strain 1e-4" 0 "G/G0 +0\\.8[0-9]*")
-granum_new_user("large strain" "estimate --void-ratio 0.7 --pressure 100kPa --strain 1%" 0 "strength decides")
+granum_new_user("large strain" "estimate --void-ratio 0.7 --pressure 100kPa --strain 1%" 0 "strength governs")
 granum_new_user("strain of 10 %" "estimate --void-ratio 0.7 --pressure 100kPa --strain 10%" 2 "strain = 0\\.1 is outside \\(0, 0\\.05")
 granum_new_user("fines" "estimate --void-ratio 0.7 --pressure 100kPa --fines 12%" 2 "fines are not modelled")
 granum_new_user("OCR" "estimate --void-ratio 0.7 --pressure 100kPa --ocr 4" 2 "overconsolidation and age are not modelled")

@@ -271,7 +271,7 @@ TEST_CASE("inference: measurements that no contact number explains") {
   soft.value.value *= 0.5;
   const auto too_soft = infer(std::span(&soft, 1), options_with());
   CHECK_FALSE(too_soft.together);
-  CHECK(too_soft.validity.notes.front().find("loosest network") != std::string::npos);
+  CHECK(too_soft.validity.notes.front().find("loosest rigid network") != std::string::npos);
   // Beside one that is explained, the fit goes on and the note stays.
   const std::vector<Observation> both{measurement(Quantity::G_vh, beads(1e6), 5), soft};
   const auto mixed = infer(both, options_with());
