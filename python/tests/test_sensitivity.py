@@ -69,7 +69,7 @@ def test_the_ladder_is_that_of_the_program(run_program):
             assert rung.estimate.relative_error.G_vh == row["relative_error"]["G_vh"]
 
 
-def test_what_is_not_measured_makes_the_error_larger():
+def test_assumed_inputs_make_the_error_larger():
     known = granum.estimate(tolerance=0.05, **STATE)
     without_fabric = {name: value for name, value in STATE.items() if name != "fabric_anisotropy"}
     fabric_assumed = granum.estimate(tolerance=0.05, **without_fabric)
