@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Types of the package. SI everywhere; what each name means stands in its documentation.
+# Types of the package. SI everywhere; the meaning of each name is in its docstring.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from typing import Any, Generic, Literal, Optional, TypeVar, Union, overload
@@ -163,7 +163,7 @@ __all__ = [
 ]
 __version__: str
 
-# A float of a call with numbers alone, an array of a call with arrays.
+# A float for a call with numbers only, an array for a call with arrays.
 _N = TypeVar("_N", float, NDArray[np.float64])
 _Array = NDArray[np.float64]
 _Path = Union[str, PathLike[str]]

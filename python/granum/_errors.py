@@ -7,22 +7,22 @@ from typing import Optional
 
 
 class Error(Exception):
-    """Root of every exception that granum raises by itself."""
+    """Base class of all exceptions of granum."""
 
 
 class InvalidArgument(Error, ValueError):
-    """An argument that no packing can have, such as a porosity of 38.
+    """An impossible argument, such as a porosity of 38.
 
     Attributes
     ----------
     name : str or None
-        Of the argument, where one number was refused.
+        Name of the argument, if a single number was refused.
     value : float or None
         The number, in SI.
     unit : str or None
         Its unit, "" for a pure number.
     range : str or None
-        What is allowed, such as "(0, 1)".
+        The allowed range, such as "(0, 1)".
     """
 
     name: Optional[str] = None
@@ -37,9 +37,9 @@ class FileError(Error, OSError):
     Attributes
     ----------
     path : str or None
-        Of the file.
+        Path of the file.
     line : int or None
-        Counted from 1, where one line is meant.
+        Number of the line, from 1, if the error concerns a line.
     """
 
     path: Optional[str] = None
@@ -47,8 +47,8 @@ class FileError(Error, OSError):
 
 
 class NotConverged(Error, RuntimeError):
-    """The result of a calculation that did not converge was asked for."""
+    """A calculation did not converge, so that its result does not exist."""
 
 
 class Stopped(Error, RuntimeError):
-    """Long work was asked to stop before it had a result."""
+    """A long calculation was stopped before it had a result."""

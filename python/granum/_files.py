@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packings out of files."""
+"""Packings from files."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ def _paths(files):
 
 
 def frames(*files, box=None, columns=None):
-    """All states of a packing that some files hold, one after the other.
+    """An iterator over all states of a packing in some files.
 
     Parameters
     ----------
     *files : path_like
-        Of grains, and of contacts if there are any, of one format, in any order. What a file is, is told by what
-        stands in it. Patterns such as "dump.*.gz" stand for all files that they match.
+        Files of grains and, if available, of contacts, of one format, in any order. The kind of a file is
+        recognised by its content. Patterns such as "dump.*.gz" are replaced by all matching files.
     box : (3,) array_like, optional
-        Edges of the periodic box [m], for CSV files, which hold none.
+        Edges of the periodic box [m], for CSV files (other formats contain them).
     columns : dict, optional
-        What columns of dumps hold, where their values do not tell it: {"id1": "c_cl[1]"}.
+        Meaning of columns of dumps that cannot be recognised from their values: {"id1": "c_cl[1]"}.
 
     Returns
     -------
@@ -43,7 +43,7 @@ def frames(*files, box=None, columns=None):
     FileError
         For a file that cannot be read, with path and line.
     InvalidArgument
-        For files that do not go together.
+        For inconsistent files.
 
     Notes
     -----
@@ -53,16 +53,16 @@ def frames(*files, box=None, columns=None):
 
 
 def read(*files, box=None, columns=None):
-    """The packing that some files hold.
+    """The packing in some files.
 
     Parameters
     ----------
     *files : path_like
-        Of grains, and of contacts if there are any, as of frames().
+        Files of grains and, if available, of contacts, as for frames().
     box : (3,) array_like, optional
-        Edges of the periodic box [m], for CSV files, which hold none.
+        Edges of the periodic box [m], for CSV files (other formats contain them).
     columns : dict, optional
-        What columns of dumps hold, where their values do not tell it: {"id1": "c_cl[1]"}.
+        Meaning of columns of dumps that cannot be recognised from their values: {"id1": "c_cl[1]"}.
 
     Returns
     -------
@@ -73,7 +73,7 @@ def read(*files, box=None, columns=None):
     FileError
         For a file that cannot be read, with path and line.
     InvalidArgument
-        For files that do not go together, or hold more than one state or none: frames() goes through them.
+        For inconsistent files, or if they contain more than one state (use frames()) or none.
 
     Notes
     -----
@@ -82,7 +82,7 @@ def read(*files, box=None, columns=None):
     states = frames(*files, box=box, columns=columns)
     packing = next(states, None)
     if packing is None:
-        raise InvalidArgument("the files hold no state of a packing")
+        raise InvalidArgument("the files contain no state of a packing")
     if next(states, None) is not None:
-        raise InvalidArgument("the files hold several states of a packing: frames() goes through them")
+        raise InvalidArgument("the files contain several states of a packing: iterate over them with frames()")
     return packing

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A packing of LAMMPS, handed over in memory."""
+"""A packing of LAMMPS, transferred in memory."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ import numpy as np
 from ._errors import InvalidArgument
 from ._granum import _lammps_packing
 
-# Of LAMMPS' library interface: local values, a vector or an array of them, and how many rows and columns.
+# Constants of the library interface of LAMMPS: local values, vector, array, numbers of rows and columns.
 _LOCAL, _VECTOR, _ARRAY, _ROWS, _COLUMNS = 2, 1, 2, 4, 5
 
 
 def _of_atoms(lmp, name):
-    """A property of all atoms, as it stands in LAMMPS' memory."""
+    """A property of all atoms in the memory of LAMMPS."""
     values = lmp.numpy.extract_atom(name)
     if values is None:
-        raise InvalidArgument(f"the atoms of LAMMPS have no {name}: granum takes spheres, of atom_style sphere")
+        raise InvalidArgument(f"the atoms of LAMMPS have no {name}: granum needs spheres, of atom_style sphere")
     return values
 
 
 def _locals_of(lmp, name):
-    """Names and values of the columns of a compute, as dump local would write them."""
+    """Names and values of the columns of a compute, as in a dump local."""
     if not lmp.has_id("compute", name):
         raise InvalidArgument(f"LAMMPS has no compute '{name}'")
     try:
@@ -34,62 +34,62 @@ def _locals_of(lmp, name):
         return names, np.empty((0, len(names)))
     if columns:
         return names, np.array(lmp.numpy.extract_compute(name, _LOCAL, _ARRAY))
-    # lmp.numpy of 2021 asks for the length of a local vector in a way that LAMMPS does not answer.
+    # lmp.numpy of 2021 requests the length of a local vector in a way that LAMMPS does not support.
     vector = np.ctypeslib.as_array(lmp.extract_compute(name, _LOCAL, _VECTOR), shape=(rows,))
     return names, np.array(vector).reshape(-1, 1)
 
 
 def _contacts_of(lmp, computes):
-    """Columns and rows of some computes, side by side."""
+    """Columns and rows of some computes, joined."""
     names, values = zip(*(_locals_of(lmp, compute) for compute in computes))
     rows = {compute: len(of_one) for compute, of_one in zip(computes, values)}
     if len(set(rows.values())) > 1:
-        said = ", ".join(f"{compute} {count}" for compute, count in rows.items())
+        counts = ", ".join(f"{compute} {count}" for compute, count in rows.items())
         raise InvalidArgument(
-            f"the computes have different numbers of rows: {said}; give all of them the same cutoff, "
+            f"the computes have different numbers of rows: {counts}; give all of them the same cutoff, "
             "'cutoff radius', and run LAMMPS once more"
         )
     return sum(names, []), np.ascontiguousarray(np.hstack(values), dtype=float)
 
 
 def from_lammps(lmp, *, contacts=(), columns=None):
-    """The packing in LAMMPS' memory, in a script that drives LAMMPS through its Python module.
+    """The packing in the memory of LAMMPS, for scripts that run LAMMPS through its Python module.
 
-    What `dump custom` of the atoms and `dump local` of the computes would write at this step, without a file: the
-    same columns, the same checks, the same numbers to the last digit. Lengths and forces become SI from units si,
-    cgs, micro and nano; numbers of units lj are taken as SI, and a note says so. Forces hold viscous parts where
-    grains move. Contacts with walls are not handed over.
+    Equivalent to `dump custom` of the atoms and `dump local` of the computes at this step, without a file: the
+    same columns, the same checks, identical numbers. Lengths and forces are converted to SI from units si, cgs,
+    micro and nano; numbers in units lj are assumed to be SI, with a note. Forces include viscous parts if grains
+    move. Contacts with walls are not transferred.
 
     Parameters
     ----------
     lmp : lammps.lammps
         On one process, with atoms that have a radius.
     contacts : str or sequence of str
-        Ids of the computes that tell of the contacts, such as ("ids", "forces") for
+        Ids of the computes with the contacts, such as ("ids", "forces") for
 
             compute ids all property/local patom1 patom2 cutoff radius
             compute forces all pair/local dist force fx fy fz p1 p2 p3 p4 cutoff radius
 
-        LAMMPS works them out for the step that it has run last, `run 0` at least. Without them contacts are
-        those of overlapping spheres, where they are needed.
+        LAMMPS evaluates them for its last step, so at least `run 0` is needed. Without computes, the contacts of
+        overlapping spheres are used where needed.
     columns : dict, optional
-        What columns hold, where their values do not tell it, as of read():
+        Meaning of columns that cannot be recognised from their values, as for read():
         {"id1": "c_ids[1]", "id2": "c_ids[2]", "force": "c_forces[2]"}.
 
     Returns
     -------
     Packing
-        Grains in the order of their ids.
+        Grains sorted by id.
 
     Raises
     ------
     InvalidArgument
-        For atoms without radius, several processes, other units; for computes that are not there, of different
-        lengths, or of columns that no layout fits; for what no packing can have, as packing().
+        For atoms without radius, several processes, other units; for missing computes, computes of different
+        lengths, or columns of an unknown layout; and as packing().
 
     See Also
     --------
-    read : The same out of files.
+    read : The same from files.
 
     Notes
     -----
@@ -98,7 +98,7 @@ def from_lammps(lmp, *, contacts=(), columns=None):
     processes = lmp.extract_setting("world_size")
     if processes > 1:
         raise InvalidArgument(
-            f"LAMMPS runs on {processes} processes, each of which has its own grains alone: run it on one, or "
+            f"LAMMPS runs on {processes} processes, each of which has only its own grains: run it on one, or "
             "read() its dumps"
         )
     low, high, xy, yz, xz, periodic, _ = lmp.extract_box()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of results, on matplotlib, which is asked for only here.
+"""Pictures of results by matplotlib, which is imported only here.
 
-Each function becomes the method plot() of a class, and draws on the axes that it is given.
+Each function becomes the method plot() of a class, and draws on the given axes.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import numpy as np
 
 from ._granum import Fabric, Inference, Ladder, Packing, SandInference, Study, fabric_density
 
-# What a colour stands for in every picture of granum: rows of include/granum/plot/palette.hpp.
+# Meaning of colours in all pictures of granum: rows of include/granum/plot/palette.hpp.
 _CLOSED_FORM, _MEASURED, _FORCE, _GREY = "#a2457e", "#474f5a", "#b3261e", "#6b6f75"
 _SHAPES = {"sphere": "o", "cone": "^", "flat": "s"}
 
@@ -26,7 +26,7 @@ def _axes(ax, **keywords):
 
 
 def _plain_numbers(ax):
-    """Writes 200 where a logarithmic axis would say 2 x 10^2."""
+    """Writes 200 instead of 2 x 10^2 on a logarithmic axis."""
     ticker = importlib.import_module("matplotlib.ticker")
     for axis in (ax.xaxis, ax.yaxis):
         axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
@@ -35,12 +35,12 @@ def _plain_numbers(ax):
 
 
 def _ladder(self, ax=None):
-    """Stated error of each rung against the time that it takes, with the tolerance.
+    """Stated error of each rung against its computing time, with the tolerance.
 
     Parameters
     ----------
     ax : matplotlib.axes.Axes, optional
-        To draw on; without it those of a new figure.
+        Axes to draw on; default: those of a new figure.
 
     Returns
     -------
@@ -49,7 +49,7 @@ def _ladder(self, ax=None):
     ax = _axes(ax)
     for rung in self.rungs:
         error = rung.largest_error
-        if not error:  # none is stated, or the rung is exact: neither has a place on a logarithmic axis
+        if not error:  # not stated or 0: neither can be shown on a logarithmic axis
             continue
         chosen = rung.rung == self.choice.rung
         ax.plot(rung.typical_time, 100 * error, "o", color=_CLOSED_FORM if chosen else _GREY)
@@ -69,12 +69,12 @@ def _ladder(self, ax=None):
 
 
 def _rose(self, ax=None):
-    """Density of contact normals by the angle from the vertical, with standard errors, and E(gamma; a) beside it.
+    """Density of contact normals by the angle from the vertical, with standard errors, and E(gamma; a) for comparison.
 
     Parameters
     ----------
     ax : matplotlib.projections.polar.PolarAxes, optional
-        To draw on; without it those of a new figure.
+        Axes to draw on; default: those of a new figure.
 
     Returns
     -------
@@ -112,12 +112,12 @@ def _rose(self, ax=None):
 
 
 def _study(self, ax=None):
-    """G_vh against p, both logarithmic: closed form, contact network and probe of every specimen.
+    """G_vh against p, both logarithmic: closed form, contact network and probe for every specimen.
 
     Parameters
     ----------
     ax : matplotlib.axes.Axes, optional
-        To draw on; without it those of a new figure.
+        Axes to draw on; default: those of a new figure.
 
     Returns
     -------
@@ -173,9 +173,9 @@ def _chains(self, ax=None, *, across=0, up=2):
     Parameters
     ----------
     ax : matplotlib.axes.Axes, optional
-        To draw on; without it those of a new figure.
+        Axes to draw on; default: those of a new figure.
     across, up : int
-        Axes of the packing, 0 to 2, that lie across and up.
+        Axes of the packing, 0 to 2, shown horizontally and vertically.
 
     Returns
     -------
@@ -201,16 +201,16 @@ def _chains(self, ax=None, *, across=0, up=2):
 
 
 def _inference(self, ax=None, *, quantity="G", pressure):
-    """A quantity against the pressure, as the measurements together predict it, with its standard error.
+    """A quantity predicted from all measurements against the pressure, with its standard error.
 
     Parameters
     ----------
     ax : matplotlib.axes.Axes, optional
-        To draw on; without it those of a new figure.
+        Axes to draw on; default: those of a new figure.
     quantity : str
         G, G_hh, K, V_s, V_s_hh, V_p or V_p_h.
     pressure : array_like
-        Where to predict [Pa].
+        Pressures of the prediction [Pa].
 
     Returns
     -------

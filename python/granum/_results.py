@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What all results have in common: they show their numbers, compare, and go into dictionaries, tables and pickles.
+"""Common methods of all results: repr, comparison, and conversion to dictionaries, tables and pickles.
 
-A result is an instance of a class of the compiled module that has properties; _attach gives these classes the
-functions below, where they have none of their own. Checked by python/tests/test_results.py
+A result is an instance of a class with properties of the compiled module; _attach adds the functions below to these
+classes, unless they define their own. Checked by python/tests/test_results.py
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from . import _granum
 from ._errors import InvalidArgument, NotConverged
 
 _WIDTH = 100  # of a line of repr
-_ALIVE = ("Compression", "Frames", "Shearing", "Specimen")  # they move or read on: no value to compare or to keep
-_INPUTS = ("ContactMeans", "Distribution", "Isotropic", "NormalLaw", "Packing")  # what users make
+_ALIVE = ("Compression", "Frames", "Shearing", "Specimen")  # simulations and readers, which have no fixed value
+_INPUTS = ("ContactMeans", "Distribution", "Isotropic", "NormalLaw", "Packing")  # made by users
 _classes = {type_ for type_ in vars(_granum).values() if isinstance(type_, type)}
 _results = {type_ for type_ in _classes if type_.__name__ not in _ALIVE + _INPUTS}
 
@@ -28,7 +28,7 @@ def _names(result):
 
 
 def _value(result, name):
-    """A number of a result; None where it was asked for in vain."""
+    """A number of a result; None if it does not exist."""
     try:
         return getattr(result, name)
     except (InvalidArgument, NotConverged):
@@ -40,7 +40,7 @@ def _is_result(value):
 
 
 def _plain(value):
-    """A value as dictionaries hold it: numbers, texts, arrays of their own memory, and of results dictionaries."""
+    """A value for dictionaries: numbers, texts, copies of arrays, and dictionaries for results."""
     if _is_result(value):
         return to_dict(value)
     if isinstance(value, np.ndarray):
@@ -53,21 +53,21 @@ def _plain(value):
 
 
 def to_dict(self):
-    """Everything that the result holds, as a dictionary of its own.
+    """The whole result as a new dictionary.
 
     Returns
     -------
     dict
-        By name: numbers, texts, copies of arrays, lists, and dictionaries of the results within. None stands for
+        By name: numbers, texts, copies of arrays, lists, and dictionaries for nested results. None stands for
         what does not exist.
     """
     return {name: _plain(_value(self, name)) for name in _names(self)}
 
 
 def _flat(values, prefix=""):
-    """Pairs of a name and a number or array of numbers; names of results within are joined by underscores.
+    """Pairs of a name and a number or array of numbers; names of nested results are joined by underscores.
 
-    The value of a range or of a measured number has the name of that range alone.
+    The value of a range or of a measured number has the name of the range or number itself.
     """
     for name, value in values.items():
         if isinstance(value, dict):
@@ -77,10 +77,10 @@ def _flat(values, prefix=""):
 
 
 def to_columns(self):
-    """The numbers of the result as columns of one length, which pandas.DataFrame takes as they are.
+    """The numbers of the result as columns of one length, as for pandas.DataFrame.
 
-    One row is an element of the arrays that were asked; a result without a shape is one row. A tensor is a column
-    a component: stiffness_11, stiffness_12. Lists and texts are left out, and arrays of another length.
+    Each row is an element of the arrays in the call; a result without a shape is one row. Each component of a tensor
+    is a column: stiffness_11, stiffness_12. Lists, texts and arrays of another length are left out.
 
     Returns
     -------
@@ -107,7 +107,7 @@ def to_columns(self):
 
 
 def _short(value):
-    """A value in a few letters."""
+    """A short text for a value."""
     if isinstance(value, float):
         return f"{value:.6g}"
     if isinstance(value, np.ndarray):
@@ -161,7 +161,7 @@ def _equal(self, other):
 
 
 def _recorded(value):
-    """A value as a pickle holds it: results within are records too."""
+    """A value for a pickle: nested results become records too."""
     if type(value) in _results:
         return Record(_kind(value), {name: _recorded(_value(value, name)) for name in _names(value)})
     if isinstance(value, (list, tuple)):
@@ -174,12 +174,12 @@ def _recorded(value):
 
 
 def _made_again(name, values):
-    """What users make, by the numbers that make it."""
+    """Restores an object made by users from its numbers."""
     make = _granum.isotropic if name == "Isotropic" else getattr(_granum, name)
     return make(**values)
 
 
-# The numbers that make each of them again; an isotropic solid comes back within rounding.
+# The numbers that restore each of them; an isotropic solid is restored within rounding.
 _MADE_OF = {
     "ContactMeans": ("branch", "branch_square", "pair_radius", "grain_volume"),
     "Distribution": ("text",),
@@ -198,9 +198,9 @@ def _reduce(self):
 
 
 class Record:
-    """A result that comes out of a pickle, or of a copy: the same names and numbers, without methods.
+    """A result restored from a pickle or a copy: the same names and numbers, without methods.
 
-    Made by pickle and copy alone. A record equals the result that it was made of.
+    Made only by pickle and copy. A record equals the original result.
     """
 
     def __init__(self, kind: str, values: dict) -> None:
@@ -229,7 +229,7 @@ class Record:
 
 
 def _attach():
-    """Gives the classes of the compiled module what they have not of their own."""
+    """Adds the common methods to the classes of the compiled module."""
     for type_ in _classes:
         own = vars(type_)
         if type_.__repr__ is object.__repr__:

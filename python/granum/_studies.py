@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Studies: scenes, and what is found in them."""
+"""Studies: scenes and their results."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ._granum import _text_in_si, _verify
 
 
 def _text(name, value, numbers_in_si):
-    """A value of a key as the text that --set takes."""
+    """A value of a key as text for --set."""
     if isinstance(value, str):
         return value
     if isinstance(value, (list, tuple)) or hasattr(value, "tolist") and getattr(value, "ndim", 0):
@@ -44,7 +44,7 @@ def _scene(scene):
 
 
 class _Bar:
-    """A bar of tqdm, as far as a study has come."""
+    """A progress bar of tqdm for a study."""
 
     def __init__(self, tqdm):
         self.bar = tqdm(total=100, unit="%", leave=False)
@@ -55,18 +55,18 @@ class _Bar:
 
 
 def verify(scene=None, *, progress=None):
-    """Closed form, contact network and DEM probe side by side: what the command granum verify runs.
+    """Compares closed form, contact network and DEM probe, as the command granum verify.
 
-    Same scene, same bits, on any number of threads. Ctrl-C stops within a second; the KeyboardInterrupt then has
-    what is finished as its attribute study.
+    The same scene gives bitwise identical results, on any number of threads. Ctrl-C stops within a second; the
+    KeyboardInterrupt then has the finished part as its attribute study.
 
     Parameters
     ----------
     scene : dict or path_like, optional
         Sections and keys of a scene, {"study": {"grains": 300}} or {"study.grains": 300}: numbers in SI, or texts
-        with units, "0.5mm". Or the path of a scene file, TOML. Without it the paper's six specimens.
+        with units, "0.5mm". Or the path of a scene file, TOML. Default: the six specimens of Chung et al. 2014.
     progress : callable or "tqdm", optional
-        Called as progress(done, what) now and then, with the share of the work that is done.
+        Called periodically as progress(done, what), with the finished share of the work.
 
     Returns
     -------
@@ -75,7 +75,7 @@ def verify(scene=None, *, progress=None):
     Raises
     ------
     InvalidArgument
-        For a scene that no study can have, or a key that would be ignored.
+        For an impossible scene, or a key without effect.
 
     Notes
     -----

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A scene of YADE, handed over in memory."""
+"""A scene of YADE, transferred in memory."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _WALLS = ("Wall", "Facet", "Box")
 
 
 def _numbers(shape_names, scene):
-    """Ids of the bodies of some shapes, in their order."""
+    """Ids of the bodies of some shapes, in order."""
     return [b.id for b in scene.bodies if b is not None and b.shape.__class__.__name__ in shape_names]
 
 
@@ -29,7 +29,7 @@ def _contacts(scene, spheres, walls):
             first, second, turn = second, first, -1
         if first not in index or not (second in index or second in walls):
             raise ValueError(
-                f"bodies {i.id1} and {i.id2} are in contact, and are no spheres and walls: "
+                f"bodies {i.id1} and {i.id2} are in contact, but are not spheres or walls: "
                 "granum takes spheres, and Wall, Facet and Box as walls"
             )
         wall = second not in index
@@ -46,7 +46,7 @@ def _contacts(scene, spheres, walls):
 
 
 def from_yade(scene):
-    """The packing in YADE's memory, in a script or console that runs inside YADE.
+    """The packing in the memory of YADE, for scripts and consoles inside YADE.
 
     Spheres are the grains, in the order of their ids. Wall, Facet and Box are walls, numbered by their ids. Forces
     are those on the second body of a pair; kn and ks are the tangent stiffnesses at this state.
@@ -65,7 +65,7 @@ def from_yade(scene):
     ValueError
         For contacts of bodies that are neither spheres nor walls.
     InvalidArgument
-        For what no packing can have, as packing().
+        As packing().
 
     Notes
     -----

@@ -63,11 +63,11 @@ py::array_t<double> numbers_of(const char* name, const py::handle& value) {
   const py::array any = py::array::ensure(value);
   if (!any) {
     PyErr_Clear();
-    refuse_type(name, " is no array of numbers");
+    refuse_type(name, " is not an array of numbers");
   }
   const char kind = any.dtype().kind();
   if (kind != 'f' && kind != 'i' && kind != 'u')
-    refuse_type(name, " is no array of real numbers, in SI, but of " + std::string(py::str(any.dtype())));
+    refuse_type(name, " is not an array of real numbers, in SI, but of " + std::string(py::str(any.dtype())));
   return py::array_t<double>(any);
 }
 

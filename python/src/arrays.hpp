@@ -17,7 +17,7 @@ namespace granum::python {
 
 namespace py = pybind11;
 
-/// The array, closed to writing: what it shows belongs to a result.
+/// The array, read-only: its memory belongs to a result.
 [[nodiscard]] py::array read_only(py::array array);
 
 /// A view of numbers that lie `stride` bytes apart; `owner` keeps them alive.
@@ -53,12 +53,11 @@ template <class Element>
 [[nodiscard]] py::array array_of(const std::vector<Vec3>& vectors);
 [[nodiscard]] py::array array_of(const elastic::Matrix6& matrix);
 
-/// A numpy array of float64 with these numbers, whatever real numbers they were; None and other objects are
-/// refused.
-/// \throws   TypeError naming the argument for a masked array and for what is no array of real numbers
+/// A numpy array of float64 from any real numbers; None and other objects are refused.
+/// \throws   TypeError naming the argument for a masked array and for anything but an array of real numbers
 [[nodiscard]] py::array_t<double> numbers_of(const char* name, const py::handle& value);
 
-/// The same, laid out in rows one after the other.
+/// The same, contiguous by rows.
 /// \param    columns   numbers in a row; 0 for a plain list
 /// \throws   InvalidArgument naming the argument for another shape; TypeError as numbers_of
 [[nodiscard]] py::array_t<double> table_of(const char* name, const py::handle& value, py::ssize_t columns);
@@ -70,7 +69,7 @@ template <class Element>
 [[nodiscard]] Mat3 matrix_of(const char* name, const py::handle& value);
 [[nodiscard]] elastic::VoigtStiffness stiffness_of(const char* name, const py::handle& value);
 /// One number.
-/// \throws   TypeError naming the argument for what is none
+/// \throws   TypeError naming the argument for anything but a number
 [[nodiscard]] double number_of(const char* name, const py::handle& value);
 
 /// "(3, 6)"

@@ -28,14 +28,14 @@ bool share_memory(const py::array& a, const py::array& b) {
   return py::module_::import("numpy").attr("may_share_memory")(a, b).cast<bool>();
 }
 
-/// A column of the batch: a number, or an array of the shape of the results laid out in rows.
+/// A column of the batch: a number, or an array of the shape of the results, contiguous by rows.
 class BatchColumn {
  public:
   BatchColumn(const char* name, const py::handle& value) : array_(numbers_of(name, value)) {}
 
   [[nodiscard]] const py::array& array() const { return array_; }
   [[nodiscard]] bool varies() const { return array_.ndim() > 0; }
-  /// Leaves the memory of an array that is about to be written: rows may be asked for twice.
+  /// Copies an array whose memory is about to be written, because rows may be read twice.
   void leave(const py::array& written) {
     if (varies() && share_memory(array_, written))
       array_ = array_.attr("copy")();
@@ -56,9 +56,9 @@ class BatchColumn {
   py::array_t<double> array_;
 };
 
-/// An array of the caller's for results of a shape.
-/// \throws   TypeError for what is no array of float64 that can be written, row after row;
-///           InvalidArgument for another shape
+/// An array of the caller for results of a shape.
+/// \throws   TypeError unless it is a writable, contiguous array of float64; InvalidArgument for another
+///           shape
 py::array_t<double> array_to_write(const py::handle& value, const std::vector<py::ssize_t>& shape) {
   const bool plain = Py_TYPE(value.ptr()) == py::detail::npy_api::get().PyArray_Type_;
   if (!plain || !py::array_t<double>::check_(value))
@@ -73,7 +73,7 @@ py::array_t<double> array_to_write(const py::handle& value, const std::vector<py
   return py::reinterpret_borrow<py::array_t<double>>(value);
 }
 
-/// The rows of a batch, and what was said of those that were refused.
+/// The rows of a batch, and the messages of refused rows.
 class Batch {
  public:
   explicit Batch(const Arguments& a)
@@ -104,7 +104,7 @@ class Batch {
     const effective::BatchReport report = solve(0, rows_);
     if (report.failed == report.errors.size()) {
       take_errors(report, 0);
-    } else { // more than one report holds: in pieces that no report can be too short for
+    } else { // more than fit in one report: in pieces small enough for a report
       for (std::size_t first = 0; first < rows_; first += effective::BatchReport::most_errors)
         take_errors(solve(first, std::min(rows_ - first, effective::BatchReport::most_errors)), first);
     }
@@ -189,7 +189,7 @@ void bind_batch(py::module_& module) {
                   std::string() +
                       R"(K and G under uniform strain of many isotropic packings at isotropic stress, rung 0.
 
-The fast way for large arrays: within 1e-14 of answer(rung=0).
+Fast for large arrays; equal to answer(rung=0) within 1e-14.
 
 Parameters
 ----------
@@ -210,20 +210,20 @@ contact_means : ContactMeans, optional
 strict : bool
     Raise at the first element that is refused, instead of NaN and a message in `errors`.
 out : (2,) sequence of ndarray, optional
-    Where K and G are put, arrays of float64 of the results' shape, row after row; without it new ones, whose
-    memory takes longer than the numbers. May be arrays of the arguments.
+    Arrays for K and G, of float64, contiguous, of the shape of the results; may be arrays of the arguments.
+    Default: new arrays, whose allocation takes longer than the calculation.
 
 Returns
 -------
 Moduli
-    Its arrays are those of out, if that was given.
+    Its arrays are those of out, if given.
 
 Raises
 ------
 InvalidArgument
-    For numbers that no packing can have; arrays: under strict. For an out of another shape.
+    For impossible numbers (with arrays only under strict), or an out of another shape.
 TypeError
-    For an out that is no two arrays of float64 that can be written.
+    Unless out is two writable arrays of float64.
 )" +
                       notes("K = C_n k_n/(6 pi R (1+e)) at the mean contact force, G = 3 (2 + 3 k_t/k_n)/10 "
                             "K. [Walton1987]",

@@ -3,7 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-/// The module: one function a module of the library, each in the source of that name.
+/// The Python module: one function per module of the library, each in the source of that name.
 namespace granum::python {
 
 namespace py = pybind11;

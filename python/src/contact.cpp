@@ -31,7 +31,7 @@ contact::GrainMaterial grain_of(const Arguments& a) {
   return {number_of("shear_modulus", a[0]), number_of("poisson_ratio", a[1])};
 }
 
-/// A function of one number, for every element of an array; the first that is refused raises.
+/// Applies a function of one number to every element of an array; the first refused element raises.
 template <class F>
 py::object map(const char* name, const py::handle& value, const F& f) {
   const Argument arguments[] = {{name, value}};
@@ -50,11 +50,11 @@ void add_method(py::class_<NormalLaw>& type, const char* name, Of of, const char
       py::arg(argument), documentation);
 }
 
-/// What the power family alone has.
+/// A property of the power family only.
 const PowerLaw& power_law(const NormalLaw& law) {
   if (const PowerLaw* power = law.power_law())
     return *power;
-  throw InvalidArgument(law.text() + " is none of the power family, f = c d^(1+1/alpha)");
+  throw InvalidArgument(law.text() + " is not of the power family, f = c d^(1+1/alpha)");
 }
 
 template <class Value>
@@ -64,7 +64,7 @@ void add_of_power_law(py::class_<NormalLaw>& type, const char* name, Value (Powe
       name, [of](const NormalLaw& law) { return (power_law(law).*of)(); }, documentation);
 }
 
-/// Everything that a law follows from.
+/// All numbers that define a law.
 py::tuple state_of(const NormalLaw& law) {
   return py::make_tuple(law.kind(), law.grain().shear_modulus, law.grain().poisson_ratio,
                         py::tuple(py::cast(law.numbers())));
@@ -80,9 +80,9 @@ void bind_normal_law(py::module_& module) {
   py::class_<NormalLaw> law(module, "NormalLaw",
                             R"(Normal contact of two equal elastic grains.
 
-Made by sphere, cone, flat_punch, power_law, rough_sphere and, whatever the law, contact_law. The overlap d
-is the full approach of two grain centres; compression is positive. Methods take numbers or arrays. What
-only the power family f = c d^(1+1/alpha) has raises InvalidArgument for another law.)");
+Made by sphere, cone, flat_punch, power_law, rough_sphere, or contact_law for any law by name. The overlap d
+is the full approach of two grain centres; compression is positive. Methods take numbers or arrays.
+Properties of the power family f = c d^(1+1/alpha) raise InvalidArgument for another law.)");
   add_of_power_law(law, "alpha", &PowerLaw::alpha,
                    "Exponent of the profile z = A r^alpha [1]; inf: flat punch.");
   add_of_power_law(law, "coefficient", &PowerLaw::coefficient,
@@ -102,7 +102,7 @@ only the power family f = c d^(1+1/alpha) has raises InvalidArgument for another
           "K_s of the grains [Pa]; the largest number for nu_g = 0.5.")
       .def(
           "times", [](const NormalLaw& l, double factor) { return NormalLaw(power_law(l).times(factor)); },
-          py::arg("factor"), "The power law of another coefficient, c times a factor [1].")
+          py::arg("factor"), "The power law with the coefficient c times a factor [1].")
       .def("__repr__", &NormalLaw::text)
       .def(
           "__eq__", [](const NormalLaw& a, const NormalLaw& b) { return a == b; }, py::is_operator())
@@ -148,10 +148,10 @@ NormalLaw
 Raises
 ------
 InvalidArgument
-    For a number that no grain can have.
+    For an impossible number.
 )";
 
-/// The law; what it refuses of the grains has the name that was typed.
+/// The law; errors about the grains contain the typed name.
 NormalLaw made_of(const Arguments& a, const contact::LawRow& row, double radius,
                   const std::vector<double>& values) {
   try {
@@ -163,7 +163,7 @@ NormalLaw made_of(const Arguments& a, const contact::LawRow& row, double radius,
   }
 }
 
-/// The function that makes a law of the table, whose numbers it takes by their names.
+/// The function that makes a law of the table, with the numbers of the law as keywords.
 void define_maker(py::module_& module, const contact::LawRow& row) {
   std::vector<Keyword> keywords{{"shear_modulus"}, {"poisson_ratio"}};
   std::string numbers;
@@ -228,17 +228,17 @@ void define_contact_law(py::module_& module) {
       py::arg("poisson_ratio") = py::none(), py::arg("radius") = py::none(),
       py::arg("bulk_modulus") = py::none(),
       ("Contact law of two equal grains, by its name.\n\nParameters\n----------\nshape : str\n    One of " +
-       contact::shape_names() + R"(, as the options and scenes of the program name them.
+       contact::shape_names() + R"(, as in options and scenes of the program.
 shear_modulus : float
     G_g > 0 of the grains' material [Pa].
 poisson_ratio : float, optional
     nu_g of it, -1 < nu_g <= 0.5 [1]; or bulk_modulus.
 radius : float, optional
-    R > 0 of each grain [m], of laws that depend on it.
+    R > 0 of each grain [m], for laws that depend on it.
 bulk_modulus : float, optional
-    K > 0 of the grains' material [Pa], in the place of Poisson's ratio.
+    K > 0 of the grains' material [Pa], instead of Poisson's ratio.
 **kwargs : float
-    What the law is made of, each in SI [unit]:
+    Parameters of the law, in SI [unit]:
 )" + known +
        law_result + notes("", "contact::law_of", "contact/laws.hpp"))
           .c_str());
@@ -246,7 +246,7 @@ bulk_modulus : float, optional
 
 void bind_minerals(py::module_& module) {
   using contact::Mineral;
-  py::class_<Mineral>(module, "Mineral", "A solid that grains are often made of.")
+  py::class_<Mineral>(module, "Mineral", "A common material of grains.")
       .def_readonly("key", &Mineral::key, "Its name on a command line.")
       .def_readonly("name", &Mineral::name, "For people.")
       .def_readonly("source", &Mineral::source, "Key in validation/references.bib.")
@@ -258,7 +258,7 @@ void bind_minerals(py::module_& module) {
           "bulk_modulus", [](const Mineral& m) { return contact::bulk_modulus(m.material); }, "K_s [Pa].")
       .def_readonly("density", &Mineral::density, "[kg/m3]")
       .def_readonly("modulus_spread", &Mineral::modulus_spread,
-                    "How far pieces of that name differ in G_g, over G_g [1]: a judgement.");
+                    "Estimated relative scatter of G_g between samples of this mineral [1].");
   module.def(
       "minerals",
       [] {
@@ -267,13 +267,13 @@ void bind_minerals(py::module_& module) {
           all[mineral.key] = py::cast(&mineral, py::return_value_policy::reference);
         return all;
       },
-      (R"(Solids that grains are often made of, as options of the program name them.
+      (R"(Common materials of grains, with their names in the program.
 
 Returns
 -------
 dict of Mineral
     By their keys: quartz, feldspar, calcite, dolomite, glass, steel.
-)" + notes("Of minerals the averages over all directions of a crystal. [Mavko2009] [Makse2004] "
+)" + notes("For minerals, averages over all directions of a crystal. [Mavko2009] [Makse2004] "
            "[BudynasNisbett2011]",
            "contact::minerals", "contact/minerals.hpp"))
           .c_str());
@@ -307,7 +307,7 @@ float or ndarray
        notes("[Mindlin1949]", "contact::mindlin_stiffness_ratio", "contact/power_law.hpp"))
           .c_str());
   module.def("pair_radius", &contact::pair_radius, py::kw_only(), py::arg("radius_i"), py::arg("radius_j"),
-             (R"(Radius of the two equal spheres that touch as two unequal ones do, 2 R*.
+             (R"(Radius 2 R* of two equal spheres with the same contact law as two unequal ones.
 
 Parameters
 ----------

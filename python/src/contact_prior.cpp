@@ -84,67 +84,68 @@ py::object carried_contacts(const Arguments& a) {
 
 void bind_contact_prior(py::module_& module) {
   py::class_<ContactCounts>(module, "ContactCounts",
-                            "Contacts that bear load, and the grains that bear none.")
+                            "Number of load-bearing contacts, and share of grains without load.")
       .def_readonly("mechanical_coordination_number", &ContactCounts::mechanical_coordination_number,
                     "z* [1].")
       .def_readonly("rattler_fraction", &ContactCounts::rattler_fraction, "x_0 [1].")
       .def_property_readonly("coordination_number", &ContactCounts::coordination_number,
                              "C_n, over all grains [1].");
-  py::class_<ContactPrior>(module, "ContactPrior", "How many contacts a packing may have.")
+  py::class_<ContactPrior>(module, "ContactPrior", "Possible contact numbers of a packing.")
       .def_readonly("loosest", &ContactPrior::loosest, "The fewest.")
       .def_readonly("middle", &ContactPrior::middle, "Half way, by z*.")
       .def_readonly("densest", &ContactPrior::densest, "The most.")
       .def_readonly("coordination_error", &ContactPrior::coordination_error,
-                    "Standard deviation of z* of packings about each [1].")
-      .def_readonly("rattler_error", &ContactPrior::rattler_error, "That of ln x_0 [1].")
+                    "Standard deviation of z* about each of the three [1].")
+      .def_readonly("rattler_error", &ContactPrior::rattler_error, "Standard deviation of ln x_0 [1].")
       .def_readonly("relative_overlap", &ContactPrior::relative_overlap,
-                    "Overlap of the mean force over the diameter [1].")
+                    "Overlap at the mean force over the diameter [1].")
       .def_property_readonly(
           "notes", [](const ContactPrior& prior) { return prior.validity.notes; },
           "Remarks on numbers outside the range of a formula, a sentence each.");
-  define(
-      module,
-      {"contact_prior", and_keywords(grains_keywords, {{"preparation", "None"}}), &contact_prior,
-       std::string("How many contacts a packing may have of which only void ratio and stress are known.\n") +
-           grains_parameters + R"(preparation : str, optional
+  define(module,
+         {"contact_prior", and_keywords(grains_keywords, {{"preparation", "None"}}), &contact_prior,
+          std::string("Possible contact numbers of a packing if only void ratio and stress are known.\n") +
+              grains_parameters + R"(preparation : str, optional
     "dense", "loose", or "friction:0.3", a friction coefficient; without it unknown.
 
 Returns
 -------
 ContactPrior
-)" + raises_invalid("For numbers that no packing can have, or another preparation.") +
-           notes("Calibrated on granum's own packings of all recipes, with the scatter that they have: "
-                 "validation/contact_prior.",
-                 "effective::contact_prior", "effective/contact_prior.hpp")});
+)" + raises_invalid("For impossible numbers, or another preparation.") +
+              notes("Calibrated on granum's own packings of all recipes, with their scatter: "
+                    "validation/contact_prior.",
+                    "effective::contact_prior", "effective/contact_prior.hpp")});
   using effective::CarriedContacts;
   py::class_<CarriedContacts>(module, "CarriedContacts",
                               "A packing with known contacts at another mean stress.")
-      .def_readonly("counts", &CarriedContacts::counts, "Contacts there.")
+      .def_readonly("counts", &CarriedContacts::counts, "Contacts at that stress.")
       .def_readonly("void_ratio", &CarriedContacts::void_ratio, "[1]")
       .def_readonly("coordination_error", &CarriedContacts::coordination_error,
-                    "Standard deviation of z* that carrying it adds [1].")
+                    "Standard deviation of z* due to the change of stress [1].")
       .def_property_readonly(
           "notes", [](const CarriedContacts& carried) { return carried.validity.notes; },
           "Remarks on numbers outside the range of a formula, a sentence each.");
-  define(module, {"carried_contacts",
-                  and_keywords(grains_keywords,
-                               {{"mechanical_coordination_number"}, {"rattler_fraction"}, {"to_pressure"}}),
-                  &carried_contacts,
-                  std::string("How z* and rattlers of a packing, known at one pressure, are at another.\n") +
-                      grains_parameters + R"(mechanical_coordination_number : float
+  define(
+      module,
+      {"carried_contacts",
+       and_keywords(grains_keywords,
+                    {{"mechanical_coordination_number"}, {"rattler_fraction"}, {"to_pressure"}}),
+       &carried_contacts,
+       std::string("z* and rattlers of a packing at another pressure than the one where they are known.\n") +
+           grains_parameters + R"(mechanical_coordination_number : float
     z* at that pressure [1].
 rattler_fraction : float
     x_0 there, in [0, 1) [1].
 to_pressure : float
-    To carry them to [Pa].
+    The other pressure [Pa].
 
 Returns
 -------
 CarriedContacts
-)" + raises_invalid("For numbers that no packing can have.") +
-                      notes("As contacts close in granum's own packings while they are compressed: "
-                            "validation/contact_prior.",
-                            "effective::carried_contacts", "effective/contact_prior.hpp")});
+)" + raises_invalid("For impossible numbers.") +
+           notes("Calibrated on the contacts that form in granum's own packings during compression: "
+                 "validation/contact_prior.",
+                 "effective::carried_contacts", "effective/contact_prior.hpp")});
 }
 
 } // namespace granum::python

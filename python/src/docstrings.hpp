@@ -7,7 +7,7 @@
 namespace granum::python {
 
 /// The section Notes, the last one: remarks with the keys of their sources in validation/references.bib, and
-/// what of the library is called.
+/// the called function of the library.
 /// \param    remarks    may be empty
 /// \param    function   "effective::uniform_strain"
 /// \param    header     "effective/uniform_field.hpp"
@@ -17,7 +17,7 @@ namespace granum::python {
          " of granum/" + header + ".\n";
 }
 
-/// The section Raises of functions whose arguments can be refused.
+/// The section Raises of functions that may refuse arguments.
 [[nodiscard]] inline std::string raises_invalid(const std::string& when) {
   return "\nRaises\n------\nInvalidArgument\n    " + when + "\n";
 }

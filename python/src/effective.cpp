@@ -77,11 +77,11 @@ std::string text_of(const Stiffnesses& rows) {
 }
 
 void bind_estimate(py::module_& module) {
-  result_class<StiffnessRow>(module, "_StiffnessRows", "What all estimates have.");
+  result_class<StiffnessRow>(module, "_StiffnessRows", "Members of all estimates.");
   py::class_<Stiffnesses, Rows<StiffnessRow>> type(module, "Estimate",
                                                    R"(Stiffness of packings, symmetric about axis 3.
 
-Numbers of a call with numbers, arrays of the broadcast shape of a call with arrays.)");
+Members are floats if all arguments are numbers, and arrays of the broadcast shape if any is an array.)");
   constexpr std::size_t c = offsetof(StiffnessRow, stiffness);
   const std::pair<const char*, std::size_t> constants[] = {
       {"C11", c + offsetof(TransverselyIsotropic, C11)}, {"C33", c + offsetof(TransverselyIsotropic, C33)},
@@ -101,11 +101,11 @@ Numbers of a call with numbers, arrays of the broadcast shape of a call with arr
   show(
       type, "E_v",
       [](const TransverselyIsotropic& s) { return young_modulus(s, Loading::vertical).value_or(nan); },
-      "Young's modulus of vertical loading [Pa]; NaN where the stiffness has none.");
+      "Young's modulus of vertical loading [Pa]; NaN if it does not exist.");
   show(
       type, "E_h",
       [](const TransverselyIsotropic& s) { return young_modulus(s, Loading::horizontal).value_or(nan); },
-      "Young's modulus of horizontal loading [Pa]; NaN where the stiffness has none.");
+      "Young's modulus of horizontal loading [Pa]; NaN if it does not exist.");
   show(
       type, "nu_vh",
       [](const TransverselyIsotropic& s) { return where_stable(s, &TransverselyIsotropic::nu_vh); },
@@ -125,10 +125,10 @@ Numbers of a call with numbers, arrays of the broadcast shape of a call with arr
       [](const py::object& result) -> py::object {
         return result.cast<const Stiffnesses&>().has_error ? py::cast(ErrorView{result}) : py::none();
       },
-      "Standard errors of the moduli over the moduli, where the estimate states them; else None.");
+      "Relative standard errors of the moduli, if the estimate states them; else None.");
   type.def("__repr__", &text_of);
 
-  py::class_<ErrorView> errors(module, "ModulusErrors", "Standard errors of moduli, over the moduli [1].");
+  py::class_<ErrorView> errors(module, "ModulusErrors", "Relative standard errors of moduli [1].");
   constexpr std::size_t e = offsetof(StiffnessRow, error);
   const std::pair<const char*, std::size_t> moduli[] = {
       {"bulk_modulus", e + offsetof(effective::ModulusErrors, bulk_modulus)},
@@ -137,7 +137,7 @@ Numbers of a call with numbers, arrays of the broadcast shape of a call with arr
   for (const auto& [name, offset] : moduli)
     errors.def_property_readonly(
         name, [offset = offset](const ErrorView& view) { return number(view.result, offset); },
-        "Standard error over the modulus [1].");
+        "Relative standard error [1].");
 }
 
 // ---- closed forms
@@ -184,7 +184,7 @@ Estimate
 Raises
 ------
 InvalidArgument
-    For numbers that no packing can have; arrays: under strict.
+    For impossible numbers; with arrays only under strict.
 )" + source;
 }
 
@@ -193,7 +193,7 @@ std::string of_field(const char* remarks, const char* function) {
 }
 
 std::string of_kinematic_field(const char* function) {
-  return notes("Tangential forces too are those of the strain. [NorrisJohnson1997] [JenkinsStrack1993]",
+  return notes("Tangential forces follow from the strain, too. [NorrisJohnson1997] [JenkinsStrack1993]",
                std::string("effective::") + function, "effective/kinematic_field.hpp");
 }
 
@@ -209,7 +209,7 @@ void bind_closed_forms(py::module_& module) {
                                  "with fabric or unequal stresses. [ChangLiao1994]",
                                  "free_spin"))});
   define(module, {"uniform_stress", state_keywords(), field<effective::uniform_stress>,
-                  documentation("Stiffness if all contacts bear the forces of the mean stress.",
+                  documentation("Stiffness if all contacts carry the forces of the mean stress.",
                                 of_field("[ChangLiao1994] [Chang1995]", "uniform_stress"))});
   define(module, {"uniform_strain_kinematic", state_keywords(), field<effective::uniform_strain_kinematic>,
                   documentation("Uniform strain with the contact forces of a uniform strain.",
@@ -222,20 +222,21 @@ void bind_closed_forms(py::module_& module) {
           [](const Arguments& a) {
             return ask(effective::rung(effective::RungName::relaxed), StateArguments(a));
           },
-          documentation("Uniform strain, relaxed as contact networks of this z* do: rung 3, with its "
+          documentation("Rung 3: uniform strain times relaxation factors of contact networks, with its "
                         "standard errors.\n\nNeeds mechanical_coordination_number or rattler_fraction.",
                         notes("The factors were calibrated on contact networks of granum's own packings: "
                               "validation/relaxation. z* as [AgnolinRoux2007a].",
                               "effective::relaxed", "effective/relaxation.hpp"))});
-  define(module,
-         {"answer", state_keywords({{"rung"}}),
-          [](const Arguments& a) { return ask(closed_form_of(a[state_keyword_count]), StateArguments(a)); },
-          documentation("What a rung says of packings, by its number or name.",
-                        notes("The table of rungs, see rungs(), says what each of them needs and where its "
-                              "errors come from.",
-                              "effective::answer", "effective/rungs.hpp"),
-                        "rung : int or str\n    0 to 3, or isotropic, fabric, directional, relaxed, "
-                        "uniform_stress.\n")});
+  define(
+      module,
+      {"answer", state_keywords({{"rung"}}),
+       [](const Arguments& a) { return ask(closed_form_of(a[state_keyword_count]), StateArguments(a)); },
+       documentation("Evaluates a rung, given by its number or name.",
+                     notes("The table of rungs, see rungs(), lists the inputs of each and the source of its "
+                           "errors.",
+                           "effective::answer", "effective/rungs.hpp"),
+                     "rung : int or str\n    0 to 3, or isotropic, fabric, directional, relaxed, "
+                     "uniform_stress.\n")});
 }
 
 // ---- the table of rungs
@@ -243,13 +244,13 @@ void bind_closed_forms(py::module_& module) {
 void bind_rungs(py::module_& module) {
   using effective::Rung;
   py::class_<Rung>(module, "Rung", "A row of the table of rungs.")
-      .def_readonly("number", &Rung::number, "On the ladder; None beside it.")
+      .def_readonly("number", &Rung::number, "Number on the ladder; None if not on it.")
       .def_readonly("key", &Rung::key, "Its name on a command line.")
-      .def_readonly("title", &Rung::title, "In a few words.")
-      .def_readonly("description", &Rung::description, "In more words.")
-      .def_readonly("needs", &Rung::needs, "Beyond contact law, C_n, e and the mean stress.")
-      .def_readonly("typical_time", &Rung::typical_time, "Of one evaluation [s].")
-      .def_readonly("error_source", &Rung::error_source, "Where its stated errors come from.")
+      .def_readonly("title", &Rung::title, "Short description.")
+      .def_readonly("description", &Rung::description, "Full description.")
+      .def_readonly("needs", &Rung::needs, "Inputs besides contact law, C_n, e and the mean stress.")
+      .def_readonly("typical_time", &Rung::typical_time, "Time of one evaluation [s].")
+      .def_readonly("error_source", &Rung::error_source, "Source of its stated errors.")
       .def("__repr__",
            [](const Rung& rung) { return "<" + effective::label(rung) + ": " + rung.title + ">"; });
   module.def(
@@ -260,7 +261,7 @@ void bind_rungs(py::module_& module) {
           all.append(py::cast(&rung, py::return_value_policy::reference));
         return all;
       },
-      (R"(All rungs of the ladder, from the cheapest to the dearest, and the bounds beside it.
+      (R"(All rungs of the ladder, from the cheapest to the most expensive, and uniform stress.
 
 Returns
 -------

@@ -46,7 +46,7 @@ void bind_symmetry(py::module_& module) {
       .def_readonly("C66", &EngineeringModuli::C66, "[Pa]");
   using elastic::SymmetryDistances;
   py::class_<SymmetryDistances>(module, "SymmetryDistances",
-                                "How far a stiffness is from classes of symmetry.")
+                                "Distances of a stiffness from classes of symmetry.")
       .def_readonly("isotropic", &SymmetryDistances::isotropic, "[1]")
       .def_readonly("cubic", &SymmetryDistances::cubic, "[1]")
       .def_readonly("transversely_isotropic", &SymmetryDistances::transversely_isotropic, "[1]")
@@ -58,18 +58,18 @@ void bind_symmetry(py::module_& module) {
 Returns
 -------
 EngineeringModuli
-    E is 0 along an axis where a packing gives way without stress.
+    E is 0 along an axis with a zero-energy deformation.
 )" + raises_invalid("For another shape, or an entry that is not finite.") +
        notes("", "elastic::engineering_moduli", "elastic/engineering_moduli.hpp"))
           .c_str());
   module.def(
       "symmetry_distances", [](const py::object& c) { return elastic::symmetry_distances(stiffness(c)); },
       py::arg("stiffness"),
-      (std::string("How far a stiffness is from classes of symmetry.\n") + stiffness_parameter + R"(
+      (std::string("Distances of a stiffness from classes of symmetry.\n") + stiffness_parameter + R"(
 Returns
 -------
 SymmetryDistances
-    Of the norm of the stiffness [1].
+    Distances relative to the norm of the stiffness [1].
 )" + raises_invalid("For another shape, a stiffness of zero, or an entry that is not finite.") +
        notes("[Moakher2006]", "elastic::symmetry_distances", "elastic/symmetry.hpp"))
           .c_str());
@@ -79,8 +79,7 @@ SymmetryDistances
         return array_of(elastic::rotate(stiffness(c), matrix_of("rotation", rotation)).matrix);
       },
       py::arg("stiffness"), py::kw_only(), py::arg("rotation"),
-      (std::string("The stiffness of a material after it was turned, in unchanged axes.\n") +
-       stiffness_parameter +
+      (std::string("The stiffness of a rotated material, in unchanged axes.\n") + stiffness_parameter +
        R"(rotation : (3, 3) array_like
     An orthogonal matrix of determinant 1 [1].
 
@@ -88,7 +87,7 @@ Returns
 -------
 (6, 6) ndarray
     Voigt matrix [Pa].
-)" + raises_invalid("For other shapes, or a matrix that is no rotation.") +
+)" + raises_invalid("For other shapes, or a matrix that is not a rotation.") +
        notes("[Mehrabadi1990]", "elastic::rotate", "elastic/mandel.hpp"))
           .c_str());
 }
@@ -119,7 +118,7 @@ void bind_projections(py::module_& module) {
   module.def(
       "isotropic", [](double bulk, double shear) { return Isotropic::from_bulk_and_shear(bulk, shear); },
       py::kw_only(), py::arg("bulk_modulus"), py::arg("shear_modulus"),
-      (R"(The isotropic solid of two moduli.
+      (R"(The isotropic solid with these two moduli.
 
 Parameters
 ----------
@@ -137,11 +136,11 @@ Isotropic
   module.def(
       "isotropic_projection", [](const py::object& c) { return elastic::isotropic_projection(stiffness(c)); },
       py::arg("stiffness"),
-      (std::string("The isotropic solid that is nearest to a stiffness.\n") + stiffness_parameter + R"(
+      (std::string("The isotropic solid nearest to a stiffness.\n") + stiffness_parameter + R"(
 Returns
 -------
 Isotropic
-)" + raises_invalid("For another shape, or unless both moduli come out positive and finite.") +
+)" + raises_invalid("For another shape, or if a resulting modulus is not positive and finite.") +
        notes("Nearest in the norm that no rotation changes. [Moakher2006]", "elastic::isotropic_projection",
              "elastic/projection.hpp"))
           .c_str());
@@ -153,16 +152,15 @@ Isotropic
         return constants(elastic::transversely_isotropic_projection(stiffness(c), vector_of("axis", axis)));
       },
       py::arg("stiffness"), py::kw_only(), py::arg("axis") = py::none(),
-      (std::string("The stiffness with one axis of symmetry that is nearest to a stiffness.\n") +
-       stiffness_parameter +
+      (std::string("The transversely isotropic stiffness nearest to a stiffness.\n") + stiffness_parameter +
        R"(axis : (3,) array_like, optional
-    Of symmetry, of any length [1]; without it axis 3.
+    Axis of symmetry, of any length [1]; default: axis 3.
 
 Returns
 -------
 Estimate
-    In axes whose third is that of symmetry.
-)" + raises_invalid("For other shapes, or an axis of no length.") +
+    In axes with the axis of symmetry as the third.
+)" + raises_invalid("For other shapes, or an axis of zero length.") +
        notes("Nearest in the norm that no rotation changes. [Moakher2006]",
              "elastic::transversely_isotropic_projection", "elastic/projection.hpp"))
           .c_str());
@@ -243,7 +241,7 @@ void bind_waves(py::module_& module) {
        R"(bulk_density : float
     Mass per volume, > 0 [kg/m3].
 direction : (..., 3) array_like
-    Of the waves, vectors of any length but 0 [1].
+    Directions of propagation, vectors of any non-zero length [1].
 
 Returns
 -------
@@ -272,7 +270,7 @@ grain_density : float
 void_ratio : float
     e >= 0 [1].
 pore_density : float
-    Of what fills the pores, >= 0 [kg/m3].
+    Density of the pore fluid, >= 0 [kg/m3].
 
 Returns
 -------
@@ -316,36 +314,36 @@ void bind_saturation(py::module_& module) {
       },
       py::arg("stiffness"), py::kw_only(), py::arg("grain_bulk_modulus"), py::arg("fluid_bulk_modulus"),
       py::arg("void_ratio"),
-      (std::string("Undrained stiffness of a packing whose pores are filled, by Gassmann.\n") +
+      (std::string("Undrained stiffness of a packing with saturated pores, by Gassmann.\n") +
        stiffness_parameter + R"(grain_bulk_modulus : float
     K_s > 0 of the grains' solid [Pa]; bulk_modulus of a law or a mineral.
 fluid_bulk_modulus : float
-    K_f > 0 of what fills the pores [Pa].
+    K_f > 0 of the pore fluid [Pa].
 void_ratio : float
     e > 0 [1].
 
 Returns
 -------
 Estimate
-    Of the stiffness, made symmetric about axis 3, with full pores.
+    Stiffness with saturated pores, symmetrised about axis 3.
 )" + raises_invalid("For another shape, or a number out of range.") +
-       notes("One solid, connected pores; shear moduli stay. [Gassmann1951] [Mavko2009]",
+       notes("One solid, connected pores; shear moduli do not change. [Gassmann1951] [Mavko2009]",
              "elastic::saturated", "elastic/saturation.hpp"))
           .c_str());
   module.def("water_and_air_bulk_modulus", &elastic::water_and_air_bulk_modulus, py::arg("saturation"),
-             (R"(Bulk modulus of water and air mixed finely, as in the pores of moist ground.
+             (R"(Bulk modulus of a fine mixture of water and air, as in moist ground.
 
 Parameters
 ----------
 saturation : float
-    Share of the pores' volume that is water, in [0, 1] [1].
+    Degree of saturation S, in [0, 1] [1].
 
 Returns
 -------
 float
     1/(S/K_w + (1 - S)/K_a) [Pa]: 2.18 GPa of water alone, 0.142 MPa of air.
 )" + raises_invalid("For a saturation outside of [0, 1].") +
-              notes("Menisci between grains are not in it. [Mavko2009]",
+              notes("Menisci between grains are not included. [Mavko2009]",
                     "elastic::water_and_air_bulk_modulus", "elastic/saturation.hpp"))
                  .c_str());
 }

@@ -11,7 +11,7 @@ namespace granum::python {
 
 namespace {
 
-/// The class of that name, which granum/_errors.py defines.
+/// The class of that name in granum/_errors.py.
 py::object error_class(const char* name) { return py::module_::import("granum._errors").attr(name); }
 
 void raise(const py::object& type, const py::object& error) { PyErr_SetObject(type.ptr(), error.ptr()); }

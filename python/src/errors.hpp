@@ -10,14 +10,14 @@
 /// Errors of the library as exceptions of Python.
 namespace granum::python {
 
-/// Sets Python's error indicator to what a C++ exception says.
+/// Sets Python's error indicator from a C++ exception.
 void set_python_error(std::exception_ptr error) noexcept;
 
-/// What long work asks now and then, with the interpreter's lock released: whether Ctrl-C was pressed. The
+/// Whether Ctrl-C was pressed; called periodically by long work, with the interpreter's lock released. The
 /// work then throws Stopped, which becomes the exception of the signal.
 [[nodiscard]] StopRequest stop_on_signal();
 
-/// Raises what the signal that ended some work has raised; for work that returns early instead of throwing.
+/// Raises the exception of the signal that ended some work; for work that returns early instead of throwing.
 void throw_if_signalled();
 
 } // namespace granum::python

@@ -7,7 +7,7 @@
 
 #include "rows.hpp"
 
-/// Stiffnesses of packings with their standard errors: what closed forms return.
+/// Stiffnesses of packings with their standard errors, returned by closed forms.
 namespace granum::python {
 
 struct StiffnessRow {

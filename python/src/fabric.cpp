@@ -25,17 +25,17 @@ using fabric::AnisotropyEstimate;
 using fabric::FabricMeasures;
 
 const std::string out_of_range =
-    raises_invalid("For the first number out of range, or shapes that do not go together.");
+    raises_invalid("For the first number out of range, or shapes that cannot be broadcast.");
 const std::string refused_normals =
     raises_invalid("For too few vectors, or one whose length differs from 1 by more than 1e-6.");
 const std::string normals_parameter = R"(
 Parameters
 ----------
 normals : (N, 3) array_like
-    One unit vector a contact, in either sense [1].
+    One unit vector per contact, in either sense [1].
 )";
 
-/// A function of two numbers, for every element of arrays; the first that is refused raises.
+/// Applies a function of two numbers to every element of arrays; the first refused element raises.
 py::object map_two(const char* first, const py::object& x, const char* second, const py::object& y,
                    double (*f)(double, double)) {
   const Argument arguments[] = {{first, x}, {second, y}};
@@ -73,7 +73,7 @@ float or ndarray
         return map_two("polar_cosine", cosine, "anisotropy", a, fabric::cumulative_probability);
       },
       py::kw_only(), py::arg("polar_cosine"), py::arg("anisotropy"),
-      (R"(The share of contacts whose normals are as far from axis 3 as an angle or farther.
+      (R"(The share of contact normals at an angle from axis 3 that is at least the given one.
 
 Parameters
 ----------
@@ -126,9 +126,9 @@ Parameters
 anisotropy : float
     a in [-1, 1] [1].
 count : int
-    How many.
+    Number of vectors.
 seed : int
-    One seed, one sample, on every machine.
+    The same seed gives the same sample on every machine.
 
 Returns
 -------
@@ -140,8 +140,7 @@ Returns
 }
 
 void bind_measures(py::module_& module) {
-  py::class_<FabricMeasures>(module, "FabricMeasures",
-                             "One axisymmetric fabric in the notations that are in use.")
+  py::class_<FabricMeasures>(module, "FabricMeasures", "An axisymmetric fabric in the usual notations.")
       .def_readonly("anisotropy", &FabricMeasures::anisotropy, "a of E(gamma; a) [1].")
       .def_readonly("F11", &FabricMeasures::F11, "Mean of n1^2 [1].")
       .def_readonly("F33", &FabricMeasures::F33, "Mean of n3^2 [1].")
@@ -192,9 +191,9 @@ FabricMeasures
 Raises
 ------
 TypeError
-    Unless one of the four is given.
+    Unless exactly one of the four is given.
 InvalidArgument
-    For a number that no directions have.
+    For an impossible number.
 )" + notes("[Kanatani1984]", "fabric::measures_from_anisotropy", "fabric/measures.hpp"))
           .c_str());
 }
@@ -206,7 +205,7 @@ void bind_estimates(py::module_& module) {
       .def_readonly("anisotropy", &AnisotropyEstimate::anisotropy, "[1]")
       .def_readonly("standard_error", &AnisotropyEstimate::standard_error, "For independent contacts [1].")
       .def_readonly("F33", &AnisotropyEstimate::F33, "Mean of n3^2 [1].")
-      .def_readonly("contacts", &AnisotropyEstimate::contacts, "How many there were.")
+      .def_readonly("contacts", &AnisotropyEstimate::contacts, "Number of contacts.")
       .def_property_readonly(
           "notes", [](const AnisotropyEstimate& e) { return e.validity.notes; },
           "Remarks on numbers outside the range of a formula, a sentence each.");
@@ -214,10 +213,10 @@ void bind_estimates(py::module_& module) {
       .def_readonly("anisotropy", &LikelihoodEstimate::anisotropy, "In [-1, 1].")
       .def_readonly("standard_error", &LikelihoodEstimate::standard_error, "[1]")
       .def_readonly("log_likelihood_gain", &LikelihoodEstimate::log_likelihood_gain,
-                    "What a explains beyond isotropy.")
+                    "Gain of log-likelihood over isotropy.")
       .def_readonly("at_boundary", &LikelihoodEstimate::at_boundary,
-                    "a = -1 or 1, where the likelihood still rises.")
-      .def_readonly("contacts", &LikelihoodEstimate::contacts, "How many there were.")
+                    "Whether a is -1 or 1, the boundary, with the likelihood still rising.")
+      .def_readonly("contacts", &LikelihoodEstimate::contacts, "Number of contacts.")
       .def_property_readonly(
           "notes", [](const LikelihoodEstimate& e) { return e.validity.notes; },
           "Remarks on numbers outside the range of a formula, a sentence each.");
@@ -231,7 +230,7 @@ void bind_estimates(py::module_& module) {
 Returns
 -------
 AnisotropyEstimate
-    With its standard error for independent contacts: those of a packing scatter less.
+    With its standard error for independent contacts; contacts of a packing scatter less.
 )" + refused_normals +
        notes("Axis 3 is the axis of symmetry.", "fabric::estimate_anisotropy",
              "fabric/anisotropy_estimate.hpp"))
@@ -248,13 +247,14 @@ Returns
 LikelihoodEstimate
     a in [-1, 1], with its standard error from the observed information.
 )" + refused_normals +
-       notes("Scatters less than estimate_anisotropy the further a is from 0, but leans on E(gamma; a).",
+       notes("Scatters less than estimate_anisotropy, the more so the further a is from 0, but assumes "
+             "E(gamma; a).",
              "fabric::estimate_anisotropy_by_likelihood", "fabric/likelihood_estimate.hpp"))
           .c_str());
   module.def(
       "isotropy_p_value", [=](const py::object& n) { return fabric::test_isotropy(normals(n)).p_value; },
       py::arg("normals"),
-      (R"(Chance of directions as uneven as these contact normals, if all directions were alike.
+      (R"(p-value: probability of directions at least as uneven as these, if the true fabric is isotropic.
 )" + normals_parameter +
        R"(
 Returns
@@ -270,7 +270,7 @@ float
         return fabric::rose(normals(n), anisotropy, bins);
       },
       py::arg("normals"), py::kw_only(), py::arg("anisotropy"), py::arg("bins"),
-      (R"(Histogram of the angle between contact normals and axis 3, beside E(gamma; a).
+      (R"(Histogram of the angle between contact normals and axis 3, with E(gamma; a) for comparison.
 )" + normals_parameter +
        R"(anisotropy : float
     a in [-1, 1] to compare with [1].

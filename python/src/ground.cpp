@@ -45,7 +45,7 @@ py::object ground_stress(const Arguments& a) {
   };
   const Argument dry_weight{"unit_weight", a[unit_weight_at]};
   if (water && !a.given(saturated_unit_weight_at))
-    throw py::type_error("ground_stress() needs saturated_unit_weight beside water_table");
+    throw py::type_error("ground_stress() with water_table needs saturated_unit_weight");
   const double water_weight = elastic::water_density * standard_gravity;
   const Argument columns[] = {{"depth", a[depth_at]},
                               dry_weight,
@@ -101,7 +101,7 @@ Parameters
 path : {"txc", "rtxc", "rtxe", "txe"}
     Triaxial compression, reduced compression, reduced extension, extension.
 pressure : array_like
-    Isotropic stress > 0 at which the path begins [Pa].
+    Isotropic stress > 0 at the start of the path [Pa].
 eta : array_like
     q/p', in [0, 3) in compression, in (-3/2, 0] in extension [1].
 strict : bool
@@ -128,7 +128,7 @@ AxialStress
 Parameters
 ----------
 path : {"txc", "rtxc", "rtxe", "txe"}
-    As stress_on_path() takes it.
+    As for stress_on_path().
 friction_angle : array_like
     Of the material, in (0, pi/2) [rad].
 
@@ -146,12 +146,13 @@ void bind_ground(py::module_& module) {
   auto type = result_class<GroundRow>(
       module, "GroundStress",
       "Stresses in level ground, compression positive: effective, total, and of the water.");
-  show_member<GroundRow>(type, "stress_v", offsetof(GroundRow, stress_v), "Effective, vertical [Pa].");
-  show_member<GroundRow>(type, "stress_h", offsetof(GroundRow, stress_h), "Effective, horizontal [Pa].");
+  show_member<GroundRow>(type, "stress_v", offsetof(GroundRow, stress_v), "Effective vertical stress [Pa].");
+  show_member<GroundRow>(type, "stress_h", offsetof(GroundRow, stress_h),
+                         "Effective horizontal stress [Pa].");
   show_member<GroundRow>(type, "total_v", offsetof(GroundRow, total_v),
-                         "Of grains and water, vertical [Pa].");
+                         "Total (grains and water), vertical [Pa].");
   show_member<GroundRow>(type, "total_h", offsetof(GroundRow, total_h),
-                         "Of grains and water, horizontal [Pa].");
+                         "Total (grains and water), horizontal [Pa].");
   show_member<GroundRow>(type, "pore_pressure", offsetof(GroundRow, pore_pressure), "u [Pa].");
   define(module,
          {"ground_stress",
@@ -164,20 +165,20 @@ void bind_ground(py::module_& module) {
            {"surcharge", "0.0"},
            {"strict", "False"}},
           &ground_stress,
-          std::string(R"(Stresses in level ground: the weight above, the water, and what the grains bear.
+          std::string(R"(Total stress, pore pressure and effective stress in level ground.
 
 Parameters
 ----------
 depth : array_like
-    Below the surface, >= 0 [m].
+    Depth below the surface, >= 0 [m].
 unit_weight : array_like
-    Of the ground above the water table, with the water it holds, >= 0 [N/m3].
+    Unit weight above the water table, including pore water, >= 0 [N/m3].
 saturated_unit_weight : array_like, optional
-    Of the ground below the water table, at least that of the water [N/m3]; needed with a water_table.
+    Unit weight below the water table, at least that of water [N/m3]; required with water_table.
 water_table : array_like, optional
     Its depth [m], negative for water above the ground; without it the ground is dry.
 water_unit_weight : array_like, optional
-    Of the water, > 0 [N/m3]; without it that of water of 20 degrees Celsius, 9787 N/m3.
+    Unit weight of the water, > 0 [N/m3]; default: water at 20 degrees Celsius, 9787 N/m3.
 earth_pressure_at_rest : array_like
     K_0, horizontal over vertical effective stress, > 0 [1].
 surcharge : array_like

@@ -103,22 +103,23 @@ void bind_fit(py::module_& module) {
   using hardin::Fit;
   py::class_<Fit>(module, "Fit", "G_ij = C p_a f(e) (sigma_i/p_a)^m (sigma_j/p_a)^n, fitted.")
       .def_readonly("coefficient", &Fit::coefficient, "C [1].")
-      .def_readonly("exponent_i", &Fit::exponent_i, "m [1]; None where only the sum was fitted.")
-      .def_readonly("exponent_j", &Fit::exponent_j, "n [1]; None where only the sum was fitted.")
+      .def_readonly("exponent_i", &Fit::exponent_i, "m [1]; None if only the sum was fitted.")
+      .def_readonly("exponent_j", &Fit::exponent_j, "n [1]; None if only the sum was fitted.")
       .def_readonly("exponent_sum", &Fit::exponent_sum, "s = m + n [1], with the covariance of both.")
       .def_readonly("parameters", &Fit::parameters, "C, m, n or C, s: the order of the covariance.")
       .def_property_readonly("covariance", &covariance, "From the scatter of the residuals, (P, P).")
-      .def_readonly("r_squared", &Fit::r_squared, "Of what was weighted; None if all values are equal [1].")
+      .def_readonly("r_squared", &Fit::r_squared, "R^2 of the weighted values; None if all are equal [1].")
       .def_property_readonly(
           "residuals",
           [](const Fit& f) {
             return py::array_t<double>(static_cast<py::ssize_t>(f.residuals.size()), f.residuals.data());
           },
-          "Measured minus fitted G, one a row [Pa], (N,).")
-      .def_readonly("rms_relative_residual", &Fit::rms_relative_residual, "Of G over fitted G, minus 1 [1].")
+          "Measured minus fitted G, one per row [Pa], (N,).")
+      .def_readonly("rms_relative_residual", &Fit::rms_relative_residual,
+                    "Root mean square of G over fitted G minus 1 [1].")
       .def_readonly("degrees_of_freedom", &Fit::degrees_of_freedom, "Rows minus parameters.")
       .def_property_readonly(
-          "notes", [](const Fit& f) { return f.validity.notes; }, "Remarks, a sentence each.");
+          "notes", [](const Fit& f) { return f.validity.notes; }, "Notes, one sentence each.");
   define(module, {"fit",
                   {{"shear_modulus"},
                    {"stress_i"},
@@ -134,20 +135,20 @@ void bind_fit(py::module_& module) {
 Parameters
 ----------
 shear_modulus : array_like
-    Measured G_ij > 0, one a row [Pa].
+    Measured G_ij > 0, one per row [Pa].
 stress_i, stress_j : array_like
     Effective stresses along the directions of propagation and of polarisation, > 0 [Pa].
 void_ratio : array_like
     e of each row [1].
 atmospheric_pressure : float
-    p_a > 0 that goes with C [Pa]; it has no default.
+    Reference pressure p_a > 0 of C [Pa]; it has no default.
 void_ratio_function : str
     f(e): one of )") + names_of_functions() +
                       R"(.
 weights : {"relative", "absolute"}
     Residuals of ln G, or of G.
 sum_only : bool
-    C and s alone: for paths of one stress ratio, which do not tell m from n.
+    Fit only C and s: for paths of one stress ratio, which do not determine m and n separately.
 
 Returns
 -------
@@ -156,9 +157,9 @@ Fit
 Raises
 ------
 InvalidArgument
-    For a row that is not valid, too few rows, or stresses that do not tell m from n.
+    For an invalid row, too few rows, or stresses that do not determine m and n separately.
 NotConverged
-    If the iteration arrives nowhere.
+    If the iteration does not converge.
 )" + notes("[HardinRichart1963] [Chung2014]", "hardin::fit", "hardin/fit.hpp")});
 }
 
@@ -186,7 +187,7 @@ coefficient : array_like
 exponent_i, exponent_j : array_like
     m and n [1].
 atmospheric_pressure : array_like
-    p_a > 0 that goes with C [Pa].
+    Reference pressure p_a > 0 of C [Pa].
 stress_i, stress_j : array_like
     Effective stresses along the directions of propagation and of polarisation, > 0 [Pa].
 void_ratio : array_like

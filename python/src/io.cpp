@@ -17,7 +17,7 @@ namespace granum::python {
 
 namespace {
 
-/// The states of some files, one after the other.
+/// The states in some files, in order.
 class Frames {
  public:
   explicit Frames(std::unique_ptr<io::PackingFiles> files) : files_(std::move(files)) {}
@@ -89,11 +89,11 @@ SharedPacking lammps_packing(const py::array_t<long, py::array::c_style | py::ar
 
 void bind_io(py::module_& module) {
   py::class_<Frames>(module, "Frames",
-                     "The states of some files, one after the other; in memory no more than one.")
+                     "An iterator over the states in some files, with one state in memory at a time.")
       .def("__iter__", [](const py::object& self) { return self; })
       .def("__next__", &Frames::next)
       .def_property_readonly("skipped", &Frames::skipped,
-                             "Frames passed over so far because another file has none of that time step.");
+                             "Frames skipped so far because another file has no frame of that time step.");
   module.def("_frames", &open, py::arg("files"), py::arg("box"), py::arg("columns"));
   module.def("_lammps_packing", &lammps_packing, py::kw_only(), py::arg("id"), py::arg("position"),
              py::arg("radius"), py::arg("type"), py::arg("cell"), py::arg("periodic"), py::arg("units"),
@@ -106,12 +106,12 @@ void bind_io(py::module_& module) {
           out[py::str(std::string(format->name))] = std::string(format->sign);
         return out;
       },
-      (R"(Formats of packings that are read.
+      (R"(Formats of packings that can be read.
 
 Returns
 -------
 dict
-    What their files are told by, by the names of the formats.
+    By the name of a format: how its files are recognised.
 )" + notes("", "io::packing_formats", "io/packing_format.hpp"))
           .c_str());
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_keywords = 32;
 
-/// What a call needs to know of its function. Never freed: a module stays until the interpreter ends.
+/// Record of a function for its calls. Never freed: a module lives until the interpreter ends.
 struct Record {
   KeywordFunction function;
   std::vector<PyObject*> names; ///< interned

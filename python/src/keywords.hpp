@@ -25,10 +25,10 @@ class Arguments {
       : function_(function), values_(values) {}
 
   [[nodiscard]] bool given(std::size_t k) const { return values_[k] != nullptr && values_[k] != Py_None; }
-  /// None was given.
+  /// Whether a value was given.
   [[nodiscard]] bool is_none(std::size_t k) const { return values_[k] == Py_None; }
   [[nodiscard]] py::handle operator[](std::size_t k) const { return values_[k]; }
-  /// What was given, as a value of the library.
+  /// The given value, as a value of the library.
   /// \param    expected   in words, "a contact law"
   /// \throws   TypeError that names the keyword, for an object of another kind or None
   template <class Value>
@@ -52,7 +52,7 @@ class Arguments {
   std::span<PyObject* const> values_;
 };
 
-/// A keyword of a function, and what is shown as its default; null: it must be given.
+/// A keyword of a function, and the displayed default; null: it is required.
 struct Keyword {
   const char* name;
   const char* shown_default = nullptr;
@@ -64,7 +64,7 @@ struct KeywordFunction {
   std::vector<Keyword> keywords;
   std::function<py::object(const Arguments& arguments)> call;
   std::string documentation;
-  std::size_t positional = 0; ///< so many may be given without their names as well
+  std::size_t positional = 0; ///< number of arguments that may be given without names
 };
 
 /// Puts the function in the module. Its signature can be inspected.

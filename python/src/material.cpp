@@ -36,7 +36,7 @@ std::size_t place_of(const KeywordFunction& function, const std::string& name) {
 void document(std::string& text, const Keyword& keyword, bool array) {
   const std::string::size_type end = text.find("\nReturns\n");
   text.insert(end, std::string(keyword.name) + " : " + (array ? "array_like" : "float") +
-                       ", optional\n    K > 0 of the same solid [Pa], in the place of Poisson's ratio.\n");
+                       ", optional\n    K > 0 of the same solid [Pa], instead of Poisson's ratio.\n");
 }
 
 } // namespace
@@ -63,7 +63,7 @@ KeywordFunction with_bulk_modulus(KeywordFunction function, const std::string& p
         throw py::type_error(std::string(inner->name) + "() takes " + name(ratio_at) + " or " +
                              name(bulk_at) + ", not both");
       if (!a.given(shear_at))
-        throw py::type_error(std::string(inner->name) + "() needs " + name(shear_at) + " beside " +
+        throw py::type_error(std::string(inner->name) + "() needs " + name(shear_at) + " with " +
                              name(bulk_at));
       ratio = poisson_ratio_of({name(bulk_at), a[bulk_at]}, {name(shear_at), a[shear_at]});
       values[ratio_at] = ratio.ptr();

@@ -9,8 +9,8 @@
 namespace granum::python {
 
 /// A function that takes <prefix>shear_modulus and <prefix>poisson_ratio, with the keyword
-/// <prefix>bulk_modulus behind its others, which may stand in the place of Poisson's ratio; its docstring has
-/// an entry of its own.
+/// <prefix>bulk_modulus after its others, as an alternative to Poisson's ratio; its docstring has a separate
+/// entry.
 /// \param    prefix   "", "cement_", "grain_"
 [[nodiscard]] KeywordFunction with_bulk_modulus(KeywordFunction function, const std::string& prefix = "");
 

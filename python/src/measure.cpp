@@ -43,7 +43,7 @@ enum : std::size_t {
   twisting_stiffness_at,
 };
 
-/// The law of two grains of any material and radius that a law between two of them stands for.
+/// The law of two grains for a law between two grains of any material and radius.
 analysis::LawFamily family_of(const contact::NormalLaw& law) {
   return [law](const contact::GrainMaterial& grain, double radius) { return law.of(grain, radius); };
 }
@@ -62,7 +62,7 @@ packing::StiffnessFrom stiffness_from(const std::string& name) {
   throw InvalidArgument("stiffness_from is one of overlap, force, ratio, not " + name);
 }
 
-/// A number, or a pair of a number and what it is of.
+/// A number, or a pair of a number and its kind.
 std::optional<packing::TurningSpring> turning_spring(const Arguments& a, std::size_t at, const char* name) {
   using Of = packing::TurningSpring::Of;
   if (!a.given(at))
@@ -85,7 +85,7 @@ std::optional<packing::TurningSpring> turning_spring(const Arguments& a, std::si
                         "'marshall'");
 }
 
-/// The part of the packing that the closed forms take: the interior, the whole, or three ranges.
+/// The part of the packing used for the closed forms: the interior, the whole, or three ranges.
 std::optional<analysis::Window> window_of(const Arguments& a, const Packing& packing) {
   if (a.is_none(window_at))
     return std::nullopt;
@@ -123,7 +123,7 @@ analysis::Given given_of(const Arguments& a, const Packing& packing) {
     given.grain_poisson_ratio = *ratio;
   if (a.given(law_at)) {
     if (a.given(grain_shear_modulus_at) || a.given(grain_poisson_ratio_at) || a.given(materials_at))
-      throw py::type_error("law says what the grains are made of: leave out grain_shear_modulus, "
+      throw py::type_error("law contains the material of the grains: leave out grain_shear_modulus, "
                            "grain_poisson_ratio and materials");
     const auto& law = a.as<const contact::NormalLaw&>(law_at, "a contact law");
     given.law_family = family_of(law);
@@ -161,40 +161,41 @@ py::object measure(const Arguments& a) {
 }
 
 void define_overlap_contacts(py::module_& module) {
-  define(module, {"overlap_contacts",
-                  {{"packing"}, {"law", "None"}},
-                  [](const Arguments& a) -> py::object {
-                    const SharedPacking packing = a.as<SharedPacking>(0, "a Packing");
-                    analysis::Given given;
-                    if (a.given(1)) {
-                      const auto& law = a.as<const contact::NormalLaw&>(1, "a contact law");
-                      given.law_family = family_of(law);
-                      given.grain_shear_modulus = law.grain().shear_modulus;
-                      given.grain_poisson_ratio = law.grain().poisson_ratio;
-                    }
-                    SharedPacking out;
-                    {
-                      const py::gil_scoped_release unlocked;
-                      out = std::make_shared<Packing>(studies::with_overlap_contacts(*packing, given));
-                    }
-                    return py::cast(out);
-                  },
-                  std::string(R"(A packing of grains alone with the contacts of overlapping spheres.
+  define(module,
+         {"overlap_contacts",
+          {{"packing"}, {"law", "None"}},
+          [](const Arguments& a) -> py::object {
+            const SharedPacking packing = a.as<SharedPacking>(0, "a Packing");
+            analysis::Given given;
+            if (a.given(1)) {
+              const auto& law = a.as<const contact::NormalLaw&>(1, "a contact law");
+              given.law_family = family_of(law);
+              given.grain_shear_modulus = law.grain().shear_modulus;
+              given.grain_poisson_ratio = law.grain().poisson_ratio;
+            }
+            SharedPacking out;
+            {
+              const py::gil_scoped_release unlocked;
+              out = std::make_shared<Packing>(studies::with_overlap_contacts(*packing, given));
+            }
+            return py::cast(out);
+          },
+          std::string(R"(Adds the contacts of overlapping spheres to a packing of grains without contacts.
 
 Parameters
 ----------
 packing : Packing
-    Without contacts; one that has them comes back as it is.
+    Without contacts; a packing with contacts is returned unchanged.
 law : NormalLaw, optional
-    Of all contacts, for their normal forces; without it there are none.
+    Law of all contacts, for their normal forces; without it there are no forces.
 
 Returns
 -------
 Packing
-    Its notes say what was taken. Tangential forces depend on the history and stay unknown.
-)") + raises_invalid("For a material that the law refuses.") +
-                      notes("", "analysis::Given", "analysis/measure.hpp"),
-                  1});
+    Its notes list the assumptions. Tangential forces depend on the history and remain unknown.
+)") + raises_invalid("For a material refused by the law.") +
+              notes("", "analysis::Given", "analysis/measure.hpp"),
+          1});
 }
 
 } // namespace
@@ -218,40 +219,41 @@ void bind_measure(py::module_& module) {
                {"rolling_stiffness", "None"},
                {"twisting_stiffness", "None"}},
               &measure,
-              std::string() + R"(What one packing tells: contacts, fabric, stress, both 6 x 6, every rung.
+              std::string() +
+                  R"(Measures a packing: contacts, fabric, stress, both 6 x 6 stiffnesses, every rung.
 
-Other threads run meanwhile, and Ctrl-C ends it within a second.
+Other threads can run meanwhile, and Ctrl-C ends it within a second.
 
 Parameters
 ----------
 packing : Packing
-    As read() or packing() makes it. Without contacts, overlapping spheres are taken to touch.
+    From read() or packing(). Without contacts, overlapping spheres are assumed to touch.
 law : NormalLaw, optional
-    Contact law and material of the grains; spheres take the radii of the packing. Without it, what the forces
-    show against the overlaps.
+    Contact law and material of the grains; for spheres the radii are those of the packing. Default: derived
+    from forces and overlaps.
 grain_shear_modulus, grain_poisson_ratio : float, optional
     Material of spheres, instead of a law: G_g [Pa] and nu_g [1].
 materials : dict, optional
-    Of spheres of several types: {type: (shear modulus [Pa], Poisson's ratio [1])}.
+    Materials of spheres of several types: {type: (shear modulus [Pa], Poisson's ratio [1])}.
 tangential_ratio : float, optional
     k_t/k_n [1]; without it that of the no-slip contact.
 friction_coefficient : float, optional
-    Between grains [1]; without it as the forces show it.
+    Friction between grains [1]; without it estimated from the forces.
 grain_density : float, optional
     Of the grains' solid [kg/m3].
 stiffness_from : {"overlap", "force", "ratio"}, optional
-    What k_n of the network is taken from; without it the overlaps, or the forces if those have few digits.
+    Source of k_n of the network; default: the overlaps, or the forces if the overlaps have few digits.
 network : bool
     Solve the contact network, rung 4: the part that takes the time.
 prestress : bool
-    Add the stiffness that the contact forces make.
+    Add the geometric stiffness of the contact forces.
 window : "auto", None or three ranges, optional
-    The part whose e, C_n, z*, fabric and stress the closed forms take: the interior between walls or under a
-    free surface, where there is one; the whole; or (low, high) [m] along each axis, None for a whole axis
-    or an end that is left open.
+    The part whose e, C_n, z*, fabric and stress are used for the closed forms: "auto", the interior between
+    walls or under a free surface, if there is one; None, the whole; or (low, high) [m] along each axis, with
+    None for a whole axis or an open end.
 rolling_stiffness, twisting_stiffness : float, (float, str) or "marshall", optional
-    Of all contacts: a number times k_n R*^2 [1]; (k, "displacement"), k [N/m] times R*^2; (k, "angle"), k
-    [N m]; or "marshall", k_t R* d/2. Without it as the contacts have it.
+    For all contacts: a number times k_n R*^2 [1]; (k, "displacement"), k [N/m] times R*^2; (k, "angle"), k
+    [N m]; or "marshall", k_t R* d/2. Without it the values of the contacts.
 
 Returns
 -------
@@ -260,9 +262,9 @@ Measurement
 Raises
 ------
 InvalidArgument
-    For a packing or a number that cannot be.
+    For an impossible packing or number.
 )" +
-                  notes("The network's linear response is exact to 1e-10 of its largest entry; affine "
+                  notes("The linear response of the network is exact to 1e-10 of its largest entry; affine "
                         "and relaxed parts as "
                         "[AgnolinRoux2007c].",
                         "analysis::measure", "analysis/measure.hpp"),

@@ -5,7 +5,7 @@
 
 #include "rows.hpp"
 
-/// Moduli and stresses of isotropic packings and paths: what several functions return.
+/// Moduli and stresses of isotropic packings and paths, returned by several functions.
 namespace granum::python {
 
 struct ModuliRow {
@@ -18,8 +18,8 @@ struct AxialStressRow {
   double h = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Bulk and shear modulus of what tells the shear modulus alone.
-/// \param    shear_modulus   of the numbers of an element, and notes
+/// Moduli of a function that computes only the shear modulus.
+/// \param    shear_modulus   function of the numbers of an element, and notes
 template <class Model>
 py::object moduli_of_shear(std::span<const Argument> columns, bool strict, const Model& shear_modulus) {
   return py::cast(answer_rows(columns, strict, ModuliRow{}, [&](const double* x, Notes& notes) {

@@ -22,7 +22,7 @@ using packing::Contact;
 
 // ---- views of what a packing holds
 
-/// Contacts of a packing, which `owner` keeps alive.
+/// Contacts of a packing, kept alive by `owner`.
 struct Contacts {
   py::object owner;
   const std::vector<Contact>* list;
@@ -36,12 +36,11 @@ void show_contact(py::class_<Contacts>& type, const char* name, const Number Con
 }
 
 void bind_contacts(py::module_& module) {
-  py::class_<Contacts> type(
-      module, "Contacts",
-      "Contacts as arrays, one element each, sorted by (i, j). Everything points from i to j.");
+  py::class_<Contacts> type(module, "Contacts",
+                            "Contacts as arrays, sorted by (i, j). All vectors point from i to j.");
   type.def("__len__", [](const Contacts& c) { return c.list->size(); });
   show_contact(type, "i", &Contact::i, "First grain.");
-  show_contact(type, "j", &Contact::j, "Second grain, j > i; of a wall its number.");
+  show_contact(type, "j", &Contact::j, "Second grain, j > i; or the number of a wall.");
   show_contact(type, "branch", &Contact::branch,
                "Centre of j, its nearest image, minus centre of i [m], (N, 3).");
   type.def_property_readonly(
@@ -57,11 +56,11 @@ void bind_contacts(py::module_& module) {
   show_contact(type, "overlap", &Contact::overlap, "Full approach, R_i + R_j - |branch| [m].");
   show_contact(type, "normal_force", &Contact::normal_force, "Compression positive [N].");
   show_contact(type, "tangential_force", &Contact::tangential_force, "Exerted by i on j [N], (N, 3).");
-  show_contact(type, "normal_stiffness", &Contact::normal_stiffness, "k_n [N/m]; 0 where nobody knows it.");
+  show_contact(type, "normal_stiffness", &Contact::normal_stiffness, "k_n [N/m]; 0 if unknown.");
   show_contact(type, "tangential_stiffness", &Contact::tangential_stiffness, "k_t [N/m].");
   show_contact(type, "rolling_stiffness", &Contact::rolling_stiffness, "Moment over angle [N m].");
   show_contact(type, "twisting_stiffness", &Contact::twisting_stiffness, "The same about the normal [N m].");
-  show_contact(type, "sliding", &Contact::sliding, "At the Coulomb limit.");
+  show_contact(type, "sliding", &Contact::sliding, "Whether it is at the Coulomb limit.");
 }
 
 py::array positions(const py::object& self) {
@@ -116,7 +115,7 @@ py::tuple state_of(const Packing& p) {
 
 SharedPacking from_state(const py::tuple& state) {
   if (state.size() != 13 || state[0].cast<std::size_t>() != sizeof(Contact))
-    throw py::value_error("these bytes are of another version of granum");
+    throw py::value_error("these bytes were written by another version of granum");
   auto out = std::make_shared<Packing>();
   packing::Assembly& a = out->assembly;
   a.cell = matrix_of("cell", state[1]);
@@ -138,10 +137,10 @@ SharedPacking from_state(const py::tuple& state) {
 }
 
 void bind_class(py::module_& module) {
-  py::class_<Packing, SharedPacking>(module, "Packing", R"(Grains, contacts and the cell that holds them.
+  py::class_<Packing, SharedPacking>(module, "Packing", R"(Grains, contacts and their cell.
 
-Arrays are views of the packing's memory, closed to writing. SI; compression is positive; grains stand in the
-order of their ids, contacts in that of (i, j).)")
+Arrays are read-only views of the memory of the packing. SI; compression is positive. Grains are sorted by id,
+contacts by (i, j).)")
       .def_property_readonly("position", &positions, "Centres [m], (N, 3).")
       .def_property_readonly("radius", &radii, "[m], (N,).")
       .def_property_readonly(
@@ -169,10 +168,10 @@ order of their ids, contacts in that of (i, j).)")
           "Volume of voids over that of grains, of the whole cell [1].")
       .def_property_readonly(
           "id", [](const py::object& self) { return longs(self.cast<const Packing&>().id, self); },
-          "Of each grain, as the files name it.")
+          "Id of each grain in the files.")
       .def_property_readonly(
           "type", [](const py::object& self) { return longs(self.cast<const Packing&>().type, self); },
-          "Of each grain, where the files tell types; else empty.")
+          "Type of each grain, if the files contain types; else empty.")
       .def_property_readonly(
           "body",
           [](const py::object& self) {
@@ -180,10 +179,10 @@ order of their ids, contacts in that of (i, j).)")
             return view<std::uint32_t>({static_cast<py::ssize_t>(body.size())}, {sizeof(std::uint32_t)},
                                        body.data(), self);
           },
-          "Of each grain, the rigid body it is a part of, from 0; empty where each is its own.")
+          "Number of the rigid body of each grain, from 0; empty if each grain is its own body.")
       .def_readonly("step", &Packing::step, "Time step of the files; 0 without.")
-      .def_readonly("time", &Packing::time, "[s]; None where the files do not tell.")
-      .def_property_readonly("notes", &notes_of, "What a user of its numbers should know, a sentence each.")
+      .def_readonly("time", &Packing::time, "[s]; None if the files do not contain it.")
+      .def_property_readonly("notes", &notes_of, "Assumptions and missing data, one sentence each.")
       .def("__len__", [](const Packing& p) { return p.assembly.grain_count(); })
       .def("__copy__", [](const SharedPacking& p) { return p; })
       .def("__deepcopy__",
@@ -205,7 +204,7 @@ std::vector<std::array<long, 2>> pairs_of(const py::handle& value) {
   const py::array any = py::array::ensure(value);
   if (!any || (any.size() > 0 && any.dtype().kind() != 'i' && any.dtype().kind() != 'u')) {
     PyErr_Clear();
-    throw py::type_error("contacts is no array of integers, (N, 2)");
+    throw py::type_error("contacts is not an array of integers, (N, 2)");
   }
   const py::array_t<long, py::array::c_style | py::array::forcecast> array(any);
   if (array.ndim() != 2 || array.shape(1) != 2)
@@ -224,7 +223,7 @@ std::optional<Mat3> cell_of(const py::handle& value) {
   return matrix_of("cell", value);
 }
 
-/// The arrays of a call, copied: as long as the packing is made of them.
+/// Copies of the arrays of a call, kept while the packing is built.
 struct GivenArrays {
   std::vector<Vec3> position, branch, force, tangential_force;
   std::vector<double> radius, overlap, normal_force, normal_stiffness, tangential_stiffness,
@@ -340,42 +339,42 @@ void bind_packing(py::module_& module) {
            {"twisting_stiffness", "None"},
            {"body", "None"}},
           &packing_from,
-          std::string() + R"(A packing out of the arrays of any code, checked and sorted as one out of files.
+          std::string() + R"(A packing from the arrays of any code, checked and sorted like one from files.
 
 Parameters
 ----------
 position : (N, 3) array_like
     Centres of the grains [m].
 radius : float or (N,) array_like
-    Of each grain, > 0 [m].
+    Radius of each grain, > 0 [m].
 cell : (3,) or (3, 3) array_like, optional
-    Edges of an upright cell, or a matrix with the edges as its columns [m]; without it the smallest upright
-    box around the grains, and nothing is periodic.
+    Edges of a rectangular cell, or a matrix with the edges as its columns [m]; without it the smallest
+    rectangular box around the grains, not periodic.
 periodic : (3,) sequence of bool
     Which pairs of faces are periodic.
 contacts : (M, 2) array_like of int, optional
-    Pairs of grains in contact, numbered from 0; a second number w < 0 is the wall -1 - w. Without contacts
-    those of overlapping spheres are taken where they are needed.
+    Pairs of grains in contact, numbered from 0; a second number w < 0 is the wall -1 - w. Without it, the
+    contacts of overlapping spheres are used where needed.
 forces : (M, 3) array_like, optional
-    Whole force exerted by the first grain of each pair on the second [N].
+    Total force exerted by the first grain of each pair on the second [N].
 branch : (M, 3) array_like, optional
-    Centre of the second grain minus centre of the first [m]; without it the nearest periodic image. To a
-    wall, which needs it, from the centre to the wall.
+    Centre of the second grain minus centre of the first [m]; without it the nearest periodic image. For a
+    wall, where it is required, from the centre to the wall.
 overlap : (M,) array_like, optional
-    Full approach [m]; without it from radii and branch.
+    Full approach of the centres [m]; without it from radii and branch.
 normal_force : (M,) array_like, optional
-    Instead of forces, compression positive [N].
+    Normal force, instead of forces, compression positive [N].
 tangential_force : (M, 3) array_like, optional
-    With normal_force: exerted by the first on the second [N].
+    Together with normal_force: exerted by the first on the second [N].
 normal_stiffness, tangential_stiffness : (M,) array_like, optional
     k_n and k_t [N/m].
 sliding : (M,) array_like of bool, optional
     Contacts at the Coulomb limit.
 rolling_stiffness, twisting_stiffness : (M,) array_like, optional
-    Moment over angle of contacts that resist rolling, and turning about the normal [N m].
+    Moment over angle of contacts with resistance to rolling, and to twisting about the normal [N m].
 body : (N,) sequence of int, optional
-    Of each grain, the number of the rigid body (clump) that it is a part of; negative: of none. Grains of one
-    body move as one; C_n, z*, rattlers and stress are those of bodies.
+    Number of the rigid body (clump) of each grain; negative: none. Grains of one body move together; C_n, z*,
+    rattlers and stress are those of bodies.
 
 Returns
 -------

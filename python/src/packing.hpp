@@ -9,7 +9,7 @@
 
 namespace granum::python {
 
-/// A packing of Python: what was read or given, which nobody changes any more, as arrays show its memory.
+/// A packing in Python, read or given. It is never modified, because arrays are views of its memory.
 using Packing = io::ImportedPacking;
 using SharedPacking = std::shared_ptr<Packing>;
 

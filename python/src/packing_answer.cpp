@@ -57,7 +57,7 @@ py::object packing_answer(const Arguments& a) {
       }));
 }
 
-/// The share of each input; 0 where an element has none of it.
+/// The share of each input; 0 for elements without this input.
 py::dict shares(const Rows<AnswerRow>& rows) {
   std::set<std::string> inputs;
   for (const AnswerRow& row : rows.rows)
@@ -87,8 +87,8 @@ std::string text_of(const py::object& result) {
 } // namespace
 
 void bind_packing_answer(py::module_& module) {
-  py::class_<RangeView>(module, "Range", "Numbers and what they may be as well: floats, or arrays.")
-      .def_readonly("value", &RangeView::value, "The best answer.")
+  py::class_<RangeView>(module, "Range", "Values with their ranges: floats, or arrays.")
+      .def_readonly("value", &RangeView::value, "The best estimate.")
       .def_readonly("low", &RangeView::low, "The lower end of the range.")
       .def_readonly("high", &RangeView::high, "The upper end of the range.");
   auto type = result_class<AnswerRow>(module, "PackingAnswer",
@@ -100,13 +100,13 @@ void bind_packing_answer(py::module_& module) {
             const py::object& result) { return range_view(result, offset); },
         documentation(row).c_str());
   type.def_property_readonly("shares", &shares,
-                             "How much of the range of shear_modulus each input makes: by name, [0, 1].");
+                             "Share of each input in the range of shear_modulus: by name, in [0, 1].");
   type.def("__repr__", &text_of);
   define(module,
          {"packing_answer", question_keywords(), &packing_answer,
-          std::string("The best answer there is for a packing, with its range: what granum estimate "
-                      "gives first.\n\nRung 3 at the contacts that are known, or else in the middle of "
-                      "those that a packing of this void ratio may have. The range covers the "
+          std::string("The best estimate for a packing, with its range: the first result of granum "
+                      "estimate.\n\nRung 3 with the given contacts, or else with the middle of the possible "
+                      "contacts of a packing of this void ratio. The range covers the "
                       "preparation, the error of rung 3 and uncertain inputs.\n") +
               question_parameters + R"(
 Returns
@@ -116,9 +116,9 @@ PackingAnswer
 Raises
 ------
 InvalidArgument
-    For numbers that no packing can have; arrays: under strict.
+    For impossible numbers; with arrays only under strict.
 )" +
-              notes("Water in full pores by Gassmann. [Gassmann1951] [Mavko2009]", "estimate::answer",
+              notes("Water in saturated pores by Gassmann. [Gassmann1951] [Mavko2009]", "estimate::answer",
                     "estimate/answer.hpp")});
 }
 

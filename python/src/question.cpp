@@ -24,11 +24,11 @@ enum : std::size_t {
   shear_strain_at = numbers_of_sand_at + std::size(numbers_of_sand)
 };
 
-/// Places of the columns behind those of the state.
+/// Indices of the columns after those of the state.
 constexpr std::size_t density_column = 8, saturation_column = 9, sand_column = 10,
                       strain_column = sand_column + std::size(numbers_of_sand);
 
-/// Inputs that are no column: they move the law of the contacts.
+/// Inputs without a column: they change the contact law.
 constexpr const char *of_modulus = "grain_shear_modulus", *of_ratio = "grain_poisson_ratio",
                      *of_fabric = "fabric_anisotropy";
 
@@ -68,16 +68,16 @@ const std::string question_parameters = std::string(state_parameters) +
 grain_density : array_like, optional
     Of the grains' solid [kg/m3]; without it no wave speeds.
 saturation : array_like
-    Share of the pores' volume that is water, in [0, 1] [1].
+    Degree of saturation, in [0, 1] [1].
 uncertainty : dict, optional
     Standard deviations by the names of numbers above, grain_shear_modulus and grain_poisson_ratio:
     {"void_ratio": 0.01} [their units]. A fabric_anisotropy that is not given is 0, with a deviation of 0.05
-    and more where the stresses differ, as granum estimate assumes.
+    or more under unequal stresses, as in granum estimate.
 grain_shape : str
-    "sphere", the model, or "sand", what was measured on sands: the same fields, from other sources.
+    "sphere", the model of spheres, or "sand", laws measured on sands; both give the same fields.
 sand : str, optional
-    A sand by name, "toyoura", with its limits of the void ratio, C_u, d50 and tests as far as they are known;
-    implies grain_shape "sand" where that is not said.
+    A sand by name, "toyoura", with its published limits of the void ratio, C_u, d50 and tests; implies
+    grain_shape "sand" unless that is given.
 uniformity : array_like, optional
     C_u = d60/d10 of a sand, >= 1 [1].
 least_void_ratio, largest_void_ratio : array_like, optional
@@ -85,7 +85,7 @@ least_void_ratio, largest_void_ratio : array_like, optional
 d50 : array_like, optional
     Of a sand [m].
 shear_strain : array_like, optional
-    Amplitude at which G is asked for as well, of sands, in (0, 0.05] [1].
+    For sands: amplitude of a shear strain at which G is computed as well, in (0, 0.05] [1].
 )";
 
 Grains grains_of(const Arguments& a, std::size_t grain_shape_at, std::size_t sand_at) {
@@ -127,7 +127,7 @@ QuestionArguments::QuestionArguments(const Arguments& a)
     const bool known = std::any_of(std::begin(inputs_in_order), std::end(inputs_in_order),
                                    [&](std::string_view input) { return input == name; });
     if (!known)
-      throw InvalidArgument("uncertainty: " + name + " is no number of this packing");
+      throw InvalidArgument("uncertainty: " + name + " is not an input of this packing");
     deviations_[name] = require_non_negative("uncertainty of " + name, deviation);
   }
 }
@@ -135,7 +135,7 @@ QuestionArguments::QuestionArguments(const Arguments& a)
 const double* QuestionArguments::one_packing(const char* function) {
   const Columns columns(columns_);
   if (!columns.is_scalar())
-    throw py::type_error(std::string(function) + "() takes one packing: numbers, no arrays");
+    throw py::type_error(std::string(function) + "() takes a single packing: numbers, not arrays");
   numbers_.assign(columns.numbers(), columns.numbers() + columns_.size());
   return numbers_.data();
 }

@@ -12,26 +12,26 @@
 
 #include "state.hpp"
 
-/// What granum estimate is asked, as keywords of Python.
+/// The question of granum estimate, as keywords of Python.
 namespace granum::python {
 
-/// Keywords of a question in the order in which QuestionArguments reads them, and those of one function
-/// behind.
+/// Keywords of a question in the order in which QuestionArguments reads them, followed by those of one
+/// function.
 [[nodiscard]] std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more = {});
-/// How many they are: where those of a function begin.
+/// Their number, the index of the first keyword of a function.
 inline constexpr std::size_t question_keyword_count = state_keyword_count + 11;
-/// What the grains are, by the keywords grain_shape and sand.
+/// The kind of grains, by the keywords grain_shape and sand.
 struct Grains {
   estimate::GrainShape shape = estimate::GrainShape::sphere;
   const sands::KnownSand* sand = nullptr; ///< if it was named
 
-  /// What the name says of the sand.
+  /// The properties of the named sand.
   [[nodiscard]] sands::Sand known() const { return sand != nullptr ? sands::sand_of(*sand) : sands::Sand{}; }
 };
 /// \throws   InvalidArgument for a shape or a sand that is unknown
 [[nodiscard]] Grains grains_of(const Arguments& arguments, std::size_t grain_shape_at, std::size_t sand_at);
 
-/// A number of a sand by the keyword that gives it.
+/// A number of a sand, and its keyword.
 struct SandNumber {
   const char* keyword;
   std::optional<double> sands::Sand::*member;
@@ -41,7 +41,7 @@ inline constexpr SandNumber numbers_of_sand[] = {{"uniformity", &sands::Sand::un
                                                  {"largest_void_ratio", &sands::Sand::largest_void_ratio},
                                                  {"d50", &sands::Sand::d50}};
 
-/// What docstrings say of these keywords.
+/// The docstring of these keywords.
 extern const std::string question_parameters;
 
 /// The keywords of a question, read.

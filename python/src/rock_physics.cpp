@@ -22,7 +22,7 @@ namespace {
 
 using rock_physics::SpherePacking;
 
-/// Keywords that are all columns, with `strict` behind them.
+/// Keywords that are all columns, followed by `strict`.
 py::object moduli(const Arguments& a, std::span<const Argument> columns, std::size_t strict_at,
                   rock_physics::IsotropicEstimate (*model)(const double*)) {
   return py::cast(answer_rows(columns, a.flag(strict_at), ModuliRow{}, [&](const double* x, Notes& notes) {
@@ -49,13 +49,14 @@ const std::string sphere_parameters =
     std::string(equal_spheres_parameters) +
     "pressure : array_like\n    p >= 0, effective, compression positive [Pa].\n";
 
-/// Of both bounds: those of the packing at its critical porosity, and where between it and the mineral.
+/// Parameters of both bounds: those of the packing at its critical porosity, and the porosity.
 const std::string bound_parameters = [] {
   std::string text = sphere_parameters;
   const std::string own = "porosity : array_like\n    Pore volume by total volume, in [0, 1) [1].\n";
-  return text.replace(text.find(own), own.size(),
-                      "critical_porosity : array_like\n    Of the packing that the bound begins at, in [0, "
-                      "1) [1].\n") +
+  return text.replace(
+             text.find(own), own.size(),
+             "critical_porosity : array_like\n    Porosity of the packing at the start of the bound, in [0, "
+             "1) [1].\n") +
          no_slip_parameter + "porosity : array_like\n    In [0, critical_porosity] [1].\n";
 }();
 
@@ -67,7 +68,7 @@ IsotropicModuli
 Raises
 ------
 InvalidArgument
-    For numbers that no packing can have; arrays: under strict.
+    For impossible numbers; with arrays only under strict.
 )";
 
 /// \param    source   section Notes
@@ -99,28 +100,29 @@ void bind_hertz_mindlin(py::module_& module) {
                           no_slip_parameter,
                           notes("[Walton1987] [Mavko2009]", "rock_physics::hertz_mindlin",
                                 "rock_physics/hertz_mindlin.hpp"))}));
-  define(module, with_bulk_modulus(
-                     {"jenkins_shear_modulus",
-                      {{"shear_modulus"},
-                       {"poisson_ratio"},
-                       {"porosity"},
-                       {"coordination_number"},
-                       {"pressure"},
-                       {"strict", "False"}},
-                      [](const Arguments& a) -> py::object {
-                        const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
-                                                    {"porosity", a[2]},      {"coordination_number", a[3]},
-                                                    {"pressure", a[4]},      {"no_slip_fraction", 0.0}};
-                        return moduli_of_shear(columns, a.flag(5), [](const double* x, Notes&) {
-                          return rock_physics::jenkins_shear_modulus(sphere_packing(x));
-                        });
-                      },
-                      sphere_documentation("Shear modulus of frictionless spheres whose pairs may leave the "
-                                           "mean strain (Jenkins 2005).\n\n"
-                                           "The bulk modulus is NaN: there is no such formula.",
-                                           "",
-                                           notes("[Jenkins2005]", "rock_physics::jenkins_shear_modulus",
-                                                 "rock_physics/jenkins.hpp"))}));
+  define(module,
+         with_bulk_modulus(
+             {"jenkins_shear_modulus",
+              {{"shear_modulus"},
+               {"poisson_ratio"},
+               {"porosity"},
+               {"coordination_number"},
+               {"pressure"},
+               {"strict", "False"}},
+              [](const Arguments& a) -> py::object {
+                const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
+                                            {"porosity", a[2]},      {"coordination_number", a[3]},
+                                            {"pressure", a[4]},      {"no_slip_fraction", 0.0}};
+                return moduli_of_shear(columns, a.flag(5), [](const double* x, Notes&) {
+                  return rock_physics::jenkins_shear_modulus(sphere_packing(x));
+                });
+              },
+              sphere_documentation("Shear modulus of frictionless spheres whose pairs may deviate from the "
+                                   "mean strain (Jenkins 2005).\n\n"
+                                   "The bulk modulus is NaN: the model has no formula for it.",
+                                   "",
+                                   notes("[Jenkins2005]", "rock_physics::jenkins_shear_modulus",
+                                         "rock_physics/jenkins.hpp"))}));
 }
 
 void bind_bounds(py::module_& module) {
@@ -159,33 +161,34 @@ void bind_bounds(py::module_& module) {
 }
 
 void bind_digby(py::module_& module) {
-  define(module, with_bulk_modulus(
-                     {"digby",
-                      {{"shear_modulus"},
-                       {"poisson_ratio"},
-                       {"porosity"},
-                       {"coordination_number"},
-                       {"pressure"},
-                       {"bond_radius_ratio"},
-                       {"strict", "False"}},
-                      [](const Arguments& a) {
-                        const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
-                                                    {"porosity", a[2]},      {"coordination_number", a[3]},
-                                                    {"pressure", a[4]},      {"bond_radius_ratio", a[5]}};
-                        return moduli(a, columns, 6, [](const double* x) {
-                          return rock_physics::digby({.shear_modulus = x[0],
-                                                      .poisson_ratio = x[1],
-                                                      .porosity = x[2],
-                                                      .coordination_number = x[3],
-                                                      .pressure = x[4],
-                                                      .bond_radius_ratio = x[5]});
-                        });
-                      },
-                      sphere_documentation(
-                          "Equal spheres bonded over small discs before the pressure came (Digby 1981).",
-                          "bond_radius_ratio : array_like\n    Radius of the bonds by that of the grains, in "
-                          "[0, 1) [1].\n",
-                          notes("[Digby1981]", "rock_physics::digby", "rock_physics/digby.hpp"))}));
+  define(module,
+         with_bulk_modulus(
+             {"digby",
+              {{"shear_modulus"},
+               {"poisson_ratio"},
+               {"porosity"},
+               {"coordination_number"},
+               {"pressure"},
+               {"bond_radius_ratio"},
+               {"strict", "False"}},
+              [](const Arguments& a) {
+                const Argument columns[] = {{"shear_modulus", a[0]}, {"poisson_ratio", a[1]},
+                                            {"porosity", a[2]},      {"coordination_number", a[3]},
+                                            {"pressure", a[4]},      {"bond_radius_ratio", a[5]}};
+                return moduli(a, columns, 6, [](const double* x) {
+                  return rock_physics::digby({.shear_modulus = x[0],
+                                              .poisson_ratio = x[1],
+                                              .porosity = x[2],
+                                              .coordination_number = x[3],
+                                              .pressure = x[4],
+                                              .bond_radius_ratio = x[5]});
+                });
+              },
+              sphere_documentation(
+                  "Equal spheres bonded over small discs before the pressure is applied (Digby 1981).",
+                  "bond_radius_ratio : array_like\n    Radius of the bonds by that of the grains, in "
+                  "[0, 1) [1].\n",
+                  notes("[Digby1981]", "rock_physics::digby", "rock_physics/digby.hpp"))}));
 }
 
 template <rock_physics::CementScheme scheme>
@@ -222,23 +225,22 @@ porosity : array_like
 coordination_number : array_like
     C_n = 2 N_c/N >= 0 [1].
 cement_saturation : array_like
-    Share of those pores that is cement, in [0, 1] [1].
+    Share of these pores filled with cement, in [0, 1] [1].
 )";
   const std::string source = notes("[DvorkinNur1994] [DvorkinNur1996]", "rock_physics::contact_cement",
                                    "rock_physics/contact_cement.hpp");
   define(module, with_bulk_modulus(
                      with_bulk_modulus(
                          {"cement_at_contacts", keywords, cement<rock_physics::CementScheme::at_contacts>,
-                          "Spheres with all cement in discs around their contacts (Dvorkin and Nur 1996).\n" +
+                          "Spheres with all cement in discs at their contacts (Dvorkin and Nur 1996).\n" +
                               parameters + strict_and_result + source}),
                      "cement_"));
-  define(module,
-         with_bulk_modulus(
-             with_bulk_modulus({"cement_in_surface_layer", keywords,
-                                cement<rock_physics::CementScheme::surface_layer>,
-                                "Spheres with cement evenly on their surface (Dvorkin and Nur 1996).\n" +
-                                    parameters + strict_and_result + source}),
-             "cement_"));
+  define(module, with_bulk_modulus(
+                     with_bulk_modulus({"cement_in_surface_layer", keywords,
+                                        cement<rock_physics::CementScheme::surface_layer>,
+                                        "Spheres with an even layer of cement (Dvorkin and Nur 1996).\n" +
+                                            parameters + strict_and_result + source}),
+                     "cement_"));
 }
 
 void bind_coordination(py::module_& module) {
@@ -262,21 +264,22 @@ void bind_coordination(py::module_& module) {
         throw InvalidArgument("relation is one of table, quadratic, exponential, not " + relation);
       },
       py::kw_only(), py::arg("porosity"), py::arg("relation"),
-      (R"(C_n of clean, well sorted grains by their porosity alone (Murphy 1982).
+      (R"(C_n of clean, well sorted grains from their porosity (Murphy 1982).
 
 Parameters
 ----------
 porosity : array_like
     Pore volume by total volume, in [0.2, 0.7] [1].
 relation : {"table", "quadratic", "exponential"}
-    Which of the published relations. They differ by up to 0.7.
+    The published relation to use. They differ by up to 0.7.
 
 Returns
 -------
 float or ndarray
     C_n [1], of the shape of the porosity.
 )" + raises_invalid("For the first porosity out of range, or another relation.") +
-       notes("None of them replaces a measured number, nor knows how the packing was made. [Murphy1982] "
+       notes("The relations do not depend on the preparation and do not replace a measured number. "
+             "[Murphy1982] "
              "[Zimmer2007]",
              "rock_physics::coordination_number", "rock_physics/coordination_relations.hpp"))
           .c_str());

@@ -50,7 +50,7 @@ void Columns::broadcast(std::span<const Argument> arguments) {
         continue;
       if (shape_[of_result] != 1)
         throw InvalidArgument(std::string(arguments[varying_[a]].name) + " of shape " +
-                              shape_text(arrays_[a]) + " does not go with " +
+                              shape_text(arrays_[a]) + " cannot be broadcast with " +
                               arguments[varying_[owner[of_result]]].name + " of shape " +
                               shape_text(arrays_[owner[of_result]]));
       shape_[of_result] = length;

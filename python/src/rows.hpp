@@ -19,35 +19,35 @@
 
 #include "arrays.hpp"
 
-/// One function of the library called for every element of arrays that are broadcast as numpy does.
+/// Calls a function of the library for every element of arrays, broadcast as in numpy.
 namespace granum::python {
 
-/// An argument of a call: what the caller gave, or a number.
+/// An argument of a call: the value given by the caller, or a number.
 struct Argument {
   const char* name;
   std::variant<py::handle, double> value;
-  const char* in_library = nullptr; ///< what the library calls it, where that is something else
+  const char* in_library = nullptr; ///< its name in the library, if different
 };
 
-/// The error with the name of the argument that was typed.
+/// The error with the name of the argument as typed.
 [[nodiscard]] InvalidArgument as_typed(const InvalidArgument& error, std::span<const Argument> arguments);
 
-/// Numbers, one to an argument, of every element of a call.
+/// The numbers of every element of a call, one per argument.
 class Columns {
  public:
   static constexpr std::size_t most = 16;
 
-  /// \throws   TypeError for what is no number; InvalidArgument for shapes that do not go together
+  /// \throws   TypeError for anything but numbers; InvalidArgument for shapes that cannot be broadcast
   explicit Columns(std::span<const Argument> arguments);
 
-  /// Only numbers were given, no arrays: one element.
+  /// Whether only numbers were given, no arrays: one element.
   [[nodiscard]] bool is_scalar() const { return scalar_; }
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] const std::vector<py::ssize_t>& shape() const { return shape_; }
   /// The numbers of one call without arrays.
   [[nodiscard]] const double* numbers() const { return number_.data(); }
 
-  /// Calls see(element, numbers) for all elements in the order of rows; does without Python's lock.
+  /// Calls see(element, numbers) for all elements in the order of rows, without Python's lock.
   template <class See>
   void for_each(const See& see) const {
     std::array<double, most> numbers = number_;
@@ -85,13 +85,13 @@ class Columns {
   std::array<std::vector<py::ssize_t>, most> step_; ///< in bytes along each axis of the result
 };
 
-/// What a function says of every element of a call.
+/// Results of a function for every element of a call.
 template <class Row>
 struct Rows {
   bool scalar = true;
   std::vector<py::ssize_t> shape;
   std::vector<Row> rows;
-  std::map<std::size_t, std::string> errors; ///< of elements that were refused
+  std::map<std::size_t, std::string> errors; ///< of refused elements
   std::vector<std::string> notes;            ///< each once
 
   [[nodiscard]] const Row& front() const { return rows.front(); }
@@ -113,8 +113,8 @@ class Notes {
   std::vector<std::string> in_order_;
 };
 
-/// Calls `answer`(numbers, notes) for every element. An element that is refused holds `refused` and its
-/// message; numbers alone raise, as arrays do under `strict`.
+/// Calls `answer`(numbers, notes) for every element. A refused element gets `refused` and a message; calls
+/// with numbers only raise, and so do arrays under `strict`.
 template <class Row, class Answer>
 Rows<Row> answer_rows(std::span<const Argument> arguments, bool strict, const Row& refused,
                       const Answer& answer) {
@@ -170,7 +170,7 @@ template <class Row>
       reinterpret_cast<const double*>(reinterpret_cast<const char*>(rows.rows.data()) + offset), result);
 }
 
-/// The same of a number that is worked out from the element.
+/// The same for a number computed from the element.
 template <class Row, class Get>
 [[nodiscard]] py::object computed(const Rows<Row>& rows, const Get& get) {
   if (rows.scalar)
@@ -182,19 +182,19 @@ template <class Row, class Get>
   return out;
 }
 
-/// A class of results with what all of them have.
+/// A class of results with the members of all results.
 template <class Row>
 py::class_<Rows<Row>> result_class(py::module_& module, const char* name, const char* documentation) {
   return py::class_<Rows<Row>>(module, name, documentation)
       .def_property_readonly(
           "errors", [](const Rows<Row>& rows) { return errors_by_index(rows.errors, rows.shape); },
-          "Messages of the elements that were refused, by index; their numbers are NaN.")
+          "Messages of refused elements, by index; their numbers are NaN.")
       .def_property_readonly(
           "notes", [](const Rows<Row>& rows) { return rows.notes; },
-          "Remarks on values that are possible but outside the range of a formula, each once.")
+          "Notes on values that are possible but outside the range of a formula, each once.")
       .def_property_readonly(
           "shape", [](const Rows<Row>& rows) { return py::tuple(py::cast(rows.shape)); },
-          "Shape of the arrays; () of a call with numbers alone.");
+          "Shape of the arrays; () for a call with numbers only.");
 }
 
 /// A property that shows a double of the row, at its offset.

@@ -19,12 +19,12 @@ using sands::MeasuredLaw;
 
 void bind_known_sands(py::module_& module) {
   py::class_<KnownSand>(module, "KnownSand",
-                        "A sand that laboratories test again and again, as far as a source says.")
+                        "A sand often used in laboratories, with its published properties.")
       .def_readonly("key", &KnownSand::key, "Its name on a command line.")
-      .def_readonly("name", &KnownSand::name, "For people.")
+      .def_readonly("name", &KnownSand::name, "Its full name.")
       .def_readonly("source", &KnownSand::source, "Keys in validation/references.bib.")
       .def_readonly("mineral", &KnownSand::mineral, "Key of its mineral, see minerals().")
-      .def_readonly("d50", &KnownSand::d50, "[m]; None where no source says it.")
+      .def_readonly("d50", &KnownSand::d50, "[m]; None if not published.")
       .def_readonly("uniformity", &KnownSand::uniformity, "C_u = d60/d10 [1], or None.")
       .def_readonly("least_void_ratio", &KnownSand::least_void_ratio, "e_min [1], or None.")
       .def_readonly("largest_void_ratio", &KnownSand::largest_void_ratio, "e_max [1], or None.");
@@ -36,7 +36,7 @@ void bind_known_sands(py::module_& module) {
           all[sand.key] = py::cast(&sand, py::return_value_policy::reference);
         return all;
       },
-      (R"(Sands by name, which packing_answer() and infer() take as sand.
+      (R"(Sands by name, for the argument sand of packing_answer() and infer().
 
 Returns
 -------
@@ -82,15 +82,15 @@ void bind_measured_laws(py::module_& module) {
   py::class_<MeasuredLaw>(module, "MeasuredLaw",
                           "A published law of the small-strain shear modulus of sands.")
       .def_readonly("key", &MeasuredLaw::key, "Its name on a command line.")
-      .def_readonly("sand", &MeasuredLaw::sand, "What was tested.")
+      .def_readonly("sand", &MeasuredLaw::sand, "The tested material.")
       .def_readonly("source", &MeasuredLaw::source, "Key in validation/references.bib.")
-      .def_readonly("formula", &MeasuredLaw::formula, "In kPa, as its source has it.")
+      .def_readonly("formula", &MeasuredLaw::formula, "In kPa, as in its source.")
       .def_property_readonly(
           "bias", [](const MeasuredLaw& l) { return l.record.bias; },
-          "Law over measured of 38 clean sands, geometric mean [1].")
+          "Law over measured, geometric mean over 38 clean sands [1].")
       .def_property_readonly(
           "rms_log10", [](const MeasuredLaw& l) { return l.record.rms_log10; },
-          "Root mean square of log10 of law over measured, of the same sands [1].");
+          "Root mean square of log10 of law over measured, for the same sands [1].");
   module.def(
       "measured_laws",
       [] {
@@ -139,16 +139,16 @@ void_ratio : array_like
 pressure : array_like
     Mean effective stress p > 0 [Pa].
 uniformity : array_like
-    C_u = d60/d10 >= 1 [1]; four laws ask for it.
+    C_u = d60/d10 >= 1 [1]; used by four laws.
 d50 : array_like
-    > 0 [m]; two laws ask for it.
+    > 0 [m]; used by two laws.
 strict : bool
     Raise at the first element that is refused, instead of NaN and a message in `errors`.
 
 Returns
 -------
 IsotropicModuli
-    Its notes say where a number lies outside of the law's tests; the bulk modulus is NaN, no law has one.
+    Its notes report numbers outside of the tests of the law. The bulk modulus is NaN: the laws have none.
 )") + raises_invalid("For another law, a number out of range, or a void ratio beyond the law's zero.") +
            notes("Under isotropic stress, clean sands. Sources: measured_laws().", "sands::shear_modulus",
                  "sands/measured_sands.hpp")});

@@ -25,8 +25,8 @@ modulus : str
     K, G_hh, G_vh, E_v, E_h, C11, C33, C12 or C13.
 )";
 
-const std::string refused = raises_invalid(
-    "For numbers that no packing can have; arrays: under strict. For another rung or modulus.");
+const std::string refused =
+    raises_invalid("For impossible numbers (with arrays only under strict), or another rung or modulus.");
 
 // ---- exponents
 
@@ -47,7 +47,7 @@ py::object exponents(const Arguments& a) {
 }
 
 void bind_exponents(py::module_& module) {
-  auto type = result_class<ExponentRow>(module, "Exponents", "How a modulus grows with the stresses.");
+  auto type = result_class<ExponentRow>(module, "Exponents", "Exponents of the stresses in a modulus.");
   show_member<ExponentRow>(type, "stress_v", offsetof(ExponentRow, stress_v), "d ln X/d ln stress_v [1].");
   show_member<ExponentRow>(type, "stress_h", offsetof(ExponentRow, stress_h), "d ln X/d ln stress_h [1].");
   type.def_property_readonly(
@@ -59,12 +59,12 @@ void bind_exponents(py::module_& module) {
       },
       "s = d ln X/d ln p at constant stress ratio [1].");
   define(module, {"exponents", state_keywords({{"rung"}, {"modulus"}}), &exponents,
-                  std::string("Exponents of a modulus at frozen contacts: C_n, z* and a do not grow.\n") +
+                  std::string("Exponents of a modulus at frozen contacts: C_n, z* and a do not change.\n") +
                       state_parameters + rung_and_modulus + R"(
 Returns
 -------
 Exponents
-    NaN where the modulus vanishes whatever the stress.
+    NaN where the modulus vanishes at every stress.
 )" + refused +
                       notes("Differentiated exactly under the integral. [Chung2014]", "effective::exponents",
                             "effective/rungs.hpp")});
@@ -91,11 +91,11 @@ void bind_ladder(py::module_& module) {
       .def_property_readonly(
           "rung", [](const RungAssessment& r) { return *r.rung->number; }, "Its number.")
       .def_property_readonly(
-          "title", [](const RungAssessment& r) { return r.rung->title; }, "In a few words.")
+          "title", [](const RungAssessment& r) { return r.rung->title; }, "Short description.")
       .def_property_readonly(
           "typical_time", [](const RungAssessment& r) { return r.rung->typical_time; },
-          "Of one evaluation [s].")
-      .def_readonly("missing", &RungAssessment::missing, "Inputs that it needs and has not.")
+          "Time of one evaluation [s].")
+      .def_readonly("missing", &RungAssessment::missing, "Required inputs that are not given.")
       .def_property_readonly(
           "estimate",
           [](const RungAssessment& r) -> py::object {
@@ -104,16 +104,16 @@ void bind_ladder(py::module_& module) {
             return estimate_object(
                 {.stiffness = *r.stiffness, .validity = {}, .relative_error = r.relative_error});
           },
-          "Stiffness and stated errors; None where an input is missing.")
+          "Stiffness and stated errors; None if an input is missing.")
       .def_property_readonly("largest_error", &RungAssessment::largest_error,
-                             "Of the stated errors of K, G_hh and G_vh [1]; None where none is stated.")
-      .def_readonly("error_source", &RungAssessment::error_source, "Where its stated errors come from.")
+                             "Largest stated error of K, G_hh and G_vh [1]; None if none is stated.")
+      .def_readonly("error_source", &RungAssessment::error_source, "Source of its stated errors.")
       .def_property_readonly(
           "verdict", [](const RungAssessment& r) { return estimate::name(r.verdict); },
           "chosen, cheaper_does, beyond_tolerance, error_unknown or inputs_missing.")
       .def_readonly("reason", &RungAssessment::reason, "The verdict in words.");
   using estimate::Ladder;
-  py::class_<Ladder>(module, "Ladder", "The ladder for one packing, and the rung to take.")
+  py::class_<Ladder>(module, "Ladder", "The ladder for one packing, and the chosen rung.")
       .def_readonly("tolerance", &Ladder::tolerance, "[1]")
       .def_readonly("tolerance_met", &Ladder::tolerance_met,
                     "Whether the stated error of the choice is within it.")
@@ -123,17 +123,18 @@ void bind_ladder(py::module_& module) {
             const estimate::Range& z = ladder.mechanical_coordination_number;
             return std::array{z.value, z.low, z.high};
           },
-          "z* of the answer, and the ends of its range.")
-      .def_readonly("rungs", &Ladder::rungs, "Rungs 0 to 5; 4 and 5 always lack a packing.")
+          "z* of the answer, with the ends of its range.")
+      .def_readonly("rungs", &Ladder::rungs,
+                    "Rungs 0 to 5; 4 and 5 are not evaluated, because they need a packing.")
       .def_property_readonly(
-          "choice", [](const Ladder& ladder) { return ladder.choice(); }, "The rung to take.")
+          "choice", [](const Ladder& ladder) { return ladder.choice(); }, "The chosen rung.")
       .def_readonly("advice", &Ladder::advice, "Inputs that would allow a better or a cheaper rung.")
       .def_property_readonly(
           "notes", [](const Ladder& ladder) { return ladder.validity.notes; },
           "Remarks on numbers outside the range of a formula, a sentence each.");
   define(module,
          {"estimate", question_keywords({{"tolerance"}}), &choose,
-          std::string("The cheapest rung whose stated error fits a tolerance, for one packing.\n") +
+          std::string("The cheapest rung whose stated error is within a tolerance, for one packing.\n") +
               question_parameters + R"(tolerance : float
     > 0, of the largest stated error among K, G_hh and G_vh [1]: 0.05 for 5 %.
 
@@ -144,13 +145,13 @@ Ladder
 Raises
 ------
 InvalidArgument
-    For numbers that no packing can have, and for a sand: rungs are of spheres. The range of packing_answer is
-    the error of a sand's answer; grain_shape="sphere" has the rungs.
+    For impossible numbers, and for a sand: rungs apply to spheres. The error of the answer for a sand is the
+    range of packing_answer; use grain_shape="sphere" for the rungs.
 TypeError
     For arrays.
 )" +
               notes("The stated error of rung 3 is half of the range of packing_answer; those of other "
-                    "rungs hold their distance from it.",
+                    "rungs include their distance from it.",
                     "estimate::choose", "estimate/ladder.hpp")});
 }
 

@@ -20,7 +20,7 @@ constexpr std::pair<const char*, Input> inputs[] = {
     {"tangential_ratio", Input::tangential_ratio}, {"void_ratio", Input::void_ratio},
     {"fabric_anisotropy", Input::fabric},          {"grain_density", Input::density}};
 
-/// An input and its standard deviation, over the value where that stays positive.
+/// An input and its standard deviation, relative to the value if that is positive by definition.
 struct Uncertain {
   Input input;
   double deviation = 0;
@@ -40,7 +40,7 @@ double value_of(Input input, const effective::State& state, double density) {
   case Input::fabric:
     break;
   }
-  return 1; // moved by the deviation itself
+  return 1; // changed by the deviation itself
 }
 
 } // namespace
@@ -58,7 +58,7 @@ inverse::SharedInputs shared_inputs(const std::map<std::string, double>& deviati
     }
   for (const auto& [name, deviation] : deviations)
     if (std::find(out.keys.begin(), out.keys.end(), name) == out.keys.end())
-      throw InvalidArgument("uncertainty: " + name + " is no input that all measurements share");
+      throw InvalidArgument("uncertainty: " + name + " is not an input common to all measurements");
   out.move = [uncertain, tangential_ratio](effective::State& state, double& density,
                                            std::span<const double> by) {
     contact::GrainMaterial grain = state.law.grain();

@@ -6,15 +6,15 @@
 
 #include <granum/inverse/inference.hpp>
 
-/// Errors that all measurements share, told by the names of arguments.
+/// Errors common to all measurements, given by the names of arguments.
 namespace granum::python {
 
 /// \param    deviations         standard deviations by the names of infer()'s arguments and of the grains'
-/// \param    first              state of the first measurement: numbers that stay positive are moved by their
-///                              share of its own
+/// \param    first              state of the first measurement: positive numbers are changed by a share of
+///                              their value
 /// \param    grain_density      [kg/m3]
-/// \param    tangential_ratio   was given; else it follows Poisson's ratio
-/// \throws   InvalidArgument for a name that is no input of all measurements, or a negative deviation
+/// \param    tangential_ratio   whether it was given; else it follows from Poisson's ratio
+/// \throws   InvalidArgument for a name that is not an input of all measurements, or a negative deviation
 [[nodiscard]] inverse::SharedInputs shared_inputs(const std::map<std::string, double>& deviations,
                                                   const effective::State& first, double grain_density,
                                                   bool tangential_ratio);

@@ -67,7 +67,7 @@ const char* const state_parameters = R"(
 Parameters
 ----------
 law : NormalLaw
-    Normal contact of two grains, as sphere() makes it.
+    Normal contact of two grains, for instance from sphere().
 radius : array_like
     R > 0 of a grain [m].
 void_ratio : array_like
@@ -87,7 +87,7 @@ mechanical_coordination_number : array_like, optional
 rattler_fraction : array_like, optional
     Share of grains that carry no force, instead of z* = C_n/(1 - share) [1].
 contact_means : ContactMeans, optional
-    Of unequal grains; without it those of equal ones.
+    Means for unequal grains; default: equal grains.
 strict : bool
     Raise at the first element that is refused, instead of NaN and a message in `errors`.
 )";
@@ -117,7 +117,7 @@ StateArguments::StateArguments(const Arguments& a, CoordinationNumber coordinati
   else
     columns_[6].value = contact::mindlin_stiffness_ratio(law_->grain().poisson_ratio);
   if (a.given(mechanical_at) && a.given(rattlers_at))
-    throw py::type_error("mechanical_coordination_number and rattler_fraction say the same: give one");
+    throw py::type_error("mechanical_coordination_number and rattler_fraction are alternatives: give one");
   if (a.given(mechanical_at)) {
     coordination_ = Coordination::mechanical;
     columns_[7].value = a[mechanical_at];

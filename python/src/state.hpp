@@ -13,18 +13,18 @@
 #include "keywords.hpp"
 #include "rows.hpp"
 
-/// The state of a packing as keywords of Python: what all closed forms take.
+/// The state of a packing as keywords of Python, common to all closed forms.
 namespace granum::python {
 
-/// Keywords of a state in the order in which StateArguments reads them, and those of one function behind.
+/// Keywords of a state in the order in which StateArguments reads them, followed by those of one function.
 [[nodiscard]] std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more = {});
-/// How many they are: where those of a function begin.
+/// Their number, the index of the first keyword of a function.
 inline constexpr std::size_t state_keyword_count = 13;
 
-/// What the docstrings of all closed forms say of these keywords.
+/// The docstring of these keywords, for all closed forms.
 extern const char* const state_parameters;
 
-/// The stress of one direction: `pressure` sets both, else it is `stress`, which `name` names.
+/// The stress of one direction: `pressure` if given, else `stress`, whose keyword is `name`.
 /// \throws   TypeError if both or none are given
 [[nodiscard]] Argument stress_argument(const Arguments& arguments, std::size_t pressure, std::size_t stress_v,
                                        std::size_t stress_h, bool vertical);
@@ -39,15 +39,15 @@ class StateArguments {
 
   [[nodiscard]] std::span<const Argument> columns() const { return columns_; }
   [[nodiscard]] bool strict() const { return strict_; }
-  /// z* or the share of rattlers was given.
+  /// Whether z* or the share of rattlers was given.
   [[nodiscard]] bool knows_rattlers() const { return coordination_ != Coordination::unknown; }
-  /// The packing of one element, with z* where it follows from C_n and the share of rattlers.
+  /// The packing of one element, with z* if it follows from C_n and the share of rattlers.
   [[nodiscard]] effective::State state(const double* numbers) const;
-  /// What is known of the packing of one element, and no more.
+  /// The packing of one element, with given numbers only.
   [[nodiscard]] estimate::Question question(const double* numbers) const;
   /// Whether fabric_anisotropy was given.
   [[nodiscard]] bool knows_fabric() const { return knows_fabric_; }
-  /// Whether k_t/k_n was given; else it is that of no slip.
+  /// Whether k_t/k_n was given; else the no-slip value is used.
   [[nodiscard]] bool knows_tangential_ratio() const { return knows_tangential_ratio_; }
 
  private:

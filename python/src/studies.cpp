@@ -43,13 +43,13 @@ std::string text_in_si(const std::string& name, double value) {
 
 // ---- running
 
-/// What a study has come to.
+/// The progress of a study.
 struct Study {
   Scene scene;
   std::vector<studies::SpecimenResult> specimens;
 };
 
-/// Runs a study beside this thread, which meanwhile hears Ctrl-C and tells the progress.
+/// Runs a study in another thread, while this one handles Ctrl-C and reports the progress.
 class Run {
  public:
   Run(const Scene& scene, py::object progress) : scene_(scene), progress_(std::move(progress)) {}
@@ -65,7 +65,7 @@ class Run {
     }
     while (!finished(work))
       listen();
-    listen(); // what was noted last
+    listen(); // report the last progress
     return work.get();
   }
 
@@ -78,7 +78,7 @@ class Run {
     const std::scoped_lock lock(mutex_);
     latest_ = progress;
   }
-  /// What the interpreter wants to raise is raised by the caller, when the study has ended.
+  /// A pending exception of the interpreter is raised by the caller after the study has ended.
   void listen() {
     if (stop_)
       return;
@@ -108,7 +108,7 @@ class Run {
   std::optional<studies::Progress> latest_;
 };
 
-/// A pending exception of the interpreter takes along what is finished.
+/// Attaches the finished part of a study to a pending exception of the interpreter.
 [[noreturn]] void raise_with(Study study) {
   py::error_already_set error; // takes the pending one
   error.value().attr("study") = py::cast(std::move(study));
@@ -125,8 +125,8 @@ Study verify(const Settings& settings, const py::object& progress) {
 
 // ---- tables
 
-/// What rows have in columns, by `name_of` a column: texts as a list, numbers as an array, NaN for nothing;
-/// those with an error have it in an array of its own.
+/// The columns of rows, by `name_of` a column: texts as a list, numbers as an array with NaN for empty
+/// values; errors are in a separate array.
 template <class Row, class NameOf>
 void put_columns(py::dict& out, const io::Columns<Row>& columns, const std::vector<const Row*>& rows,
                  const NameOf& name_of) {
@@ -198,23 +198,23 @@ std::vector<std::string> failures(const Study& study) {
 } // namespace
 
 void bind_studies(py::module_& module) {
-  py::class_<studies::Verdict>(module, "Verdict", "A claim, and whether the study bears it out.")
-      .def_readonly("claim", &studies::Verdict::claim, "What was to be shown.")
-      .def_readonly("holds", &studies::Verdict::holds, "Whether it was.")
-      .def_readonly("measured", &studies::Verdict::measured, "What was found, in words.")
+  py::class_<studies::Verdict>(module, "Verdict", "A claim, and whether the study confirms it.")
+      .def_readonly("claim", &studies::Verdict::claim, "The claim.")
+      .def_readonly("holds", &studies::Verdict::holds, "Whether it is confirmed.")
+      .def_readonly("measured", &studies::Verdict::measured, "The result, as text.")
       .def("__repr__", [](const studies::Verdict& v) {
         return std::string(v.holds ? "<holds: " : "<does not hold: ") + v.claim + ": " + v.measured + ">";
       });
-  py::class_<Study>(module, "Study", "Closed form, network and probe side by side: what verify found.")
-      .def_property_readonly(
-          "states", &states,
-          "All states, a dict of columns with units in their names, as states.csv has them.")
-      .def_property_readonly("exponents", &exponents_table, "s of G ~ p^s by every route, a dict of columns.")
+  py::class_<Study>(module, "Study", "Results of verify: closed form, network and probe.")
+      .def_property_readonly("states", &states,
+                             "All states, a dict of columns with units in their names, as in states.csv.")
+      .def_property_readonly("exponents", &exponents_table,
+                             "s of G ~ p^s by closed forms, network and probe, a dict of columns.")
       .def_property_readonly(
           "verdicts", [](const Study& study) { return studies::verdicts(study.scene, study.specimens); },
-          "What the study says of each claim for which it has the data.")
+          "The verdict on each claim for which the study has data.")
       .def_property_readonly("failures", &failures,
-                             "Of specimens that failed or were stopped; empty if all ran.")
+                             "Messages for specimens that failed or were stopped; empty if all ran.")
       .def("__str__", [](const Study& study) {
         return studies::states_table(study.specimens) + "\n" +
                studies::exponents_table(studies::exponents(study.scene, study.specimens)) + "\n" +

@@ -37,7 +37,7 @@ struct Specimen {
 
 // ---- preparation
 
-/// Places of the keywords of specimen().
+/// Indices of the keywords of specimen().
 namespace recipe_keyword {
 enum : std::size_t {
   law,
@@ -104,12 +104,12 @@ py::object specimen(const Arguments& a) {
 
 /// One state of a path, at rest.
 struct State {
-  double pressure = 0; ///< asked for [Pa]
+  double pressure = 0; ///< as requested [Pa]
   Specimen specimen;
   dem::QuasistaticReport report;
 };
 
-/// A path of isotropic compression, one state after the other.
+/// A path of isotropic compression, as an iterator over its states.
 class Compression {
  public:
   Compression(Specimen start, std::vector<double> pressures)
@@ -148,8 +148,8 @@ class Compression {
 
 void bind_compression(py::module_& module) {
   py::class_<State>(module, "State", "One state of a path of compression, at rest.")
-      .def_readonly("pressure", &State::pressure, "That was asked for [Pa].")
-      .def_readonly("specimen", &State::specimen, "To go on with.")
+      .def_readonly("pressure", &State::pressure, "Requested pressure [Pa].")
+      .def_readonly("specimen", &State::specimen, "The specimen, for further loading.")
       .def_property_readonly(
           "packing", [](const State& s) { return s.specimen.packing(); },
           "Grains and contacts, with k_n and k_t.")
@@ -157,7 +157,7 @@ void bind_compression(py::module_& module) {
           "stress", [](const State& s) { return array_of(s.report.stress()); },
           "Contact stress [Pa], (3, 3).")
       .def_property_readonly(
-          "steps", [](const State& s) { return s.report.steps; }, "Of the simulation.")
+          "steps", [](const State& s) { return s.report.steps; }, "Steps of the simulation.")
       .def_property_readonly(
           "unbalanced_force_ratio", [](const State& s) { return s.report.unbalanced_force_ratio; },
           "Mean residual force over mean contact force [1].");
@@ -171,17 +171,17 @@ void bind_compression(py::module_& module) {
             return py::cast(Compression(a.as<const Specimen&>(0, "a Specimen"), list_of("pressures", a[1])));
           },
           std::string() +
-              R"(Compresses a specimen with friction from pressure to pressure, one state after the other.
+              R"(Compresses a specimen with friction through a list of pressures, state by state.
 
-What is finished is kept where Ctrl-C ends the path, and another path may begin at the specimen of any
-state, with the same bits.
+If Ctrl-C ends the path, finished states are kept. Another path may begin at the specimen of any state, with
+bitwise identical results.
 
 Parameters
 ----------
 specimen : Specimen
-    As specimen() makes it, or that of a state.
+    From specimen(), or the specimen of a state.
 pressures : (N,) array_like
-    In turn, > 0 [Pa].
+    Pressures in this order, > 0 [Pa].
 
 Returns
 -------
@@ -193,7 +193,7 @@ Raises
 InvalidArgument
     For pressures that are not positive.
 NotConverged
-    By the iterator, where a state does not come to rest.
+    By the iterator, if a state does not come to rest.
 )" +
               notes("The discrete element method, with the whole loading history of the contacts. "
                     "[CundallStrack1979]",
@@ -236,29 +236,29 @@ py::object probe(const Arguments& a) {
 void bind_probe(py::module_& module) {
   using triaxial::ProbeResult;
   py::class_<ProbeResult>(module, "ProbeResult", "A small cycle of shear of a specimen at rest.")
-      .def_readonly("converged", &ProbeResult::converged, "Whether every leg came to rest.")
-      .def_readonly("amplitude", &ProbeResult::amplitude, "Shear strain [1].")
-      .def_readonly("steps", &ProbeResult::steps, "Of the simulation.")
+      .def_readonly("converged", &ProbeResult::converged, "Whether every part of the cycle came to rest.")
+      .def_readonly("amplitude", &ProbeResult::amplitude, "Amplitude of the shear strain [1].")
+      .def_readonly("steps", &ProbeResult::steps, "Steps of the simulation.")
       .def_readonly("unbalanced_force_ratio", &ProbeResult::unbalanced_force_ratio,
-                    "Largest after any leg [1].")
+                    "Largest value after any part of the cycle [1].")
       .def_property_readonly("shear_modulus", &ProbeResult::shear_modulus, "[Pa]. Raises NotConverged.")
       .def_property_readonly("opening", &ProbeResult::opening,
-                             "Stress left after the cycle over its swing [1]. Raises NotConverged.");
+                             "Residual stress after the cycle over its amplitude [1]. Raises NotConverged.");
   define(module, {"probe",
                   {{"specimen"}, {"mode"}, {"amplitude", "None"}, {"sliding", "False"}},
                   &probe,
-                  std::string() + R"(Shears a specimen by a little and back, frozen at rest: rung 5.
+                  std::string() + R"(Small-strain shear cycle of a specimen at rest: rung 5.
 
 Parameters
 ----------
 specimen : Specimen
-    At rest, that of a state.
+    At rest: the specimen of a state.
 mode : {"hh", "hv", "vh"}
     hh: layers stacked along x move along y; hv: along z; vh: layers stacked along z move along x.
 amplitude : float, optional
     Shear strain [1]; without it chosen from the mean overlap.
 sliding : bool
-    Contacts may slide; else the response of the frozen network.
+    Whether contacts may slide; else the response of the frozen network.
 
 Returns
 -------
@@ -269,8 +269,8 @@ Raises
 InvalidArgument
     For another mode, or an amplitude that is not positive.
 )" +
-                      notes("Loads in small steps and back, each until it is at rest.", "triaxial::probe",
-                            "triaxial/probe.hpp"),
+                      notes("Loads and unloads in small steps, each until the specimen is at rest.",
+                            "triaxial::probe", "triaxial/probe.hpp"),
                   1});
 }
 
@@ -285,13 +285,13 @@ stress::ShearPath path_of(std::string name) {
   throw InvalidArgument("path is one of TXC, RTXC, RTXE, TXE, not " + name);
 }
 
-/// A triaxial test under way, one snapshot after the other.
+/// A running triaxial test, as an iterator over its snapshots.
 class Shearing {
  public:
   Shearing(const Specimen& start, const triaxial::ShearOptions& options)
       : material_(start.material), test_(start.state, start.material, options) {}
 
-  /// Where the test stands at a snapshot.
+  /// State of the test at a snapshot.
   struct Point {
     triaxial::PathPoint point;
     Specimen specimen;
@@ -341,8 +341,7 @@ py::object shear(const Arguments& a) {
 
 void bind_shear(py::module_& module) {
   using Point = Shearing::Point;
-  py::class_<Point>(module, "PathPoint",
-                    "Where a triaxial test stands; strains are logarithmic, from its start.")
+  py::class_<Point>(module, "PathPoint", "State of a triaxial test; strains are logarithmic, from its start.")
       .def_property_readonly(
           "stress_v", [](const Point& p) { return p.point.stress.v; }, "[Pa]")
       .def_property_readonly(
@@ -356,40 +355,40 @@ void bind_shear(py::module_& module) {
       .def_property_readonly(
           "volumetric_strain", [](const Point& p) { return p.point.volumetric_strain; }, "[1]")
       .def_property_readonly(
-          "step", [](const Point& p) { return p.point.step; }, "Of the simulation.")
-      .def_readonly("specimen", &Point::specimen, "As it moves; to probe or to go on with.")
+          "step", [](const Point& p) { return p.point.step; }, "Step of the simulation.")
+      .def_readonly("specimen", &Point::specimen, "The specimen in motion, to probe or to shear further.")
       .def_property_readonly(
           "packing", [](const Point& p) { return p.specimen.packing(); },
-          "Grains and contacts as they move; k_n and k_t are those of the law.");
-  py::class_<Shearing>(module, "Shearing", "A triaxial test under way: an iterator of PathPoint.")
+          "Grains and contacts in motion; k_n and k_t follow from the law.");
+  py::class_<Shearing>(module, "Shearing", "A running triaxial test: an iterator of PathPoint.")
       .def("__iter__", [](const py::object& self) { return self; })
       .def("__next__", &Shearing::next);
-  define(module,
-         {"shear",
-          {{"specimen"},
-           {"path"},
-           {"mean_stress"},
-           {"eta_step", "None"},
-           {"strain_step", "None"},
-           {"largest_strain", "None"},
-           {"inertial_number", "None"}},
-          &shear,
-          std::string() + R"(Shears a specimen along a path of triaxial tests, one snapshot after the other.
+  define(module, {"shear",
+                  {{"specimen"},
+                   {"path"},
+                   {"mean_stress"},
+                   {"eta_step", "None"},
+                   {"strain_step", "None"},
+                   {"largest_strain", "None"},
+                   {"inertial_number", "None"}},
+                  &shear,
+                  std::string() + R"(Shears a specimen along a triaxial stress path, snapshot by snapshot.
 
 Parameters
 ----------
 specimen : Specimen
-    At rest under mean_stress, that of a state.
+    At rest under mean_stress: the specimen of a state.
 path : {"TXC", "RTXC", "RTXE", "TXE"}
-    Which stress changes, and in which sense.
+    Which stress changes, and in which direction.
 mean_stress : float
     Isotropic stress at the start [Pa].
 eta_step, strain_step : float, optional
-    A snapshot at each first passage of a multiple of this stress ratio [1] and of this axial strain [1].
+    A snapshot is taken whenever a multiple of this stress ratio [1] or of this axial strain [1] is first
+    passed.
 largest_strain : float, optional
     Axial strain at which the test ends [1].
 inertial_number : float, optional
-    Of shearing [1].
+    Inertial number of shearing [1].
 
 Returns
 -------
@@ -401,15 +400,15 @@ Raises
 InvalidArgument
     For another path, or numbers out of range.
 NotConverged
-    By the iterator, where the simulation becomes unstable.
+    By the iterator, if the simulation becomes unstable.
 )" + notes("The stress paths of the paper. [Chung2014]", "triaxial::ShearTest", "triaxial/shear_test.hpp"),
-          1});
+                  1});
 }
 
 } // namespace
 
 void bind_triaxial(py::module_& module) {
-  py::class_<Specimen>(module, "Specimen", "A specimen of the verifier: grains that a simulation moves.")
+  py::class_<Specimen>(module, "Specimen", "A specimen of the DEM simulation.")
       .def_property_readonly("packing", &Specimen::packing, "Grains and contacts, with k_n and k_t.")
       .def_property_readonly(
           "void_ratio", [](const Specimen& s) { return dem::void_ratio(s.state); }, "[1]")
@@ -434,9 +433,9 @@ void bind_triaxial(py::module_& module) {
            {"sizes", "None"},
            {"wall_friction", "None"}},
           &specimen,
-          std::string() + R"(Prepares a specimen of spheres, from which compression with friction starts.
+          std::string() + R"(Prepares a specimen of spheres for compression with friction.
 
-Same arguments, same bits.
+The same arguments give bitwise identical specimens.
 
 Parameters
 ----------
@@ -445,22 +444,22 @@ law : NormalLaw
 radius : float
     R > 0 of all grains, or the mean by number of a distribution of sizes [m].
 friction_coefficient : float
-    Between grains [1].
+    Friction between grains [1].
 kind : {"dense", "loose"}
-    dense: without friction until the first pressure is reached; loose: opened just below jamming, and
-    compressed with friction from there.
+    dense: without friction up to the first pressure; loose: opened to just below jamming, then compressed
+    with friction.
 grains, seed : int, optional
-    How many, and of which sample.
+    Number of grains, and seed of the random sample.
 first_pressure : float, optional
-    Of the frictionless preparation [Pa].
+    Pressure of the frictionless preparation [Pa].
 tangential_ratio : float, optional
     k_t/k_n [1]; without it mindlin_stiffness_ratio of the law's material.
 density : float, optional
-    Of the grains [kg/m3].
+    Density of the grains [kg/m3].
 sizes : Distribution, optional
-    Of the radii; without it all are equal.
+    Distribution of the radii; default: equal.
 wall_friction : float, optional
-    Six rigid walls of this friction coefficient [1]; without it the cell is periodic.
+    Friction coefficient of six rigid walls [1]; without it the cell is periodic.
 
 Returns
 -------
@@ -469,11 +468,11 @@ Specimen
 Raises
 ------
 InvalidArgument
-    For numbers that no specimen can have.
+    For impossible numbers.
 NotConverged
-    Where no packing at rest is found.
+    If no packing at rest is found.
 )" +
-              notes("Frictionless spheres are brought to rest by a minimiser. [Bitzek2006] [OHern2003]",
+              notes("Frictionless spheres are relaxed by energy minimisation. [Bitzek2006] [OHern2003]",
                     "triaxial::frictionless_specimen", "triaxial/specimen.hpp")});
   bind_compression(module);
   bind_probe(module);

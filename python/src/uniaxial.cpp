@@ -22,7 +22,7 @@ namespace {
 using rock_physics::StrainedPacking;
 using rock_physics::UniaxialPacking;
 
-/// Keywords that both models share stand first; `strict` is the last.
+/// Keywords common to both models come first; `strict` is the last.
 enum : std::size_t { shear_modulus_at, poisson_ratio_at, porosity_at, coordination_number_at, strains_at };
 
 const std::vector<Keyword> walton_keywords{
@@ -96,7 +96,7 @@ rock_physics::StrainPath path_of(const std::string& name) {
   throw InvalidArgument("path is one of hydrostatic_first, uniaxial_first, simultaneous, not " + name);
 }
 
-/// \param    hydrostatic   what is said of the strain e0, where the model has one
+/// \param    hydrostatic   text on the strain e0, if the model has one
 /// \param    result        the class
 std::string documentation(const std::string& what, const std::string& hydrostatic, const std::string& more,
                           const std::string& result, const std::string& source) {
@@ -112,16 +112,15 @@ Returns
 Raises
 ------
 InvalidArgument
-    For numbers that no packing can have; arrays: under strict.
+    For impossible numbers; with arrays only under strict.
 )" + source;
 }
 
 void bind_walton(py::module_& module) {
   const auto source = [](const char* function) {
-    return notes(
-        "The limit of norris_johnson without hydrostatic strain. The C44 that is often reprinted differs "
-        "from Walton's: it is not the average over the contacts. [Walton1987]",
-        std::string("rock_physics::") + function, "rock_physics/walton_uniaxial.hpp");
+    return notes("The limit of norris_johnson without hydrostatic strain. An often reprinted C44 differs "
+                 "from Walton's: it is not the average over the contacts. [Walton1987]",
+                 std::string("rock_physics::") + function, "rock_physics/walton_uniaxial.hpp");
   };
   define(module, with_bulk_modulus(
                      {"walton_uniaxial", walton_keywords,
@@ -138,8 +137,8 @@ void bind_walton(py::module_& module) {
                                         return rock_physics::walton_uniaxial_stress(walton_packing(x));
                                       });
                                     },
-                                    documentation("Stresses that hold a uniaxial compression (Walton 1987).",
-                                                  "", "", "AxialStress", source("walton_uniaxial_stress"))}));
+                                    documentation("Stresses of a uniaxial compression (Walton 1987).", "", "",
+                                                  "AxialStress", source("walton_uniaxial_stress"))}));
 }
 
 void bind_norris_johnson(py::module_& module) {
@@ -147,8 +146,8 @@ void bind_norris_johnson(py::module_& module) {
                                   "compression positive [1].\n";
   const auto source = [](const char* function) {
     return notes(
-        "Contacts follow the mean strain. The stiffness does not remember the order of the strains, the "
-        "stresses do. [NorrisJohnson1997] [Walton1987]",
+        "Contacts follow the mean strain. The stresses depend on the order of the strains, the stiffness "
+        "does not. [NorrisJohnson1997] [Walton1987]",
         std::string("rock_physics::") + function, "rock_physics/norris_johnson.hpp");
   };
   define(module, with_bulk_modulus(
@@ -171,10 +170,9 @@ void bind_norris_johnson(py::module_& module) {
                   return rock_physics::norris_johnson_stress(strained_packing(x), path);
                 });
               },
-              documentation("Stresses that hold a packing at these strains, by the order they came in.",
-                            hydrostatic,
+              documentation("Stresses of a packing at these strains, depending on their order.", hydrostatic,
                             "path : {\"hydrostatic_first\", \"uniaxial_first\", \"simultaneous\"}\n"
-                            "    In which order the two strains came.\n",
+                            "    Order of the two strains.\n",
                             "AxialStress", source("norris_johnson_stress"))}));
 }
 

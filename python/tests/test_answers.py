@@ -52,7 +52,7 @@ def test_the_answer_is_broadcast():
     assert np.isnan(one.shear_wave_speed.value)  # no density was given
 
 
-def test_what_is_known_is_asked_for_once():
+def test_each_input_is_given_once():
     with pytest.raises(granum.InvalidArgument, match="shaken"):
         granum.packing_answer(**BEADS, pressure=100e3, preparation="shaken")
     with pytest.raises(TypeError, match="pressure sets both"):
@@ -151,7 +151,7 @@ def test_a_hole_in_the_measurements_is_left_out():
         granum.infer(**BEADS, pressure=1e5, G=np.nan, relative_error=0.02)
 
 
-def test_what_no_contacts_explain_is_said():
+def test_measurements_that_no_contacts_explain_are_reported():
     stiff = granum.infer(**BEADS, pressure=1e5, G=9e9, relative_error=0.02)
     assert not stiff.explained and stiff.alone == [None] and stiff.notes
     with pytest.raises(granum.NotConverged, match="no contact number"):
@@ -176,7 +176,7 @@ def test_cement_is_that_of_the_program(run_program):
     assert cemented.shear_modulus == pytest.approx(said["cemented"]["at_contacts"]["shear_modulus"], rel=1e-12)
 
 
-def test_a_sand_has_the_fields_of_a_packing_from_what_was_measured():
+def test_a_sand_has_the_fields_of_a_packing_from_measured_laws():
     quartz = granum.sphere(shear_modulus=44e9, poisson_ratio=0.0742, radius=1e-4)
     state = dict(law=quartz, radius=1e-4, void_ratio=0.801, pressure=100e3, grain_density=2650)
     named = granum.packing_answer(**state, sand="toyoura")

@@ -121,7 +121,7 @@ def test_numbers_of_other_types():
         {"e": 0.6},
     ],
 )
-def test_what_is_no_number_is_refused_by_name(wrong):
+def test_objects_that_are_no_numbers_are_refused_by_name(wrong):
     with pytest.raises(TypeError, match="void_ratio"):
         granum.uniform_strain(**{**STATE, "void_ratio": wrong})
 

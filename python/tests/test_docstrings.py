@@ -51,7 +51,7 @@ def entries_of(lines):
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_sections_stand_in_their_order(name):
+def test_sections_are_in_order(name):
     sections = sections_of(name)
     summary = sections.pop("Summary")
     assert summary[0].endswith("."), "the summary is a sentence of one line"

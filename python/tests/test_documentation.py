@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 
-def test_the_page_prints_what_it_says(source, monkeypatch):
+def test_the_page_prints_its_stated_output(source, monkeypatch):
     monkeypatch.chdir(source)
     page = source / "docs" / "python.md"
     text = page.read_text().replace("```", "")  # a fence would be taken for output
@@ -27,7 +27,7 @@ FUNCTIONS = [name for name in granum.__all__ if inspect.isroutine(getattr(granum
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_functions_say_what_they_take(name):
+def test_functions_have_signatures(name):
     documentation = inspect.getdoc(getattr(granum, name))
     assert documentation
     try:
@@ -62,7 +62,7 @@ def test_every_example_is_run(source):
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_examples_print_what_they_should(source, name, capsys):
+def test_examples_print_their_stated_output(source, name, capsys):
     runpy.run_path(str(source / "examples" / "python" / f"{name}.py"))
     printed = capsys.readouterr().out.splitlines()
     for line in EXAMPLES[name]:
@@ -102,7 +102,7 @@ def kinds_reached(values, depth=3):
 BLOCKS = 80
 
 
-def test_every_example_of_the_site_prints_what_it_says(source, monkeypatch):
+def test_every_example_of_the_site_prints_its_stated_output(source, monkeypatch):
     monkeypatch.chdir(source)
     blocks = {}
     for name, text in site(source, "python_pages")["examples"]().items():

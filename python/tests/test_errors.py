@@ -169,7 +169,7 @@ def test_a_number_out_of_range_is_named_as_it_was_typed(function, good, wrong):
         assert str(error.value).startswith(f"{name} = ")
 
 
-def test_both_stresses_keep_their_names_and_arrays_name_what_was_typed():
+def test_both_stresses_keep_their_names_and_arrays_name_the_typed_argument():
     stresses = {name: value for name, value in STATE.items() if name != "pressure"}
     for name in ("stress_v", "stress_h"):
         with pytest.raises(granum.InvalidArgument) as error:

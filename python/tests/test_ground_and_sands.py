@@ -40,7 +40,7 @@ def test_norris_and_johnson_are_hertz_and_mindlin_without_uniaxial_strain():
     assert found.bulk_modulus == pytest.approx(classical.bulk_modulus, rel=1e-12)
 
 
-def test_the_ground_bears_its_weight():
+def test_effective_stress_in_the_ground():
     depth = np.array([1.0, 2.0, 10.0])
     ground = dict(unit_weight=16e3, saturated_unit_weight=20e3, water_table=2, water_unit_weight=1e4)
     found = granum.ground_stress(depth=depth, **ground, earth_pressure_at_rest=0.4, surcharge=5e3)
@@ -78,7 +78,7 @@ def test_published_laws_are_those_of_their_papers():
         granum.sand_shear_modulus(law="kokusho", void_ratio=-1, pressure=p)
 
 
-def test_sands_by_name_are_what_their_name_stands_for():
+def test_sands_by_name_equal_their_properties():
     toyoura = granum.known_sands()["toyoura"]
     state = dict(law=granum.sphere(**QUARTZ, radius=1e-4), radius=1e-4, void_ratio=0.75, pressure=100e3)
     by_name = granum.packing_answer(**state, sand="toyoura")
@@ -129,7 +129,7 @@ MAKERS = {
 
 
 @pytest.mark.parametrize("name", MAKERS)
-def test_a_bulk_modulus_stands_for_poissons_ratio(name):
+def test_a_bulk_modulus_replaces_poissons_ratio(name):
     make = getattr(granum, name)
     law = make(shear_modulus=30e9, poisson_ratio=0.2, **MAKERS[name])
     assert law.bulk_modulus == pytest.approx(40e9, rel=1e-14)

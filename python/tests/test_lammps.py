@@ -89,7 +89,7 @@ def test_the_packing_outlives_lammps(lmp):
     assert np.isfinite(packing.position).all()
 
 
-def test_columns_are_named_where_values_do_not_tell(lmp):
+def test_columns_are_given_where_values_do_not_determine_them(lmp):
     columns = {"id1": "c_ids[1]", "id2": "c_ids[2]", "force": "c_forces[2]"}
     packing = granum.from_lammps(lmp, contacts=("ids", "forces"), columns=columns)
     assert packing.contacts.normal_force.tolist() == [2, 3]
@@ -133,7 +133,7 @@ def test_other_units_become_si(lmp):
         (lambda lmp: None, ("forces",), "agree with the positions"),
     ],
 )
-def test_what_is_wrong_is_said(lmp, change, contacts, message):
+def test_errors_are_reported(lmp, change, contacts, message):
     change(lmp)
     with pytest.raises(granum.InvalidArgument, match=message):
         granum.from_lammps(lmp, contacts=contacts)

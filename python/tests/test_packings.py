@@ -145,7 +145,7 @@ def test_arrays_of_other_types_are_refused_by_name(name):
 
 
 def test_numbers_of_grains_are_integers():
-    with pytest.raises(TypeError, match="contacts is no array of integers"):
+    with pytest.raises(TypeError, match="contacts is not an array of integers"):
         granum.packing(**{**TRIPLE, "contacts": [[0.0, 1.0], [1.0, 2.0]]})
     small = granum.packing(**{**TRIPLE, "contacts": np.array([[0, 1], [1, 2]], dtype=np.uint16)})
     assert small.contacts.j.tolist() == [1, 2]

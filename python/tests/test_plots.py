@@ -23,7 +23,7 @@ def no_picture_stays_open():
     plt.close("all")
 
 
-def test_a_colour_stands_for_one_thing_everywhere():
+def test_a_colour_has_one_meaning_everywhere():
     table = (pathlib.Path(__file__).parents[2] / "include/granum/plot/palette.hpp").read_text()
     rows = dict(re.findall(r'\{"(\w+)", "(#\w{6})"', table))
     plots = granum._plots
@@ -57,7 +57,7 @@ def test_chains_inside_of_the_cell_are_drawn(packing):
     assert len(collection.get_segments()) == inside.sum() > 0.8 * len(contacts)
 
 
-def test_the_study_shows_what_was_found():
+def test_the_study_shows_its_results():
     study = granum.verify(
         {
             "study.contacts": ["sphere"],
@@ -87,7 +87,7 @@ def notebooks(source):
     return sorted((source / "examples" / "notebooks").glob("*.ipynb"))
 
 
-def test_the_notebooks_print_and_draw_what_they_hold(source, capsys):
+def test_the_notebooks_reproduce_their_stored_output(source, capsys):
     paths = notebooks(source)
     assert len(paths) == 6
     run = runpy.run_path(str(source / "examples" / "notebooks" / "run.py"))
@@ -95,7 +95,7 @@ def test_the_notebooks_print_and_draw_what_they_hold(source, capsys):
     assert code == 0, capsys.readouterr().out
 
 
-def test_a_notebook_that_says_something_else_is_found(source, tmp_path):
+def test_a_notebook_with_other_output_is_found(source, tmp_path):
     path = notebooks(source)[4]
     changed = tmp_path / path.name
     changed.write_text(path.read_text().replace("slope 0.3333", "slope 0.3334"))

@@ -34,7 +34,7 @@ INPUTS = {
 
 
 @pytest.mark.parametrize("make", INPUTS.values(), ids=INPUTS)
-def test_what_users_make_comes_back_as_it_was(make):
+def test_objects_made_by_users_are_restored(make):
     made = make()
     for other in (pickle.loads(pickle.dumps(made)), copy.deepcopy(made)):
         assert type(other) is type(made) and other == made
@@ -91,7 +91,7 @@ def test_results_of_other_numbers_differ(sphere):
     assert at(1e5) != at([1e5]) and at(1e5) != 3
 
 
-def test_dictionaries_hold_copies(packing, sphere):
+def test_dictionaries_contain_copies(packing, sphere):
     measured = granum.measure(packing, law=sphere)
     values = measured.to_dict()
     assert values["counts"]["grains"] == measured.counts.grains

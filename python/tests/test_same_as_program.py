@@ -102,7 +102,7 @@ def test_measure_is_the_same_to_the_bit(run_program, dump, packing, sphere):
     assert found.warnings == frame["warnings"]
 
 
-def test_a_law_that_nobody_gives_is_read_off_the_forces(run_program, dump, packing):
+def test_a_law_that_is_not_given_is_derived_from_the_forces(run_program, dump, packing):
     frame = run_program("analyse", *dump, "--no-network")["frames"][0]
     found = granum.measure(packing, network=False)
     assert found.network is None

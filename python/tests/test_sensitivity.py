@@ -45,7 +45,7 @@ def test_exponents_of_arrays_are_nan_where_there_are_none():
 def test_the_ladder_of_a_sand_is_refused_with_a_remedy():
     law = granum.sphere(shear_modulus=44e9, poisson_ratio=0.08, radius=1e-4)
     state = dict(law=law, radius=1e-4, void_ratio=0.7, pressure=1e5)
-    with pytest.raises(granum.InvalidArgument, match="sphere has the rungs"):
+    with pytest.raises(granum.InvalidArgument, match="sphere for the rungs"):
         granum.estimate(tolerance=0.05, sand="toyoura", **state)
     spheres = granum.estimate(tolerance=0.05, sand="toyoura", grain_shape="sphere", **state)
     assert spheres.rungs[3].estimate.G_vh == granum.estimate(tolerance=0.05, **state).rungs[3].estimate.G_vh
@@ -69,7 +69,7 @@ def test_the_ladder_is_that_of_the_program(run_program):
             assert rung.estimate.relative_error.G_vh == row["relative_error"]["G_vh"]
 
 
-def test_what_is_not_measured_makes_the_error_larger():
+def test_assumed_inputs_make_the_error_larger():
     known = granum.estimate(tolerance=0.05, **STATE)
     without_fabric = {name: value for name, value in STATE.items() if name != "fabric_anisotropy"}
     fabric_assumed = granum.estimate(tolerance=0.05, **without_fabric)

@@ -26,7 +26,7 @@ def states():
     return list(granum.compress(granum.specimen(**RECIPE), [20e3, 50e3]))
 
 
-def test_a_specimen_bears_the_pressures_in_turn(states):
+def test_a_specimen_reaches_the_pressures_in_turn(states):
     assert [state.pressure for state in states] == [20e3, 50e3]
     for state in states:
         np.testing.assert_allclose(np.diag(state.stress), state.pressure, rtol=1e-3)
@@ -58,7 +58,7 @@ def test_a_probe_finds_the_modulus_of_the_network(states):
         assert probe.shear_modulus == pytest.approx(network[place, place], rel=0.01)
 
 
-def test_a_shear_path_holds_its_stress(states):
+def test_a_shear_path_keeps_its_stress(states):
     points = list(granum.shear(states[1].specimen, path="TXC", mean_stress=50e3, largest_strain=0.004))
     assert len(points) >= 2
     for point in points:
@@ -201,7 +201,7 @@ WORK = {
 
 
 @pytest.mark.parametrize("said", WORK)
-def test_ctrl_c_ends_work_in_its_midst_and_keeps_what_is_finished(said):
+def test_ctrl_c_ends_work_and_keeps_the_finished_part(said):
     program = CTRL_C.replace("WORK", WORK[said])
     done = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True)
     assert done.returncode == 0 and done.stdout.strip() == said

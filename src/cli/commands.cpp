@@ -21,7 +21,7 @@ ExitCode fail(ExitCode code, std::string_view message) {
 
 namespace {
 
-/// What it is called by, from the program on, and --help, which comes last.
+/// Sets the full name of a command, and adds --help as its last option.
 void finish(Command& command, const std::string& above) {
   command.called = above.empty() ? command.name : above + " " + command.name;
   for (Command& inner : command.within)
@@ -44,7 +44,7 @@ std::unique_ptr<Command> make_program() {
                "and granum COMMAND --help. Quantities carry their unit: 100kPa, 0.5mm, 30GPa,\n"
                "26.5deg.\n"
                "\n"
-               "Exit codes: 0 ok, 1 some rows failed or a check fell short, 2 usage, 3 file,\n"
+               "Exit codes: 0 ok, 1 some rows or checks failed, 2 usage, 3 file,\n"
                "4 not converged, or outside validity under --strict, 129, 130 or 143\n"
                "stopped by SIGHUP, Ctrl-C or SIGTERM."});
   program->add({.name = "--version",
@@ -65,7 +65,7 @@ std::unique_ptr<Command> make_program() {
   add("By simulation", make_reproduce());
   add("By simulation", make_trade());
   add("By simulation", make_export());
-  add("", make_reference(*program)); // for the build: help does not list it
+  add("", make_reference(*program)); // for the build; not listed in help
   finish(*program, "");
   return program;
 }
@@ -88,7 +88,8 @@ ExitCode fail_with(const std::vector<std::string>& faults) {
   return ExitCode::usage;
 }
 
-/// The command that the first words name, "export lammps" for instance; words from `first` on are its own.
+/// The command named by the first words, for instance "export lammps"; words from `first` on are its
+/// arguments.
 struct NamedCommand {
   const Command* command;
   std::size_t first = 0;

@@ -6,17 +6,17 @@
 
 #include "cli/frame/frame.hpp"
 
-/// The program but for main().
+/// The program without main().
 namespace granum::cli {
 
-/// The program with every command, of which it takes one. Commands keep references to it.
+/// The program with all commands. Commands keep references to it.
 [[nodiscard]] std::unique_ptr<Command> make_program();
 
-/// Does what the command line asks for.
-/// \throws   granum's errors, which main() turns into a message and an exit code
+/// Executes a command line.
+/// \throws   granum's errors, which main() converts to a message and an exit code
 [[nodiscard]] ExitCode parse_and_run(int argc, char** argv);
 
-/// Writes the error message and gives the code back.
+/// Writes the error message and returns the code.
 ExitCode fail(ExitCode code, std::string_view message);
 
 } // namespace granum::cli

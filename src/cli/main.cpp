@@ -15,7 +15,7 @@ namespace {
 using namespace granum;
 using namespace granum::cli;
 
-/// What the command line asked for, for messages.
+/// The command of the command line, for messages.
 std::string asked_for(int argc, char** argv) {
   std::string words = "granum";
   for (int k = 1; k < argc; ++k)
@@ -25,7 +25,7 @@ std::string asked_for(int argc, char** argv) {
 
 } // namespace
 
-/// The one place where errors become messages and exit codes.
+/// Converts errors to messages and exit codes.
 int main(int argc, char** argv) {
   ExitCode code = ExitCode::ok;
   open_missing_streams();

@@ -37,16 +37,16 @@ struct Inputs {
   std::size_t count;
 };
 
-/// Where the moduli of the block go.
+/// Results of one block of rows.
 struct Results {
   double* bulk_modulus;
   double* shear_modulus;
   double shear_by_bulk;
 };
 
-/// What stands between inputs and results.
+/// Intermediate values of one block.
 struct Work {
-  Block x; ///< what the root is taken of
+  Block x; ///< arguments of the root
   Block y;
   Block z;
 };
@@ -104,7 +104,7 @@ struct GeneralRule {
   }
 };
 
-/// A law that is no power of the force: k_n of each row's mean force.
+/// A law that is not a power of the force: k_n at each row's mean force.
 struct AnyRule {
   double factor; ///< c/k_n
   double area;   ///< 4 pi R^2 [m^2]
@@ -125,7 +125,7 @@ GRANUM_INLINE bool is_good(double p, double C, double n) {
   return (p >= 0) & (p <= most_pressure) & (C >= 0) & (C <= most_contacts) & (n > 0) & (n < 1);
 }
 
-/// Bad rows go on as rows without forces, which gives them moduli of 0. Returns whether all rows are good.
+/// Bad rows are computed as rows without forces, with moduli of 0. Returns whether all rows are good.
 template <class Rule>
 GRANUM_INLINE bool prepare_at_level(const Inputs& in, Work& work) {
   const double* const __restrict pressure = in.pressure;
@@ -190,7 +190,7 @@ void require_length(const char* name, const BatchInput& column, std::size_t rows
                           " rows, the results have " + std::to_string(rows));
 }
 
-/// What is wrong with a row that was refused; nothing is thrown, which not every target can catch.
+/// Error message of a refused row; returned and not thrown, because some targets cannot catch exceptions.
 std::string complaint(double pressure, double coordination_number, double porosity) {
   const auto outside = [](const char* name, double value, const char* unit, const std::string& range) {
     return std::string(InvalidArgument(name, value, unit, range).what());
@@ -205,7 +205,7 @@ std::string complaint(double pressure, double coordination_number, double porosi
 /// Results that exceed the caches are written past them, which saves reading their old content first.
 constexpr std::size_t rows_beyond_caches = std::size_t{1} << 17;
 
-/// Counts the bad rows of a block and says of the first of all what is wrong.
+/// Counts the bad rows of a block and records the error messages of the first ones.
 void report_bad_rows(const Inputs& in, std::size_t first, BatchReport& report) {
   for (std::size_t k = 0; k < in.count; ++k) {
     const double p = in.pressure[k], C = in.coordination_number[k], n = in.porosity[k];

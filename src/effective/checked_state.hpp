@@ -10,7 +10,7 @@ namespace granum::effective::kernel {
 /// k_t/k_n beyond which no estimate is given.
 inline constexpr double largest_tangential_ratio = 100;
 
-/// A state that has passed require_valid, and what every estimate needs of it.
+/// A state that has passed require_valid, and the derived numbers that every estimate needs.
 struct CheckedState {
   Geometry<double> geometry;
   NormalLoads<double> loads; ///< of the static field
@@ -21,11 +21,11 @@ struct CheckedState {
 /// \throws   InvalidArgument as require_valid
 CheckedState checked(const State& state);
 
-/// The geometry alone, for those who need neither k_n nor notes.
+/// The geometry only, for callers that need neither k_n nor notes.
 /// \throws   InvalidArgument as require_valid
 Geometry<double> checked_geometry(const State& state);
 
-/// Without contacts there is nothing that could carry a force.
+/// Refuses a state without contacts, which cannot carry a force.
 /// \throws   InvalidArgument if C_n = 0
 void require_contacts(const State& state);
 

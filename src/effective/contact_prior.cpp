@@ -22,16 +22,16 @@ namespace {
 
 /// Friction coefficients of smooth minerals.
 constexpr double least_friction = 0.3, most_friction = 0.5;
-/// Void ratios of the loosest packing of equal spheres that theory allows at any friction
+/// Void ratios of the loosest packing of equal spheres possible in theory at any friction
 /// [SongWangMakse2008], and of the densest disordered one.
 constexpr double loosest_spheres = 0.866, densest_disorder = 0.55;
 /// Growth of the error of z* per unit of e, beyond the void ratios where packings of spheres are known. Loose
-/// side: one contact between e_l and the loosest packing that theory allows. Dense side: the slope of the
+/// side: one contact between e_l and the loosest packing possible in theory. Dense side: the slope of the
 /// densest line. The error stops growing at the distance to the fewest, or the most, contacts of any packing.
 constexpr double error_slope_loose = 7, error_slope_dense = 15;
 constexpr double largest_error_loose = 2, largest_error_dense = 6;
-/// Standard deviation of ln x_0 of unequal grains, which have between one and ten times as many rattlers as
-/// equal ones.
+/// Standard deviation of ln x_0 of unequal grains, which have one to ten times as many rattlers as equal
+/// ones.
 constexpr double unequal_rattler_error = 1.5;
 
 void require_prior_inputs(const State& s) {
@@ -55,7 +55,7 @@ ContactCounts with_rattlers(double z, double overlap) {
           .rattler_fraction = kernel::rattlers_of_contacts(z, overlap, kernel::rattler_coefficients)};
 }
 
-/// Counts and overlap at which both agree: more overlap, more contacts, a smaller force on each.
+/// Solves for consistent counts and overlap: more overlap means more contacts and a smaller force on each.
 struct Rest {
   ContactCounts counts;
   double void_ratio = 0;
@@ -67,7 +67,7 @@ struct Rest {
 template <class CountsAt, class VoidRatioAt>
 Rest at_rest(State s, double pressure, const CountsAt& counts_at, const VoidRatioAt& void_ratio_at) {
   Rest rest{.counts = counts_at(s.void_ratio, 0.0), .void_ratio = s.void_ratio, .overlap = 0};
-  // Each round leaves a small part of the difference: contacts go as the root of the overlap.
+  // Each iteration leaves a small part of the difference, since contacts grow as the root of the overlap.
   for (int round = 0; round < 60; ++round) {
     const double overlap = relative_overlap(s, pressure, rest.counts.coordination_number());
     const bool settled = std::abs(overlap - rest.overlap) <= 1e-15 * overlap;
@@ -80,7 +80,7 @@ Rest at_rest(State s, double pressure, const CountsAt& counts_at, const VoidRati
   return rest;
 }
 
-/// The densest line, or what a friction coefficient leaves of it.
+/// Contacts on the densest line, or of grains with a friction coefficient.
 Rest packing_of(const State& s, std::optional<double> friction) {
   const auto counts_at = [&](double void_ratio, double overlap) {
     const double rigid = kernel::rigid_void_ratio(void_ratio, overlap, kernel::contact_coefficients);
@@ -92,7 +92,7 @@ Rest packing_of(const State& s, std::optional<double> friction) {
   return at_rest(s, s.mean_stress(), counts_at, [&](double) { return s.void_ratio; });
 }
 
-/// The frictions between which a preparation lies; nothing: the densest line.
+/// The range of friction of a preparation; empty for the densest line.
 struct FrictionRange {
   std::optional<double> most, least;
 };
@@ -128,17 +128,18 @@ void note_density(double void_ratio, double rigid_void_ratio, const Beyond& beyo
   if (beyond.loose > 0)
     validity.add(detail::formatted(
         rigid_void_ratio > loosest_spheres
-            ? "no sphere packing is so loose: void ratio %.3g, at most 0.87. In a sand of it angular or "
-              "rough "
-              "grains hold one another where spheres roll off; contacts of the loosest spheres are taken"
-            : "at void ratio %.3g spheres rest only if they can hardly roll, as angular grains: with "
-              "friction "
-              "alone they pack down to 0.75. Contacts of the loosest spheres with friction are taken",
+            ? "no sphere packing is so loose: void ratio %.3g, at most 0.87. In a sand this loose, angular "
+              "or rough grains support each other where spheres would roll away; contacts of the loosest "
+              "spheres are used"
+            : "at void ratio %.3g spheres are stable only if they can hardly roll, as angular grains: "
+              "with friction alone they pack down to 0.75. Contacts of the loosest spheres with friction are "
+              "used",
         void_ratio));
   if (beyond.dense > 0)
     validity.add(detail::formatted(
-        "no disordered packing of equal spheres is so dense: void ratio %.3g, at least 0.55. A sand of it "
-        "has grains of many sizes, or grains that fit; contacts of the densest spheres are taken",
+        "no disordered packing of equal spheres is so dense: void ratio %.3g, at least 0.55. A sand this "
+        "dense "
+        "has grains of many sizes, or grains that fit together; contacts of the densest spheres are used",
         void_ratio));
 }
 
@@ -150,16 +151,16 @@ void note_friction(const State& s, const Preparation& preparation, double rigid_
       kernel::rigid_contacts_of_friction(preparation.friction_coefficient, kernel::contact_coefficients);
   const double line = kernel::densest_rigid_contacts(rigid_void_ratio, kernel::contact_coefficients);
   if (own > line + 2 * kernel::friction_scatter)
-    validity.add(detail::formatted("friction %.3g does not hold grains apart at void ratio %.3g: the "
-                                   "contacts are those of the friction that does",
+    validity.add(detail::formatted("friction %.3g cannot keep grains apart at void ratio %.3g: the "
+                                   "contacts are those of the smallest friction that can",
                                    preparation.friction_coefficient, s.void_ratio));
 }
 
 void note_sizes(const State& s, Validity& validity) {
   if (unequal(s))
     validity.add(
-        "contacts of unequal grains are taken to be those of equal ones: at one void ratio they "
-        "have fewer and more rattlers (validation/sizes: 13 % dense, 39 % loose); say what is known");
+        "contacts of unequal grains are assumed to be those of equal ones: at one void ratio they "
+        "have fewer, and more rattlers (validation/sizes: 13 % dense, 39 % loose); give them if known");
 }
 
 void note_overlap(double overlap, Validity& validity) {

@@ -11,30 +11,30 @@
 
 namespace granum::effective::kernel {
 
-/// Of the contacts, in this order: e_d, e_l, bend, squeeze, growth, further growth, mu_0, its power, closing,
-/// opening.
+/// Coefficients of the contacts, in this order: e_d, e_l, bend, squeeze, growth, further growth, mu_0, its
+/// power, closing, opening.
 template <class T>
 using ContactCoefficients = std::array<T, 10>;
 /// c, k and w_r of the rattlers.
 template <class T>
 using RattlerCoefficients = std::array<T, 3>;
 
-/// z* of rigid grains without friction, and the least that grains with much friction can have.
+/// z* of rigid grains without friction, and the smallest z* of grains with much friction.
 inline constexpr double most_rigid_contacts = frictionless_isostatic;
 inline constexpr double fewest_rigid_contacts = shear_coefficients[7];
-/// The relative overlap at which friction is said to have decided z*: that of quartz at some 10 kPa.
+/// The relative overlap at which friction is assumed to have determined z*: that of quartz at about 10 kPa.
 inline constexpr double reference_overlap = 5e-5;
-/// Of the packings of the fit.
+/// Largest value among the packings of the fit.
 inline constexpr double largest_overlap = 0.01;
 
-/// Void ratio that the packing would have at rest without pressure: overlaps make it denser.
+/// Void ratio of the packing at zero pressure: overlaps make it denser.
 template <class T>
 T rigid_void_ratio(double void_ratio, double overlap, const ContactCoefficients<T>& c) {
   return (1 + void_ratio) * (1.0 + overlap * c[3]) - 1.0;
 }
 
-/// z* of rigid grains that friction alone keeps from being denser: most at e_d and below, fewest at e_l and
-/// above.
+/// z* of rigid grains that only friction keeps from packing denser: largest at e_d and below, smallest at e_l
+/// and above.
 template <class T>
 T densest_rigid_contacts(const T& rigid_void_ratio, const ContactCoefficients<T>& c) {
   using std::exp;
@@ -61,30 +61,31 @@ T rigid_contacts_of_friction(double friction, const ContactCoefficients<T>& c) {
   return fewest_rigid_contacts + (most_rigid_contacts - fewest_rigid_contacts) * T(exp(decay));
 }
 
-/// Contacts that overlaps add to those that the packing would have rigid; more to few of them, as far as
-/// overlaps of the fit go, so that of two packings at one overlap the one that has more keeps more.
+/// Contacts added by overlaps to those of the packing with rigid grains. Packings with few contacts gain
+/// more, up to the largest overlap of the fit, but never overtake a packing with more contacts at the same
+/// overlap.
 template <class T>
 T contacts_of_overlap(const T& rigid_contacts, double overlap, const ContactCoefficients<T>& c) {
   return c[4] * std::sqrt(overlap) +
          c[5] * (most_rigid_contacts - rigid_contacts) * std::sqrt(std::min(overlap, largest_overlap));
 }
 
-/// The contacts that a packing of z* would have rigid: contacts_of_overlap taken off again.
+/// The contacts of a packing of z* if its grains were rigid: the inverse of contacts_of_overlap.
 template <class T>
 T without_overlap(double z, double overlap, const ContactCoefficients<T>& c) {
   const T share = c[5] * std::sqrt(std::min(overlap, largest_overlap));
   return (z - c[4] * std::sqrt(overlap) - most_rigid_contacts * share) / (1.0 - share);
 }
 
-/// Root of the way from one overlap to another, a way being the change of the root of the overlap. The error
-/// of a z* that is carried grows with it, as that of a random walk.
+/// Square root of the distance between two overlaps, the distance being the change of the square root of the
+/// overlap. The error of a z* carried to another stress is proportional to it, as in a random walk.
 inline double root_of_way(double overlap_before, double overlap) {
   return std::sqrt(std::abs(std::sqrt(overlap) - std::sqrt(overlap_before)));
 }
 
-/// Contacts of the densest line less those of the packing, both rigid, after the overlap has changed: its
-/// root falls as the root of the overlap grows, faster where the packing is nearly as dense as it can be.
-/// Above the line (missing < 0) it stays.
+/// Contacts of the densest line minus those of the packing, both with rigid grains, after the overlap has
+/// changed. The square root of this difference decreases linearly with the square root of the overlap, faster
+/// in packings near the densest line. Above the line (missing < 0) it does not change.
 template <class T>
 T missing_contacts(const T& missing, const T& rigid_void_ratio, double overlap_before, double overlap,
                    const ContactCoefficients<T>& c) {
@@ -105,9 +106,9 @@ T densest_contacts(const T& rigid_void_ratio, double overlap, const ContactCoeff
   return rigid + contacts_of_overlap(rigid, overlap, c);
 }
 
-/// z* of a packing that was compressed with that friction: never more than the densest line, nor fewer than
-/// grains of much friction have. Overlaps below the reference leave it the contacts of its friction. So a
-/// denser packing of one friction has no fewer contacts at one overlap.
+/// z* of a packing compressed with that friction: never above the densest line, nor below the z* of grains
+/// with much friction. At overlaps below the reference the contacts are those of the friction. Therefore a
+/// denser packing of one friction never has fewer contacts at one overlap.
 template <class T>
 T contacts_of_friction(double friction, const T& rigid_void_ratio, double overlap,
                        const ContactCoefficients<T>& c) {

@@ -16,7 +16,7 @@ namespace granum::effective {
 
 namespace {
 
-/// Neighbours that equal spheres can touch at once.
+/// Largest number of neighbours that equal spheres can touch.
 constexpr double most_contacts = 12;
 /// z* above the isostatic point at which a network counts as just rigid.
 constexpr double just_rigid = 1e-9;
@@ -39,7 +39,8 @@ void require_growing(Modulus which) {
 ExpectedRattlers expected_rattlers(const State& state, double mechanical_coordination_number) {
   const double z = require_positive("mechanical_coordination_number", mechanical_coordination_number);
   double fraction = 0;
-  // Fewer contacts bear larger forces and overlap more: each round leaves a small part of the difference.
+  // Fewer contacts carry larger forces and overlap more: each iteration leaves a small part of the
+  // difference.
   for (int round = 0; round < 60; ++round) {
     const State with = with_contacts(state, z, fraction);
     const double overlap =

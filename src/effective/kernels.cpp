@@ -13,14 +13,14 @@ namespace granum::effective::kernel {
 
 namespace {
 
-/// The integrand is even: half of the symmetric rule will do.
+/// The integrand is even: half of the symmetric rule is enough.
 std::vector<QuadratureNode> positive_half(int order) {
   const std::vector<QuadratureNode> rule = gauss_legendre(order);
   return {rule.begin() + order / 2, rule.end()};
 }
 
 struct Rule {
-  double largest_ratio; ///< up to which means of weights f^(-1/2) to f^(1/2) are within 2e-14, as measured
+  double largest_ratio; ///< up to it, means of weights f^(-1/2) to f^(1/2) are accurate to 2e-14 (measured)
   std::vector<QuadratureNode> nodes;
 };
 
@@ -58,7 +58,8 @@ double local_exponent(const State& state) {
 const contact::PowerLaw& power_law_of(const State& state, const char* asked) {
   if (const contact::PowerLaw* law = state.law.power_law())
     return *law;
-  throw InvalidArgument(std::string(asked) + " is known of contact laws of the power family alone, not of " +
+  throw InvalidArgument(std::string(asked) +
+                        " is available for contact laws of the power family only, not for " +
                         state.law.text());
 }
 

@@ -14,7 +14,7 @@
 namespace granum::effective::kernel {
 
 /// Means over contacts of w sin^4, w sin^2 cos^2 and w cos^4 of gamma, for a weight w(gamma) >= 0. By
-/// symmetry about axis 3 they hold all means of w n_i n_j and w n_i n_j n_k n_l, as sums without
+/// symmetry about axis 3 they determine all means of w n_i n_j and w n_i n_j n_k n_l, as sums without
 /// differences.
 template <class T>
 struct AxialMoments {
@@ -33,10 +33,10 @@ struct Constants {
   T C44{};
 };
 
-/// What the mean strain leaves to the grains.
+/// Freedom of the grains besides the mean strain.
 enum class Spin {
   none, ///< no grain spins
-  free  ///< all grains spin alike, as the energy likes best
+  free  ///< all grains share the spin of least energy
 };
 
 /// <w>.
@@ -113,12 +113,12 @@ Constants<T> uniform_stress(const T& scale, const T& r, const AxialMoments<T>& F
           .C44 = vertical_shear};
 }
 
-/// Numbers of a packing that forces and moduli are made of.
+/// Numbers of a packing that determine forces and moduli.
 template <class T>
 struct Geometry {
   T prefactor{};        ///< P = N_c <l^2>/V [1/m]
   T force_area{};       ///< V/(N_c <l>): a contact force is force_area stress F^-1 n [m^2]
-  T static_prefactor{}; ///< N_c <l>^2/V, of forces that do not know the length of their branch [1/m]
+  T static_prefactor{}; ///< N_c <l>^2/V, for forces independent of branch length [1/m]
 };
 
 template <class T>
@@ -154,11 +154,11 @@ NormalLoads<T> static_loads(const T& a, const T& stress_v, const T& stress_h) {
 /// and the stiffness scaled back.
 double contact_stiffness(const contact::NormalLaw& law, double area, double load);
 
-/// b at the mean contact force of a valid state; without contacts at no force.
+/// b at the mean contact force of a valid state; without contacts at zero force.
 double local_exponent(const State& state);
 
-/// The law as one of the power family, for what is known of that alone.
-/// \throws   InvalidArgument for another law, naming what was asked for
+/// The law as a member of the power family, for results that only this family has.
+/// \throws   InvalidArgument for another law, naming the result
 const contact::PowerLaw& power_law_of(const State& state, const char* asked);
 
 /// k_n of a force; of one with derivatives by the chain rule.
@@ -200,8 +200,8 @@ std::span<const QuadratureNode> rule_for(double ratio);
 /// c^2 = sqrt(A/B), halves that ratio on a logarithmic scale and makes both sides of 1 alike:
 ///   x^2 = c^2 y^2/g,  1 - x^2 = (1 - y^2)/g,  dx = c g^(-3/2) dy,  g = 1 + (c^2-1) y^2.
 /// A Gauss-Legendre rule of n points in y then errs by about exp(-2 n artanh((A/B)^(-1/4))), A > B, times a
-/// power of n that is not small: rule_for holds what was measured. Nodes are plain numbers, c2 = sqrt(A/B)
-/// among them: derivatives are taken at a fixed x.
+/// power of n that is not small: rule_for contains measured limits. Nodes and c2 = sqrt(A/B) are plain
+/// numbers: derivatives are taken at a fixed x.
 template <class T, class Power>
 AxialMoments<T> direction_moments(const T& a, const T& horizontal, const T& vertical, double c2, Power power,
                                   std::span<const QuadratureNode> rule) {

@@ -25,7 +25,7 @@ using kernel::AxialMoments;
 /// Strains exp(t/2) along the axis and exp(-t/2) across, t = ln(strain_v/strain_h).
 const double largest_t = std::log(1e4);
 
-/// The one unknown is what a homogeneous law leaves.
+/// The only unknown of a homogeneous law.
 const contact::PowerLaw& power_law(const State& s) {
   return kernel::power_law_of(s, "the field of a uniform strain from no load");
 }
@@ -60,10 +60,10 @@ stress::AxialStress stresses_at(const State& s, double t) {
                             "), beyond which a uniform strain opens contacts");
 }
 
-/// The ratio of strains whose stresses stand in the ratio of the state's.
+/// The ratio of strains whose stresses have the stress ratio of the state.
 double strain_ratio(const State& s) {
   const double share = s.stress_v / (s.stress_v + s.stress_h);
-  const auto excess = [&](double t) { // grows with t, of the size of 1 where both stresses are positive
+  const auto excess = [&](double t) { // grows with t, of order 1 where both stresses are positive
     const stress::AxialStress stress = stresses_at(s, t);
     return ((1 - share) * stress.v - share * stress.h) / (std::abs(stress.v) + std::abs(stress.h));
   };
@@ -76,7 +76,7 @@ double strain_ratio(const State& s) {
   return (left + right) / 2;
 }
 
-/// The strains exp(t/2) and exp(-t/2) times one that takes a contact to the force force_area load.
+/// The strains exp(t/2) and exp(-t/2), scaled so that a contact reaches the force force_area load.
 struct Solution {
   double t = 0;
   double load = 0; ///< [Pa]
@@ -96,8 +96,7 @@ struct Field {
   double stiffness = 0; ///< k_ref
 };
 
-/// l of a field whose stress, of forces that do not know the length of their branch, is that of its
-/// stiffness:
+/// l for which the stress of the field (forces independent of branch length) agrees with its stiffness:
 /// N_c <l> f(l strain)/V = alpha/(1+alpha) N_c <l^2>/V k_n strain.
 double branch_length(const State& s) { return 2 * s.radius * (s.contacts.branch_square / s.contacts.branch); }
 

@@ -33,7 +33,7 @@ Estimate by_direction(const State& state, Hypothesis hypothesis) {
   throw InvalidArgument("hypothesis is not one of the known ones");
 }
 
-/// All contacts stiffen alike, so that every modulus that is there has the same exponents.
+/// All contacts stiffen alike, so every modulus that does not vanish has the same exponents.
 StressExponents at_mean_force(const State& state, const Model& model, Modulus which) {
   kernel::require_differentiable(state, model.hypothesis, which);
   const elastic::TransverselyIsotropic stiffness = uniform_field(state, model).stiffness;

@@ -41,16 +41,16 @@ struct Stretch {
   double error = 0; ///< standard error of the logarithm
 };
 
-// What the calibration covers; see validation/relaxation/README.md.
+// Range of the calibration; see validation/relaxation/README.md.
 constexpr double smallest_coordination = 4.1, largest_coordination = 8.7;
 constexpr double smallest_ratio = 0.1, largest_ratio = 1;
 constexpr double largest_overlap = 0.01;
-/// Far beyond, the factors no longer change, and powers of larger numbers would overflow.
+/// Far beyond it the factors no longer change, and powers of larger numbers would overflow.
 constexpr double infinite = 1e9;
 constexpr double largest_stress_ratio = 2.2, largest_anisotropy = 0.25;
-/// Of the lengths of branches over their mean: C_u = 4.
+/// Standard deviation of branch lengths over their mean, at C_u = 4.
 constexpr double largest_branch_deviation = 0.51;
-/// A factor with its slopes by its n coefficients, then by z* and r.
+/// A factor with its derivatives by its n coefficients, then by z* and r.
 template <std::size_t n>
 using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, static_cast<int>(n) + 2, 1>>;
 
@@ -72,7 +72,7 @@ std::array<Dual<n>, n> variables(const std::array<double, n>& values) {
   return duals;
 }
 
-/// The error is still that of the coefficients alone.
+/// The error includes that of the coefficients only.
 template <std::size_t n>
 RelaxingFactor with_slopes(const Dual<n>& factor, const double (&covariance)[n][n]) {
   constexpr int size = static_cast<int>(n);
@@ -88,8 +88,8 @@ RelaxingFactor with_slopes(const Dual<n>& factor, const double (&covariance)[n][
           .by_ratio = slopes[size + 1]};
 }
 
-/// The same with the scatter of recipes, and of the packings of a recipe, which act on a variable of the
-/// slope `leverage`.
+/// Adds the scatter between recipes and between packings of a recipe, which acts on a variable with the
+/// derivative `leverage`.
 RelaxingFactor with_scatter(RelaxingFactor factor, const kernel::Scatter& recipes,
                             const kernel::Scatter& packings, double leverage) {
   if (factor.value > 0)
@@ -98,7 +98,7 @@ RelaxingFactor with_scatter(RelaxingFactor factor, const kernel::Scatter& recipe
   return factor;
 }
 
-/// The same with what unequal grains add.
+/// Adds the effect of unequal grains.
 RelaxingFactor with_size_scatter(RelaxingFactor factor, const kernel::Scatter& sizes, double shift_error,
                                  double leverage, double variance) {
   if (factor.value > 0 && variance > 0) {
@@ -151,7 +151,7 @@ Validity notes_of(double z, double r) {
   if (r > 0 && r < smallest_ratio)
     validity.add(
         detail::formatted("k_t/k_n is %.3g: between 0 and 0.1 the relaxation factor of K depends on the "
-                          "tangential forces that the packing carries, which are not known",
+                          "tangential forces in the packing, which are not known",
                           r));
   return validity;
 }
@@ -181,15 +181,15 @@ void note_state(const State& s, double z, Validity& validity) {
   const double overlap = s.law.overlap(force) / (2 * s.radius * s.contacts.branch);
   if (overlap > largest_overlap)
     validity.add(detail::formatted(
-        "mean overlap is %.3g diameters: beyond 0.01 the closed forms, which take branches to be "
+        "mean overlap is %.3g diameters: beyond 0.01 the closed forms, which assume branches to be "
         "as long as the diameter, are too stiff",
         overlap));
   const double ratio = s.stress_h > 0 ? std::max(s.stress_v / s.stress_h, s.stress_h / s.stress_v) : 1;
   if (ratio > largest_stress_ratio || std::abs(s.fabric_anisotropy) > largest_anisotropy)
-    validity.add(
-        detail::formatted("stress ratio %.3g or fabric anisotropy %.3g is beyond what the relaxation of "
-                          "anisotropic packings was compared with (2.2 and 0.25)",
-                          ratio, s.fabric_anisotropy));
+    validity.add(detail::formatted(
+        "stress ratio %.3g or fabric anisotropy %.3g is beyond the range in which the relaxation of "
+        "anisotropic packings was validated (2.2 and 0.25)",
+        ratio, s.fabric_anisotropy));
 }
 
 void note_sizes(const State& s, Validity& validity) {
@@ -220,8 +220,8 @@ StiffContacts contacts_of(const State& s) {
   return {.exponent = kernel::local_exponent(s), .stiffening = stiffening_of(s.law)};
 }
 
-/// Takes the losses beyond b = 1/2 from factors that lack them, and adds to their errors what is not known
-/// there; of rough grains also below.
+/// Subtracts the losses beyond b = 1/2 from the factors, and adds the uncertainty of this range to their
+/// errors; for rough grains also below b = 1/2.
 RelaxingFactors with_stiffening(RelaxingFactors factors, const StiffContacts& contacts) {
   const double b = contacts.exponent;
   const bool rough = contacts.stiffening == Stiffening::rough;
@@ -237,7 +237,7 @@ RelaxingFactors with_stiffening(RelaxingFactors factors, const StiffContacts& co
 }
 
 /// Both factors at z* >= 0, r >= 0, 0 <= b <= 1, not checked.
-/// \param    branch_variance   as the kernel's function of that name; 0 of equal grains
+/// \param    branch_variance   as the kernel's function of that name; 0 for equal grains
 RelaxingFactors relaxing_factors(double z, double r, const StiffContacts& contacts, double branch_variance) {
   if (!(z > isostatic(r)))
     return {};
@@ -250,7 +250,7 @@ RelaxingFactors relaxing_factors(double z, double r, const StiffContacts& contac
       {.shear = shear, .bulk = bulk_factor(near_z, near_r, contacts.exponent, branch_variance)}, contacts);
 }
 
-/// The same for a state, the errors complete with what unequal stresses add.
+/// The same for a state; the errors include the effect of unequal stresses.
 RelaxingFactors relaxing_factors(const State& s, double z) {
   RelaxingFactors factors =
       relaxing_factors(z, s.tangential_ratio, contacts_of(s), kernel::branch_variance(s.contacts));

@@ -14,8 +14,8 @@
 
 namespace granum::effective::kernel {
 
-/// z* at which a network of frictional contacts loses its rigidity: 4, less what grains with two contacts
-/// take off, since each spins freely about the line through them.
+/// z* at which a network of frictional contacts loses its rigidity: 4, less the effect of grains with two
+/// contacts, each of which spins freely about the line through them.
 template <class T>
 const T& frictional_isostatic(const ShearCoefficients<T>& c) {
   return c[7];
@@ -29,16 +29,17 @@ inline double branch_variance(const sizes::ContactMeans& means) {
   return variance > 0 ? variance : 0;
 }
 
-/// How much a z* above the isostatic point is of a loose packing: 1 there, a quarter 0.5 above.
+/// Looseness of a z*: 1 at the isostatic point, a quarter at 0.5 above it.
 template <class T>
 T looseness(const T& z) {
   const T root = 1.0 / (1.0 + 2.0 * (z - frictional_isostatic(shear_coefficients)));
   return root * root;
 }
 
-/// z* at which equal grains have the G/G(uniform strain) of unequal ones, whose networks are stiffer than
-/// their mean number of contacts tells: more of their grains have two contacts and spin freely, so that fewer
-/// contacts hold the others. K is not shifted: see size_bulk_share.
+/// z* at which equal grains have the G/G(uniform strain) of unequal ones. Networks of unequal grains are
+/// stiffer than those of equal grains at the same mean number of contacts: more of their grains have two
+/// contacts and spin freely, so that fewer contacts are needed for the others. K is not shifted: see
+/// size_bulk_share.
 template <class T>
 T coordination_of_equal(const T& z, double variance) {
   return z + size_shift * variance * looseness(z);
@@ -53,8 +54,8 @@ std::array<T, n> constants(const std::array<double, n>& values) {
   return numbers;
 }
 
-/// The largest b of the laws that the packings of the fit were made with. Beyond it networks of k_n ~ f^b on
-/// those packings, and packings of rough grains, say how the factors go on.
+/// The largest b of the laws with which the packings of the fit were made. Beyond it, the factors were fitted
+/// to networks of k_n ~ f^b on those packings, and to packings of rough grains.
 inline constexpr double largest_own_exponent = 0.5;
 
 template <class T>
@@ -62,8 +63,8 @@ T up_to_half(const T& b) {
   return b > largest_own_exponent ? T(largest_own_exponent) : b;
 }
 
-/// Shear modulus of the network without tangential stiffness over its uniform-strain value, u = z - 6 > 0: of
-/// slope `slope` at the isostatic point and 1 far above. Below, continued to negative values.
+/// Shear modulus of the network without tangential stiffness over its uniform-strain value, u = z - 6 > 0. It
+/// has the slope `slope` at the isostatic point, tends to 1 far above, and is negative below.
 template <class T>
 T frictionless_branch(const T& u, const T& slope, const T& floor) {
   const T rise = slope * u;
@@ -112,8 +113,8 @@ T left_to_one(const T& b, double power) {
   return left > 0.0 ? T(pow(left, power)) : T(0.0);
 }
 
-/// What a factor loses from b = 1/2 on, where h is that of G there: the more, the more grains leave the mean
-/// strain.
+/// Loss of a factor beyond b = 1/2, h being the factor of G at 1/2: the larger, the more the grains deviate
+/// from the mean strain.
 template <class T>
 T beyond_half(const T& h, const T& b, double loss, double power) {
   using std::exp;
@@ -123,23 +124,23 @@ T beyond_half(const T& h, const T& b, double loss, double power) {
   return exp(logarithm);
 }
 
-/// What the errors beyond b = 1/2 are multiplied by, next to 1 - h: of power laws as far beyond as b is, of
-/// rough contacts, whose packings are not those of smooth ones, from b = 1/3 on, by the root.
+/// Factor, besides 1 - h, of the errors beyond b = 1/2. For power laws it is proportional to b - 1/2; for
+/// rough contacts, whose packings differ from smooth ones, it grows from b = 1/3 on, as a square root.
 inline double unknown_beyond_half(double b, bool rough) {
   constexpr double smooth = 1.0 / 3;
   return rough ? std::sqrt(b > smooth ? (b - smooth) / (1 - smooth) : 0.0) : 1 - left_to_one(b, 1);
 }
 
-/// Both losses of a law, and how early beyond b = 1/2 they come.
+/// Losses of G and K of a law, and how soon beyond b = 1/2 they set in.
 struct LossBeyondHalf {
   double shear, bulk, power;
 };
-/// Contacts of one b at every force, on packings that something else made.
+/// Contacts of one b at every force, in packings made with another law.
 inline constexpr LossBeyondHalf loss_of_powers{power_law_loss, 0, 1};
 /// Rough contacts in packings of their own, whose forces scatter more.
 inline constexpr LossBeyondHalf loss_of_rough{rough_losses[0], rough_losses[1], 2};
 
-/// What the scatter of forces costs K is divided by this.
+/// Divisor of the reduction of K by the scatter of forces.
 template <class T>
 T scatter_distance(const T& z, const T& b, const BulkCoefficients<T>& c) {
   const auto& [scatter, pole, tangential, tangential_pole, own, stiffening] = c;
@@ -147,9 +148,10 @@ T scatter_distance(const T& z, const T& b, const BulkCoefficients<T>& c) {
 }
 
 /// K/K(uniform strain, k_n of the mean force): the network is nearly as stiff as its forces, scaled with the
-/// pressure, allow (the lower bound of bulk_modulus_bounds). Their scatter costs the first term, less of it
-/// where contacts stiffen with their force, and nothing at b = 1; their tangential part, the softer r is the
-/// more, the second. Both fade for z -> infinity; at the isostatic point K has a jump.
+/// pressure, allow (the lower bound of bulk_modulus_bounds). The first term is the reduction by the scatter
+/// of forces: smaller where contacts stiffen with force, and 0 at b = 1. The second is the reduction by
+/// tangential forces: larger for smaller r. Both vanish for z -> infinity; at the isostatic point K has a
+/// jump.
 template <class T>
 T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>& c) {
   const auto& [scatter, scatter_pole, tangential, tangential_pole, own, stiffening] = c;
@@ -161,24 +163,24 @@ T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>&
   return 1.0 / (1.0 + lost);
 }
 
-/// What unequal grains keep of that K: their forces scatter more, which costs K as the scatter of equal ones
-/// does in the first term of bulk_relaxation.
-/// \param    loss   size_loss, or what a fit tries in its place
+/// Factor of K for unequal grains: their forces scatter more, which reduces K in the same way as the first
+/// term of bulk_relaxation.
+/// \param    loss   size_loss, or a trial value of a fit
 template <class T>
 T size_bulk_share(const T& z, const T& b, const T& loss, double variance, const BulkCoefficients<T>& c) {
   const T uneven = loss * variance * left_to_one(b, bulk_scatter_power);
   return 1.0 / (1.0 + uneven / scatter_distance(z, b, c));
 }
 
-/// What the scatter of K between unequal grains grows with: of the powers 1/2, 3/4 and 1 of the variance 3/4
-/// makes the errors of all packings of the fit most likely.
+/// The scatter of K between packings of unequal grains is proportional to this. Among the powers 1/2, 3/4 and
+/// 1 of the variance, 3/4 gives the largest likelihood of the errors of all packings of the fit.
 inline double bulk_size_measure(double variance) { return std::pow(variance, 0.75); }
 
-/// The stiffness that relaxation leaves of a uniform-strain one: volumetric and deviatoric strain keep
-/// sqrt(bulk) and sqrt(shear) of their amplitudes, then the axis is stretched against the plane so that
-/// C33/C11 grows by the factor stretch at constant volume. Both steps are congruences: symmetric, positive
-/// definite and transversely isotropic they leave what was so, and an isotropic stiffness at stretch 1 turns
-/// into (bulk K, shear G) exactly.
+/// The relaxed stiffness from that of uniform strain. The amplitudes of volumetric and deviatoric strain are
+/// multiplied by sqrt(bulk) and sqrt(shear); then the axis is stretched against the plane at constant volume,
+/// so that C33/C11 grows by the factor stretch. Both steps are congruences: they preserve symmetry, positive
+/// definiteness and transverse isotropy, and turn an isotropic stiffness at stretch 1 into (bulk K, shear G)
+/// exactly.
 template <class T>
 struct RelaxedConstants {
   T C11, C33, C12, C13, C44;
@@ -187,7 +189,7 @@ template <class T>
 T bulk_modulus(const RelaxedConstants<T>& c) {
   return (2.0 * c.C11 + c.C33 + 2.0 * c.C12 + 4.0 * c.C13) / 9.0;
 }
-/// Before it is held to its bound.
+/// Before its upper bound is applied.
 template <class T>
 RelaxedConstants<T> unbounded_relax(const RelaxedConstants<T>& c, const T& bulk, const T& shear,
                                     const T& log_stretch) {
@@ -211,8 +213,8 @@ RelaxedConstants<T> unbounded_relax(const RelaxedConstants<T>& c, const T& bulk,
           T(sixth * (shear * c.C13 + hv)), T(sixth * shear * c.C44)};
 }
 
-/// A stretch far beyond those of the calibration, by fabric and stresses that both point along the axis,
-/// raises K above that of uniform strain, its upper bound: then all constants are scaled down to it.
+/// Fabric and stresses far beyond the calibration, both along the axis, give a stretch that raises K above
+/// that of uniform strain, its upper bound: then all constants are scaled down to it.
 template <class T>
 RelaxedConstants<T> relax(const RelaxedConstants<T>& c, const T& bulk, const T& shear, const T& log_stretch) {
   const RelaxedConstants<T> r = unbounded_relax(c, bulk, shear, log_stretch);
@@ -223,7 +225,7 @@ RelaxedConstants<T> relax(const RelaxedConstants<T>& c, const T& bulk, const T& 
   return {T(share * r.C11), T(share * r.C33), T(share * r.C12), T(share * r.C13), T(share * r.C44)};
 }
 
-/// ln of that stretch: directions that hold more contacts, or stiffer ones, relax less than the average.
+/// ln of that stretch: directions with more or stiffer contacts relax less than the average.
 /// \param  log_fabric  ln(F33/F11);  \param  log_stress  ln(stress_v/stress_h)
 template <class T>
 T log_stretch(const T& shear, const T& b, const T& log_fabric, const T& log_stress,

@@ -32,9 +32,9 @@ double density_growth(const State& s, const Growth& growth) {
   return growth.coordination_number - growth.void_ratio / (1 + s.void_ratio);
 }
 
-/// Constants of uniform_strain(state) with their slopes by the stresses. Each constant is C_n/(1+e) times a
-/// function of stresses over C_n/(1+e), so its slope is that at frozen contacts plus that of this density of
-/// contacts; where b is the same at every force the constant goes as its power 1-b.
+/// Constants of uniform_strain(state) with their derivatives by the stresses. Each constant is C_n/(1+e)
+/// times a function of stresses over C_n/(1+e), so its derivative is that at frozen contacts plus that by the
+/// density of contacts C_n/(1+e); where b is the same at every force, the constant grows as its power 1-b.
 kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& growth) {
   const kernel::Constants<Dual> frozen = kernel::stress_derivatives(s, {});
   const Vector2d slopes = density_growth(s, growth) * pressure_slopes(s);
@@ -47,7 +47,7 @@ kernel::RelaxedConstants<Dual> uniform_constants(const State& s, const Growth& g
           growing(frozen.C44)};
 }
 
-/// b at the mean force, with its slopes by the stresses, which change that force.
+/// b at the mean force, with its derivatives by the stresses, which change that force.
 Dual growing_exponent(const State& s, const Growth& growth) {
   const double b = kernel::local_exponent(s);
   if (s.law.constant_exponent())
@@ -149,7 +149,8 @@ PredictedPacking predict_packing(const ClosingGapLaw& law, const State& state, d
   const double load = 4 * std::numbers::pi * R * R * (1 + state.void_ratio) * pressure *
                       (state.contacts.grain_volume / state.contacts.branch); // f C_n
   const auto rattlers = [&](double z) { return law.rattlers * std::exp(-law.rattler_decay * (z - 4)); };
-  // C_n enters as C_n^(-q(1-b)) with an exponent below 1/2 and a small prefactor: each round gains digits.
+  // C_n enters as C_n^(-q(1-b)) with an exponent below 1/2 and a small prefactor: each iteration gains
+  // digits.
   double z = law.initial;
   for (int round = 0; round < 60; ++round) {
     const double force = load / (z * (1 - rattlers(z)));

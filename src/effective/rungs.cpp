@@ -32,7 +32,7 @@ StressExponents field_exponents(const State& packing, Modulus which) {
   return uniform_field_exponents(packing, model, which);
 }
 
-// ---- rung 0: rung 1 without its fabric
+// ---- rung 0: rung 1 without fabric
 
 State without_fabric(State packing) {
   packing.fabric_anisotropy = 0;
@@ -57,7 +57,7 @@ StressExponents frozen_exponents(const State& packing, Modulus which) {
 
 // ---- the table
 
-constexpr const char* distance = "distance from rung 3, and the standard error of that";
+constexpr const char* distance = "distance from rung 3, and the standard error of rung 3";
 
 constexpr Rung table[] = {
     {.name = RungName::isotropic,
@@ -88,7 +88,7 @@ constexpr Rung table[] = {
      .key = "2",
      .column = "rung2",
      .title = "uniform strain, contact stiffness by direction",
-     .description = "uniform strain with fabric, contacts as stiff as the force in their direction",
+     .description = "uniform strain with fabric, contact stiffness from the force in each direction",
      .needs = "a, sigma_v, sigma_h",
      .needs_fabric = true,
      .typical_time = 0.4e-6,
@@ -100,7 +100,7 @@ constexpr Rung table[] = {
      .key = "3",
      .column = "rung3",
      .title = "relaxed",
-     .description = "rung 2 relaxed, as contact networks of this coordination do",
+     .description = "rung 2 times the relaxation factor of contact networks of this coordination number",
      .needs = "z* as well",
      .needs_coordination = true,
      .typical_time = 0.9e-6,
@@ -111,7 +111,7 @@ constexpr Rung table[] = {
      .key = "uniform-stress",
      .column = "uniform_stress",
      .title = "uniform stress",
-     .description = "uniform stress with fabric and forces as rung 2",
+     .description = "uniform stress with fabric and the forces of rung 2",
      .needs = "a, sigma_v, sigma_h",
      .needs_fabric = true,
      .typical_time = 0.4e-6,
@@ -127,7 +127,7 @@ constexpr Rung table[] = {
      .needs = "a packing",
      .needs_packing = true,
      .typical_time = 0.03,
-     .error_source = "none but the solver's: what the other errors are measured against"},
+     .error_source = "only that of the solver: the reference of the other errors"},
     {.name = RungName::probe,
      .number = 5,
      .key = "5",
@@ -147,13 +147,13 @@ static_assert(std::all_of(table + closed_form_count, std::end(table), needs_pack
 void require_inputs(const Rung& rung, const State& packing) {
   if (rung.needs_packing)
     throw InvalidArgument(std::string("rung ") + rung.key +
-                          " needs a packing of grains: it is no closed form");
+                          " needs a packing of grains: it is not a closed form");
   if (rung.needs_coordination && !packing.mechanical_coordination_number)
     throw InvalidArgument(std::string("rung ") + rung.key + " needs z*, or the share of rattlers");
 }
 
-/// The state at which exponents are taken: they depend on the stress ratio alone, which at zero stress is
-/// that of the isotropic path.
+/// The state at which exponents are evaluated. They depend only on the stress ratio, which at zero stress is
+/// taken from the isotropic path.
 State loaded(State packing) {
   if (packing.stress_v == 0 && packing.stress_h == 0)
     packing.stress_v = packing.stress_h = 1;
@@ -187,12 +187,12 @@ RungAnswer answer(const Rung& rung, const State& packing) {
   const elastic::TransverselyIsotropic& c = answer.stiffness;
   for (const double value : {c.C11, c.C33, c.C12, c.C13, c.C44})
     if (!std::isfinite(value))
-      throw InvalidArgument("the moduli exceed what a double can hold; check the units of the inputs");
+      throw InvalidArgument("the moduli exceed the range of a double; check the units of the inputs");
   return answer;
 }
 
 bool declines(const RungAnswer& answer) {
-  const auto& error = answer.relative_error; // a rung that answers states one, under zero stress as well
+  const auto& error = answer.relative_error; // present wherever the rung is evaluated, also at zero stress
   return error && error->bulk_modulus == 0 && error->G_hh == 0 && error->G_vh == 0;
 }
 

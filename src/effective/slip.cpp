@@ -20,13 +20,13 @@ namespace {
 /// Density of x = f/<f>, 27/2 x^2 exp(-3 x): its moments are Gamma(3 + power)/(2 3^power).
 double force_moment(double power) { return std::tgamma(3 + power) / (2 * std::pow(3, power)); }
 
-/// Mean over displacements u with u^2 exponential of u^2 - u c above c, over <u^2>, q = c/sqrt(<u^2>): what
-/// contacts of one force shed that slide at c.
+/// Loss of contacts of one force that slide at displacement c: the mean of u^2 - u c over displacements u >
+/// c, u^2 exponentially distributed, over <u^2>; q = c/sqrt(<u^2>).
 double shed_by_sliding(double q) {
   return std::exp(-q * q) - std::sqrt(std::numbers::pi) / 2 * q * std::erfc(q);
 }
 
-/// The same over all forces; k_t is as x^b, and the limit in displacement as x^(1-b).
+/// The same over all forces; k_t grows as x^b, and the limiting displacement as x^(1-b).
 double shed_by_sliding(const SlipOnset& onset, double root_mean_square) {
   static const std::vector<QuadratureNode> rule = gauss_legendre(64);
   constexpr double most = 2.3; // of w = x^(1/3): beyond, exp(-3 x) is 1e-16
@@ -63,7 +63,7 @@ SlipOnset slip_onset(const State& state, double mechanical_coordination_number, 
   if (!(h > 0))
     throw InvalidArgument("mechanical_coordination_number", z, "",
                           "above that of a packing that is just rigid");
-  constexpr double step = 1e-4; // of ln r; the error of the slope is its square
+  constexpr double step = 1e-4; // of ln r; the error of the derivative is its square
   const double slope = std::log(factor(r * std::exp(step)) / factor(r * std::exp(-step))) / (2 * step);
   const double share = 3 * r / (2 + 3 * r) + slope;
   const double force = mean_contact_force(state);
@@ -90,7 +90,7 @@ double strain_of_slip_loss(const SlipOnset& onset, double loss) {
   if (!(loss > 0 && loss <= largest_slip_loss))
     throw InvalidArgument("loss", loss, "", "(0, 0.05]");
   return loss / slip_loss(onset, onset.reference_strain * 1e-6, ContactSlip::partial) *
-         onset.reference_strain * 1e-6; // it grows as the strain
+         onset.reference_strain * 1e-6; // it is proportional to the strain
 }
 
 } // namespace granum::effective

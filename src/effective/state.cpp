@@ -87,8 +87,8 @@ CheckedState checked(const State& s) {
   const double mean = uniform ? vertical : std::sqrt(horizontal) * std::sqrt(vertical);
   const double largest = std::max(horizontal, vertical);
   state.stiffness = contact_stiffness(s.law, state.geometry.force_area, mean);
-  // k_n grows with a power of the force that is at most 1: a bound tells almost every state apart from
-  // those that need the stiffness of the largest force.
+  // k_n grows with a power of the force that is at most 1: this bound settles almost every
+  // state without the stiffness at the largest force.
   const double bound = uniform ? state.stiffness : state.stiffness * (largest / mean);
   if (bound * (1 - s.law.grain().poisson_ratio) >
       2 * s.law.grain().shear_modulus * largest_contact_radius * (s.radius * s.contacts.pair_radius))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Constants and moduli that carry their derivatives by the logarithms of the two stresses.
+// Constants and moduli with their derivatives by the logarithms of the two stresses.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ inline Dual power(const Dual& x, double exponent) {
   return {value, x.derivatives() * (value * exponent / x.value())};
 }
 
-/// A modulus of five constants, with the derivatives that they carry.
+/// A modulus of five constants, with its derivatives.
 template <class T>
 T plain_modulus(const Constants<T>& c, Modulus which) {
   const T determinant = c.C33 * (c.C11 + c.C12) - 2 * c.C13 * c.C13;
@@ -50,15 +50,15 @@ T plain_modulus(const Constants<T>& c, Modulus which) {
   return T(0); // not reached: the public function has refused other values
 }
 
-/// What derivatives need beyond a valid state: stress and contacts, and for a Young's modulus of uniform
-/// stress k_t.
+/// Requirements of derivatives besides a valid state: stress and contacts, and k_t > 0 for a Young's modulus
+/// of uniform stress.
 /// \throws   InvalidArgument otherwise
 void require_differentiable(const State& state, Hypothesis hypothesis, Modulus which);
 
 /// The stiffness of a model with its derivatives. Assumes a checked, loaded state.
 Constants<Dual> stress_derivatives(const State& state, const Model& model);
-/// Whether a modulus of a stiffness is zero but for rounding. C44 is a sum of small terms where it is small;
-/// all others are differences of larger ones.
+/// Whether a modulus of a stiffness is zero apart from rounding. Where C44 is small it is a sum of small
+/// terms; all others are differences of larger terms.
 inline bool vanishes(double value, double C11, Modulus which) {
   return std::abs(value) <= (which == Modulus::G_vh ? 0 : 1e-13 * C11);
 }
@@ -66,7 +66,7 @@ inline bool vanishes(double value, double C11, Modulus which) {
 void require_modulus(double value, double C11, Modulus which);
 /// Exponents of a modulus of these constants.
 /// \throws   InvalidArgument as require_modulus, for a Young's modulus of a stiffness that is not positive
-///           definite, and where the stiffness is beyond what a double holds
+///           definite, and where the stiffness exceeds the range of a double
 StressExponents exponents_of(const Constants<Dual>& constants, Modulus which);
 
 } // namespace granum::effective::kernel

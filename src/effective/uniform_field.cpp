@@ -44,7 +44,7 @@ AxialMoments<double> contact_moments(const State& s, const kernel::CheckedState&
                                                 .inverse = sign < 0});
 }
 
-/// Where the density of contacts is negative the sums over them may lose their sign too.
+/// Where the density of contacts is negative, sums over the contacts may become negative too.
 void note_instability(const State& s, Estimate& estimate) {
   if (std::abs(s.fabric_anisotropy) > 1 && !estimate.stiffness.positive_definite())
     estimate.validity.add(

@@ -50,13 +50,13 @@ void set_speeds(Values& all, const Question& q, const TransverselyIsotropic& c) 
 
 void require_finite_values(const Values& all) {
   if (!std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); }))
-    throw InvalidArgument("the moduli exceed what a double can hold; check the units of the inputs");
+    throw InvalidArgument("the moduli exceed the range of a double; check the units of the inputs");
 }
 
 namespace {
 
-/// All numbers but the exponents.
-/// \throws   InvalidArgument if one is beyond what a double holds
+/// All numbers except the exponents.
+/// \throws   InvalidArgument if one exceeds the range of a double
 Values values_of(const Question& q, const ContactCounts& counts, const TransverselyIsotropic& c) {
   Values all{};
   const bool stiff = c.positive_definite();
@@ -75,7 +75,7 @@ Values values_of(const Question& q, const ContactCounts& counts, const Transvers
   return all;
 }
 
-/// A C_n that is told stays as it was told, whatever z* makes of it.
+/// A given C_n is reported as given, not recomputed from z*.
 effective::State with(const effective::State& state, const ContactCounts& counts) {
   effective::State known = state;
   known.coordination_number = state.coordination_number.value_or(counts.coordination_number());
@@ -83,7 +83,7 @@ effective::State with(const effective::State& state, const ContactCounts& counts
   return known;
 }
 
-/// The stiffness of a question whose contacts are told, and all that follows.
+/// The stiffness of a question with given contacts, and all numbers that follow.
 struct Solution {
   RelaxedEstimate estimate;
   Values values;
@@ -128,15 +128,15 @@ TransverselyIsotropic scaled(const TransverselyIsotropic& c, double bulk, double
   return {.C11 = r.C11, .C33 = r.C33, .C12 = r.C12, .C13 = r.C13, .C44 = r.C44};
 }
 
-/// A factor that takes a modulus down by its standard error, which may be larger than the modulus.
+/// A factor that reduces a modulus by its standard error, which may be larger than the modulus.
 double less(double relative_error) { return std::max(0.0, 1 - relative_error); }
 
-/// Sphere packings of these void ratios were calibrated; beyond, the weight of what is measured on sands
-/// grows to 1 within a twentieth.
+/// Void ratios of the calibrated sphere packings; beyond them the weight of the laws measured on sands grows
+/// to 1 within 0.05.
 constexpr double densest_spheres = 0.50, loosest_spheres = 0.75, fading = 0.05;
 
-/// By how much a stiffness reaches from spheres to sands where nothing is known of the contacts: 1 within the
-/// calibration.
+/// Factor by which the range of a stiffness extends from spheres to sands if the contacts are unknown: 1
+/// within the calibration.
 double reach_to_sands(const Question& q, double G) {
   const double e = q.state.void_ratio;
   const double weight = std::clamp(std::max(densest_spheres - e, e - loosest_spheres) / fading, 0.0, 1.0);
@@ -187,13 +187,13 @@ void require_valid_question(const Question& q) {
   }
   if (q.shear_strain)
     throw InvalidArgument(
-        "shear_strain: what strain does was measured on sands; of spheres only small strain is known");
+        "shear_strain: the laws of strain are measured on sands; for spheres only small strain is available");
   if (q.sand.uniformity.value_or(1) > sphere_uniformity_limit)
     throw InvalidArgument("uniformity", *q.sand.uniformity, "",
-                          "[1, 4] for spheres, as beyond none were compared; ask for a sand");
+                          "[1, 4] for spheres, the validated range; use grain shape sand");
 }
 
-/// Whether both have the same contacts: all that the prior and the counts depend on is alike.
+/// Whether both have the same contacts: all inputs of the prior and of the counts agree.
 bool same_contacts(const Question& a, const Question& b) {
   return a.state.law == b.state.law && a.state.radius == b.state.radius &&
          a.state.void_ratio == b.state.void_ratio && a.state.stress_v == b.state.stress_v &&
@@ -234,7 +234,7 @@ Answer answer(const Question& question, std::span<const Spread> spreads) {
   all.effects_.push_back(effect_of("contacts", !question.knows_contacts(), middle.values,
                                    counted(contacts.fewer, growth.fewer),
                                    counted(contacts.more, growth.more)));
-  // What an input leaves alone is not worked out again.
+  // Numbers that do not depend on the input are not computed again.
   const auto moved = [&](const Question& q) {
     require_valid_question(q);
     const ContactCounts counts = same_contacts(q, question) ? contacts.middle : contacts_of(q).middle;

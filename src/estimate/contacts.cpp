@@ -17,7 +17,7 @@ namespace {
 using effective::ContactCounts;
 using effective::ContactPrior;
 
-/// However few contacts a packing has, no more of its grains than these carry nothing.
+/// Largest fraction of rattlers of any packing.
 constexpr double most_rattlers = 0.9;
 
 ContactCounts of_z_and_C_n(double z, double C_n) {
@@ -43,7 +43,7 @@ KnownContacts contacts_by_prior(const ContactPrior& prior) {
   const double z = prior.middle.mechanical_coordination_number;
   const auto step = [&](const ContactCounts& end, double sign) {
     const double at = z + sign * std::hypot(end.mechanical_coordination_number - z, prior.coordination_error);
-    // Rattlers become fewer as contacts grow: the law of the prior between its ends, continued.
+    // Rattlers decrease as contacts grow: the law of the prior between its ends, extrapolated.
     const double z_there = std::max(at, 0.0);
     return ContactCounts{.mechanical_coordination_number = z_there,
                          .rattler_fraction =
@@ -55,7 +55,7 @@ KnownContacts contacts_by_prior(const ContactPrior& prior) {
           .validity = prior.validity};
 }
 
-/// z* is known: rattlers, and so C_n, are known to the prior's scatter.
+/// z* is given: rattlers, and so C_n, follow with the scatter of the prior.
 KnownContacts contacts_by_z(double z, const ContactPrior& prior) {
   const double x = effective::typical_rattler_fraction(z, prior.relative_overlap);
   const auto with = [&](double factor) {
@@ -66,7 +66,7 @@ KnownContacts contacts_by_z(double z, const ContactPrior& prior) {
   return {.middle = with(1), .fewer = with(factor), .more = with(1 / factor), .validity = {}};
 }
 
-/// C_n is known: more rattlers mean more contacts of the others.
+/// C_n is given: more rattlers mean more contacts of the other grains.
 KnownContacts contacts_by_C_n(double C_n, const ContactPrior& prior) {
   if (C_n == 0)
     return exactly({.mechanical_coordination_number = 0, .rattler_fraction = 0});
@@ -81,9 +81,9 @@ KnownContacts contacts_by_C_n(double C_n, const ContactPrior& prior) {
   return {.middle = with(1), .fewer = with(1 / factor), .more = with(factor), .validity = {}};
 }
 
-/// The share of rattlers is known: z* is where the prior has it, among those of packings of this void ratio;
-/// where there are none, the range alone grows. Rattlers of unequal grains follow from their sizes, not from
-/// z*.
+/// The fraction of rattlers is given: z* follows from the prior, among the packings of this void ratio; if
+/// none of them has this fraction, only the range grows. Rattlers of unequal grains follow from their sizes,
+/// not from z*.
 KnownContacts contacts_by_rattlers(double rattlers, const ContactPrior& prior, bool equal_grains) {
   KnownContacts range = contacts_by_prior(prior);
   if (!equal_grains) {

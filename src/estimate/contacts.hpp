@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contacts that the question of a packing leaves open.
+// The unknown contacts of a question.
 #pragma once
 
 #include <granum/core/validity.hpp>
@@ -8,13 +8,13 @@
 
 namespace granum::estimate {
 
-/// The contacts of a question: the best guess, and those one standard deviation to each side.
+/// The contacts of a question: the best estimate, and one standard deviation to each side.
 struct KnownContacts {
   effective::ContactCounts middle, fewer, more;
   Validity validity;
 };
 
-/// Contacts as they are known, or as effective::contact_prior has them.
+/// Contacts as given, or according to effective::contact_prior.
 /// \throws   InvalidArgument as answer
 KnownContacts contacts_of(const Question& question);
 
@@ -23,7 +23,7 @@ struct ContactGrowth {
   effective::Growth middle, fewer, more;
 };
 
-/// Central differences of contacts_of by ln p; 0 where contacts are known: those of this packing stay.
+/// Central differences of contacts_of by ln p; 0 if the contacts are given: they do not change.
 /// Assumes   stress
 /// Accuracy  1e-7 of each slope
 ContactGrowth growth_of(const Question& question);

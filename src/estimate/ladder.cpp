@@ -20,7 +20,7 @@ using effective::Rung;
 using effective::RungName;
 using elastic::TransverselyIsotropic;
 
-/// The moduli whose errors are stated, or what belongs to each of them.
+/// The moduli whose errors are stated, or a value for each of them.
 using Triple = std::array<double, 3>;
 constexpr std::array stated_fields{Field::bulk_modulus, Field::horizontal_shear_modulus,
                                    Field::shear_modulus};
@@ -32,7 +32,7 @@ ModulusErrors errors_of(const Triple& errors) {
 }
 double largest(const ModulusErrors& e) { return std::max({e.bulk_modulus, e.G_hh, e.G_vh}); }
 
-/// Rung 3 of the answer: what the others are compared with. `exact` names an input that is taken to be exact.
+/// Rung 3 of the answer, the reference of the others. `exact` names an input that is assumed to be exact.
 struct Truth {
   Triple moduli{};
   Triple relative_errors{};
@@ -46,7 +46,7 @@ struct Truth {
   }
 };
 
-/// Error of a stiffness: its distance from rung 3, and the error of that.
+/// Error of a stiffness: its distance from rung 3, and the error of rung 3.
 ModulusErrors stated_error(const TransverselyIsotropic& stiffness, const Truth& truth) {
   const Triple own = moduli(stiffness);
   Triple errors{};
@@ -59,7 +59,7 @@ ModulusErrors stated_error(const TransverselyIsotropic& stiffness, const Truth& 
 
 // ---- the rungs
 
-/// What a rung lacks of this packing.
+/// Inputs of a rung that are not given for this packing.
 std::vector<std::string> missing(const Rung& row, const Answer& answer) {
   if (row.needs_packing)
     return {"a packing"};
@@ -84,7 +84,7 @@ std::vector<RungAssessment> rungs_of(const Answer& answer) {
   return all;
 }
 
-/// "rung 3 2.7 %, contacts 10 %": the largest part of each input.
+/// "rung 3 2.7 %, contacts 10 %": the largest contribution of each input.
 std::string parts_text(const Answer& answer) {
   std::vector<std::pair<std::string, double>> parts;
   for (const Effect& effect : answer.effects()) {
@@ -130,7 +130,8 @@ std::string number_of(const Ladder& ladder, std::size_t k) {
   return std::to_string(*ladder.rungs[k].rung->number);
 }
 
-/// The first rung of the smallest error that is not below the tolerance; nothing if none states an error.
+/// The first rung of the smallest error, errors below the tolerance counting as equal; empty if none states
+/// one.
 std::optional<std::size_t> best_of(const std::vector<RungAssessment>& rungs, double tolerance) {
   std::optional<std::size_t> best;
   for (std::size_t k = 0; k < rungs.size(); ++k) {
@@ -169,10 +170,10 @@ void give_reason(RungAssessment& rung, const Ladder& ladder) {
   }
 }
 
-/// What a better knowledge of an input would change, if anything that matters.
+/// Advice on an input whose better knowledge would change the choice or the error.
 void advise_input(Ladder& ladder, const Answer& answer, const std::string& input) {
   std::vector<RungAssessment> rungs = ladder.rungs;
-  if (input == fabric_input) // measured, it is missing no more
+  if (input == fabric_input) // if it were measured, it would not be missing
     for (RungAssessment& rung : rungs)
       if (!rung.rung->needs_packing)
         rung.stiffness = effective::answer(*rung.rung, answer.state()).stiffness;
@@ -189,7 +190,7 @@ void advise_input(Ladder& ladder, const Answer& answer, const std::string& input
                             (error <= ladder.tolerance ? "within" : "still beyond") + " the tolerance");
 }
 
-/// Cheaper rungs, unless one that is cheaper still does nearly as well.
+/// Advice on cheaper rungs, except those for which a still cheaper one is nearly as good.
 void advise_tolerance(Ladder& ladder) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < ladder.chosen; ++k) {
@@ -208,7 +209,7 @@ void advise(Ladder& ladder, const Answer& answer) {
       advise_input(ladder, answer, share.input);
   if (!ladder.tolerance_met)
     ladder.advice.emplace_back(
-        "a packing of grains, of a DEM code or of granum's own, would allow rung 4, the "
+        "a packing of grains, from a DEM code or made by granum, would allow rung 4, the "
         "response of its contact network, which has no such error");
   advise_tolerance(ladder);
 }
@@ -226,7 +227,7 @@ void note_tolerance(Ladder& ladder) {
 
 // ---- the three kinds of packing
 
-/// Nothing to relax: every rung gives zero.
+/// No relaxation: every rung gives zero.
 void settle_without_stiffness(Ladder& ladder, const Answer& answer) {
   for (RungAssessment& rung : ladder.rungs) {
     if (!rung.missing.empty())
@@ -240,7 +241,7 @@ void settle_without_stiffness(Ladder& ladder, const Answer& answer) {
   ladder.tolerance_met = true;
 }
 
-/// The loosest packings may not be rigid: rung 3, but nothing is known of its error.
+/// The loosest packings may not be rigid: rung 3 is chosen, but its error is not known.
 void settle_unknown(Ladder& ladder, const Answer& answer) {
   const auto relaxed = std::find_if(ladder.rungs.begin(), ladder.rungs.end(), [](const RungAssessment& rung) {
     return rung.rung->name == RungName::relaxed;
@@ -273,7 +274,7 @@ const char* name(RungVerdict verdict) {
   case RungVerdict::inputs_missing:
     return "inputs_missing";
   }
-  throw InvalidArgument("verdict is none of the known ones");
+  throw InvalidArgument("verdict is not one of the known ones");
 }
 
 std::optional<double> RungAssessment::largest_error() const {
@@ -284,8 +285,8 @@ Ladder choose(const Answer& answer, double tolerance) {
   require_positive("tolerance", tolerance);
   if (answer.grain_shape() == GrainShape::sand)
     throw InvalidArgument(
-        "tolerance: rungs are of spheres, and a sand's answer is measured; its range is its error. "
-        "Grain shape sphere has the rungs");
+        "tolerance: rungs apply to spheres; the answer for a sand is measured, and its range is its error. "
+        "Use grain shape sphere for the rungs");
   Ladder ladder{.tolerance = tolerance,
                 .mechanical_coordination_number = answer[Field::mechanical_coordination_number],
                 .rungs = rungs_of(answer),

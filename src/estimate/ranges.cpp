@@ -33,7 +33,7 @@ Range range_of(const FieldRow& row, const Values& middle, std::span<const Effect
       continue;
     least = std::min(least, effect.low[k]);
     most = std::max(most, effect.high[k]);
-    // A stiffness that vanishes to one side is infinitely far on a logarithmic scale: the range begins at 0.
+    // On a logarithmic scale, a stiffness of 0 is infinitely far away: the range begins at 0.
     down +=
         squared(logarithmic ? std::log(value / std::max(effect.low[k], row.least)) : value - effect.low[k]);
     up += squared(logarithmic ? std::log(effect.high[k] / value) : effect.high[k] - value);

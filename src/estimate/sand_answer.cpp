@@ -21,9 +21,9 @@ namespace {
 using elastic::TransverselyIsotropic;
 using sands::Sand;
 
-/// How far each law of sands is moved from its middle.
+/// Changes of each law of sands from its middle.
 struct Moved {
-  double shear_factor = 1;      ///< on G
+  double shear_factor = 1;      ///< factor on G
   double poisson_ratio = 0;     ///< added
   double exponent = 0;          ///< added to s
   double horizontal_share = 0;  ///< added to m/s
@@ -32,14 +32,14 @@ struct Moved {
   double log_modulus_ratio = 0; ///< added to ln(G/G0)
 };
 
-/// The isotropic stress that acts on G_vh as these do: sigma_v^n sigma_h^m of one exponent.
+/// The isotropic stress with the same effect on G_vh: sigma_v^n sigma_h^m = p^(n + m).
 double shear_stress_equivalent(const effective::State& s) {
   return s.stress_v == s.stress_h
              ? s.stress_v
              : std::pow(s.stress_v, sands::vertical_share) * std::pow(s.stress_h, sands::horizontal_share);
 }
 
-/// Poisson's ratio, as far as an isotropic skeleton can have it.
+/// Poisson's ratio, limited to the possible range of an isotropic skeleton.
 double poisson_ratio(const Question& q, const Moved& moved) {
   return std::clamp(sands::poisson_ratio(q.sand, q.state.mean_stress()).value + moved.poisson_ratio, 0.0,
                     0.45);
@@ -50,7 +50,7 @@ double oedometric(double G, double nu) { return G * 2 * (1 - nu) / (1 - 2 * nu);
 /// Equal spheres of these grains under the mean stress.
 effective::State spheres_of(const Question& q) {
   effective::State state = q.state;
-  if (state.contacts.pair_radius != 1) // the law was that of the mean pair
+  if (state.contacts.pair_radius != 1) // the law is that of the mean pair
     state.law = state.law.of_pair_radius(1 / state.contacts.pair_radius);
   state.contacts = {};
   state.fabric_anisotropy = 0;
@@ -58,8 +58,8 @@ effective::State spheres_of(const Question& q) {
   return state;
 }
 
-/// Contacts that rung 3 needs for this Poisson's ratio, and how stiff they must be over those of the model
-/// for this G.
+/// The z* at which rung 3 has this Poisson's ratio, and the contact stiffness relative to the model that
+/// gives this G.
 void infer_contacts(Values& all, const Question& q, double G, double nu) {
   const effective::State state = spheres_of(q);
   const auto stiffness = [&](double z) {
@@ -67,7 +67,7 @@ void infer_contacts(Values& all, const Question& q, double G, double nu) {
     there.coordination_number = there.mechanical_coordination_number = z;
     return effective::relaxed(there, z).stiffness;
   };
-  // nu falls as z* grows.
+  // nu decreases as z* grows.
   const auto missing = [&](double z) { return nu - stiffness(z).nu_vh(); };
   const double least = effective::isostatic_coordination_number(state.tangential_ratio) + 0.05, most = 12;
   double z = least;
@@ -85,7 +85,7 @@ void infer_contacts(Values& all, const Question& q, double G, double nu) {
   at(all, Field::contact_softness) = G / stiffness(z).G_vh();
 }
 
-/// Strain at which the contacts that are inferred have lost 1 % of G by slip.
+/// Strain at which slip at the inferred contacts reduces G by 1 %.
 double slip_strain(Values& all, const Question& q) {
   constexpr double loss = 0.01;
   effective::State state = spheres_of(q);
@@ -148,12 +148,12 @@ Values sand_values(const Question& q, const Moved& moved = {}) {
   return all;
 }
 
-/// Whether a sand has that number here.
+/// Whether that number exists for this sand.
 bool has(const FieldRow& row, const Question& q) {
   switch (row.field) {
   case Field::rattler_fraction:
   case Field::coordination_number:
-    return false; // not even inferred: rattlers are unknown
+    return false; // cannot be inferred: rattlers are unknown
   case Field::mechanical_coordination_number:
   case Field::contact_softness:
   case Field::vertical_exponent:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answer of a sand: what was measured, with mechanics beside.
+// The answer for a sand: measured laws, supplemented by mechanics.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@ namespace granum::estimate {
 inline double& at(Values& values, Field field) { return values[static_cast<std::size_t>(field)]; }
 
 /// estimate::answer of grain_shape sand.
-/// Assumes   a question that answer() has found valid
+/// Assumes   a question validated by answer()
 Answer sand_answer(const Question& question, std::span<const Spread> spreads);
 
-/// Densities and wave speeds of a stiffness, at their places.
+/// Fills in the densities and wave speeds of a stiffness.
 /// Assumes   that the density of the grains is known
 void set_speeds(Values& all, const Question& question, const elastic::TransverselyIsotropic& stiffness);
 
-/// \throws   InvalidArgument if a number is beyond what a double holds
+/// \throws   InvalidArgument if a number exceeds the range of a double
 void require_finite_values(const Values& all);
 
 } // namespace granum::estimate

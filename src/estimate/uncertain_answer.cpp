@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs that are moved as far as packings allow. The one source of the closed forms that catches exceptions:
-// where none can be caught it is left out.
+// Inputs changed as far as a packing is possible. The only source of the closed forms that catches
+// exceptions; it is left out on targets without them.
 #include <vector>
 
 #include <granum/core/error.hpp>
@@ -19,14 +19,14 @@ Spread whole(const UncertainInput& input) {
           .more = input.moved(input.deviation)};
 }
 
-/// The question moved as far as it has an answer: not at all if it has none within a 32nd.
+/// The question with a change as large as possible; unchanged if even 1/32 of the change has no answer.
 Question moved_if_possible(const Question& question, const UncertainInput& input, double change) {
   for (int halvings = 0; halvings <= most_halvings; ++halvings, change /= 2) {
     try {
       Question moved = input.moved(change);
       (void)answer(moved);
       return moved;
-    } catch (const InvalidArgument&) { // no packing is so; half as far one may be
+    } catch (const InvalidArgument&) { // no such packing is possible; try half of the change
     }
   }
   return question;
@@ -36,11 +36,11 @@ Question moved_if_possible(const Question& question, const UncertainInput& input
 
 Answer answer(const Question& question, std::span<const UncertainInput> inputs) {
   std::vector<Spread> spreads;
-  try { // most packings may have all of them, and each attempt costs as much as an answer
+  try { // usually all are possible, and each attempt costs as much as an answer
     for (const UncertainInput& input : inputs)
       spreads.push_back(whole(input));
     return answer(question, spreads);
-  } catch (const InvalidArgument&) { // one of them may not
+  } catch (const InvalidArgument&) { // one of them is not possible
   }
   spreads.clear();
   for (const UncertainInput& input : inputs)

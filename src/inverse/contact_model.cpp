@@ -21,20 +21,20 @@ namespace {
 using effective::Modulus;
 using effective::State;
 
-/// Errors of measurements are not taken to be smaller: exact ones of dependent quantities leave no room.
+/// Lower limit of measurement errors: exact values of dependent quantities could not be fitted.
 constexpr double smallest_error = 1e-4;
-/// Of the sum of squares, what is too little to go on for.
+/// Change of the sum of squares below which the iteration stops.
 constexpr double negligible_gain = 1e-12;
-/// Where laws of contacts meet with a kink no step helps: what a smooth minimum would gain moves no number by
-/// more than 0.01 of its standard error.
+/// Tolerance at a kink between contact laws, where no step reduces the sum: the remaining gain of a smooth
+/// minimum would change no number by more than 0.01 of its standard error.
 constexpr double gain_at_kink = 1e-4;
-/// However far the least squares look around.
+/// Limit on trial values of the least squares.
 constexpr double most_rattlers = 0.9, just_rigid = 1e-6;
 
-/// Places of the deviations that have a normal prior, behind the free parameters.
+/// Indices of the deviations with a normal prior, after the free parameters.
 constexpr Eigen::Index rattler_prior = 0, rung_prior = 1, growth_prior = 3, other_prior = 4, prior_count = 5;
 
-/// What ln of a modulus gains with ln K and with ln G, in an isotropic packing.
+/// Derivatives of ln of a modulus by ln K and ln G, in an isotropic packing.
 Eigen::RowVector2d weights_of(Modulus which, const elastic::TransverselyIsotropic& c) {
   const double bulk = c.bulk_modulus();
   switch (which) {
@@ -49,7 +49,7 @@ Eigen::RowVector2d weights_of(Modulus which, const elastic::TransverselyIsotropi
   }
 }
 
-/// What ln of a quantity gains with one standard error of K and of G of rung 3.
+/// Change of ln of a quantity with one standard error of K and of G of rung 3.
 Eigen::RowVector2d calibration_of(const QuantityRow& row, const effective::RelaxedEstimate& packing) {
   const effective::ModulusErrors& error = packing.relative_error;
   const double shear = row.modulus == Modulus::G_hh ? error.G_hh : error.G_vh;
@@ -101,11 +101,11 @@ ContactModel::ContactModel(std::span<const Observation> measurements, const Infe
 
 void ContactModel::require_known_density(const QuantityRow& row) const {
   if (row.speed && !options_.grain_density)
-    throw InvalidArgument("a wave speed tells a modulus only with the density of the grains");
+    throw InvalidArgument("a modulus follows from a wave speed only with the density of the grains");
   if (row.speed && options_.pore_density > 0 && row.modulus != Modulus::G_vh && row.modulus != Modulus::G_hh)
     throw InvalidArgument(
-        "a compression wave in wet pores is that of the water above all, and tells little of "
-        "the contacts: take the shear wave");
+        "a compression wave in wet pores travels mainly in the water and depends little on the contacts: use "
+        "the shear wave");
 }
 
 Eigen::Index ContactModel::parameter_count() const { return law_parameter(options_.contacts.numbers.size()); }
@@ -192,7 +192,7 @@ effective::ContactCounts ContactModel::contacts(const Eigen::VectorXd& theta, co
   here.void_ratio = void_ratio_at(theta, at.mean_stress());
   const effective::ContactPrior from = effective::contact_prior(here), to = effective::contact_prior(there);
   const auto z_of = [](const effective::ContactCounts& c) { return c.mechanical_coordination_number; };
-  // The place between the ends, and how far beyond them; where no packing is so loose, the ends are one.
+  // The relative position between the ends or beyond them; where no packing is so loose, the ends coincide.
   const double width = z_of(from.densest) - z_of(from.loosest);
   const double within = std::clamp(z_of(counts), z_of(from.loosest), z_of(from.densest));
   const double share = width > 0 ? (within - z_of(from.loosest)) / width : 0.5;
@@ -295,7 +295,7 @@ Inference ContactModel::solve(std::shared_ptr<const ContactModel> model, double 
         Inference found = solve_from(model, other);
         if (found.chi_square() < best.chi_square())
           best = std::move(found);
-      } catch (const NotConverged&) { // one minimum is known
+      } catch (const NotConverged&) { // one minimum has been found
       }
     }
   return best;
@@ -314,7 +314,7 @@ Inference ContactModel::solve_from(const std::shared_ptr<const ContactModel>& mo
         hardin::solve(problem, theta, model->options_.iteration_limit, "a contact number");
     theta = solution.theta;
     jacobian = slopes(residuals, theta);
-    // GSL compares sums of squares, which differ by rounding alone near the minimum: a last step goes on.
+    // GSL compares sums of squares, which near the minimum differ only by rounding: take one more step.
     const Eigen::VectorXd misfit = residuals(theta),
                           step = inverse_information(jacobian) * (jacobian.transpose() * misfit);
     const double gain = (jacobian * step).squaredNorm();
@@ -353,7 +353,7 @@ void ContactModel::describe(Inference& inference, const std::vector<StateGroup>&
                                                   inference.chi_square_ / 2);
   inference.fitted_.resize(measurements_.size());
 
-  // Each residual has unit variance; z* moves with it by its row of the pseudo-inverse.
+  // Each residual has unit variance; z* depends on it through its row of the pseudo-inverse.
   const Eigen::RowVectorXd moves = (covariance * jacobian.transpose()).row(0);
   double of_measurement = 0, of_rung = 0;
   Eigen::Index row = 0;

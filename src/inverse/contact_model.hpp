@@ -5,27 +5,28 @@
 #include <granum/effective/contact_prior.hpp>
 #include <granum/inverse/inference.hpp>
 
-/// The model behind infer(): measured values as functions of a vector of parameters.
+/// The model of infer(): measured values as functions of a vector of parameters.
 namespace granum::inverse::detail {
 
-/// Measurements at one state: their errors have the scatter of rung 3 there in common.
+/// Measurements at one state, whose errors share the scatter of rung 3 there.
 struct StateGroup {
   std::vector<std::size_t> members;
-  Eigen::MatrixXd scatter;   ///< of ln value, by one deviation of K and of G
+  Eigen::MatrixXd scatter;   ///< change of ln value with one deviation of K and of G
   Eigen::VectorXd noise;     ///< standard errors of ln value as measured
   Eigen::MatrixXd whitening; ///< W with W (noise^2 + scatter scatter^T) W^T = 1
 };
 
-/// Parameters: ln(z* - isostatic point) at the reference stress, g where it is fitted; then deviations from
-/// what is expected, in standard deviations: of ln x_0, of K and G of rung 3, of the growth of z*, of another
-/// packing prepared alike, of the inputs, of ln of the numbers of the contact law.
+/// Parameters: ln(z* - isostatic point) at the reference stress, and g if it is fitted; then deviations from
+/// the expected values, in standard deviations: of ln x_0, of K and G of rung 3, of the growth of z*, of
+/// another packing prepared alike, of the inputs, of ln of the parameters of the contact law.
 class ContactModel {
  public:
   /// \throws   InvalidArgument as infer
   ContactModel(std::span<const Observation> measurements, const InferenceOptions& options);
 
-  /// Least squares from the z* that a measurement implies. Where numbers of the law are asked for there may
-  /// be several minima: the least of those found from what is expected of them, and one deviation off that.
+  /// Least squares, starting from the z* implied by a measurement. If parameters of the law are inferred
+  /// there may be several minima: the smallest of those found from their expected values and one deviation
+  /// off them.
   [[nodiscard]] static Inference solve(std::shared_ptr<const ContactModel> model, double start);
 
   /// z* and rattlers.
@@ -33,7 +34,7 @@ class ContactModel {
                                                   AskedPacking specimen) const;
   [[nodiscard]] double log_value(const Eigen::VectorXd& theta, Quantity quantity, const effective::State& at,
                                  AskedPacking specimen) const;
-  /// What one deviation of K and of G in this state alone does to ln value.
+  /// Change of ln value with one deviation of K and of G in this state only.
   [[nodiscard]] Eigen::RowVector2d own_scatter(const Eigen::VectorXd& theta, Quantity quantity,
                                                const effective::State& at, AskedPacking specimen) const;
   [[nodiscard]] double void_ratio_at(const Eigen::VectorXd& theta, double mean_stress) const;
@@ -54,18 +55,18 @@ class ContactModel {
   [[nodiscard]] std::optional<Quantity> would_determine(const std::vector<StateGroup>& groups,
                                                         const Eigen::VectorXd& theta,
                                                         const Eigen::MatrixXd& jacobian) const;
-  /// z* and the numbers of the contact law, with errors from a covariance of the parameters.
+  /// z* and the parameters of the contact law, with errors from a covariance of all parameters.
   [[nodiscard]] std::vector<ImpliedNumber> implied_numbers(const Eigen::VectorXd& theta,
                                                            const Eigen::MatrixXd& covariance) const;
   [[nodiscard]] std::vector<double> contact_numbers(const Eigen::VectorXd& theta) const;
   /// Mean contact force of the first measurement, at its z*.
   [[nodiscard]] double first_force(const Eigen::VectorXd& theta) const;
-  /// Rattlers at a z* of the first measurement, in a state of it.
+  /// Rattlers at a z* in a state of the first measurement.
   [[nodiscard]] effective::ContactCounts counts_in(const Eigen::VectorXd& theta,
                                                    const effective::State& first) const;
   [[nodiscard]] effective::ContactCounts first_contacts(const Eigen::VectorXd& theta) const;
   [[nodiscard]] effective::ContactCounts at_stress(const Eigen::VectorXd& theta, double mean_stress) const;
-  /// \throws   InvalidArgument for a speed that the densities do not allow
+  /// \throws   InvalidArgument for a speed that is impossible with these densities
   void require_known_density(const QuantityRow& row) const;
   [[nodiscard]] Eigen::Index parameter_count() const;
   [[nodiscard]] Eigen::Index law_parameter(std::size_t number) const;
@@ -82,8 +83,8 @@ class ContactModel {
 /// (J^T J)^-1.
 [[nodiscard]] Eigen::MatrixXd inverse_information(const Eigen::MatrixXd& jacobian);
 
-/// The derivatives of a function of the parameters, a column for each, by central differences: relative
-/// 1e-10 for functions that change by themselves over a distance of 1.
+/// The derivatives of a function by the parameters, one column each, by central differences: relative 1e-10
+/// for functions that change by their own size over a distance of 1.
 template <class Function>
 Eigen::MatrixXd slopes(const Function& function, const Eigen::VectorXd& theta) {
   constexpr double step = 1e-5;

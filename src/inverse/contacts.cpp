@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 3> all_names{"given", "rough", "power-law
 const contact::PowerLaw& smooth_sphere(const contact::NormalLaw& given) {
   const contact::PowerLaw* const law = given.power_law();
   if (law == nullptr || law->alpha() != 2)
-    throw InvalidArgument("contacts are asked for in the place of smooth spheres: give that law");
+    throw InvalidArgument("inferred contacts replace the law of smooth spheres: give that law");
   return *law;
 }
 
@@ -52,7 +52,7 @@ UnknownContacts unknown_contacts(std::string_view name) {
               const double hertz = smooth_sphere(given).stiffness_at_force(force);
               return power_law_through(given.grain(), numbers[1], force, numbers[0] * hertz);
             }};
-  throw InvalidArgument("contacts '" + std::string(name) + "': known are given, rough, power-law");
+  throw InvalidArgument("contacts '" + std::string(name) + "' is unknown; known are given, rough, power-law");
 }
 
 } // namespace granum::inverse

@@ -32,7 +32,7 @@ std::string_view name(GrowthRule growth) {
   case GrowthRule::fitted:
     return "fitted";
   }
-  throw InvalidArgument("growth is none of the known ones");
+  throw InvalidArgument("growth is not one of the known ones");
 }
 
 std::string_view name(AskedPacking specimen) {
@@ -42,7 +42,7 @@ std::string_view name(AskedPacking specimen) {
   case AskedPacking::prepared_alike:
     return "prepared_alike";
   }
-  throw InvalidArgument("specimen is none of the known ones");
+  throw InvalidArgument("specimen is not one of the known ones");
 }
 
 GrowthRule growth_rule_of(std::string_view text) { return named_value("growth", all_growth_rules, text); }

@@ -11,9 +11,9 @@ namespace granum::inverse::detail {
 
 namespace {
 
-/// Relative error of a measurement that is only thought of.
+/// Relative error of a hypothetical measurement.
 constexpr double careful = 0.02;
-/// z* of grains that may be anything is evenly spread from the isostatic point to that without friction.
+/// Prior of z* for unknown grains: uniform from the isostatic point to the z* of frictionless grains.
 constexpr double most_contacts = 6;
 
 bool all_determined(const std::vector<ImpliedNumber>& numbers) {

@@ -19,9 +19,9 @@ namespace {
 
 using effective::Explained;
 
-/// Deviations so large are taken for a contradiction: three of a thousand.
+/// Probability below which deviations count as a contradiction.
 constexpr double improbable = 0.003;
-/// A z* from which least squares find any other.
+/// A starting z* from which the least squares converge.
 constexpr double any_contacts = 5;
 
 double bulk_density(const Observation& m, const InferenceOptions& options) {
@@ -36,7 +36,7 @@ double modulus_of(const Observation& m, const InferenceOptions& options) {
   const double modulus = bulk_density(m, options) * m.value.value * m.value.value;
   if (!(modulus > 0 && std::isfinite(modulus)))
     throw InvalidArgument(std::string(row_of(m.quantity).key) + " = " + short_text(m.value.value) +
-                          " m/s has a modulus that is beyond what a number can hold");
+                          " m/s implies a modulus that exceeds the range of a double");
   return modulus;
 }
 
@@ -58,19 +58,19 @@ void note_unexplained(const Observation& m, const InferenceOptions& options,
                       const effective::ImpliedCoordination& implied, Validity& validity) {
   if (implied.explained == Explained::too_stiff)
     validity.add("no contact number explains " + named(m) +
-                 ": with 12 contacts a grain, the most that equal "
-                 "spheres can have, it would be " +
+                 ": with 12 contacts per grain, the largest number for equal "
+                 "spheres, it would be " +
                  bound_text(m, options, implied.stiffest) +
-                 "; the grains may be bonded, flat at their contacts, or stiffer than was said");
+                 "; the grains may be bonded, flat at their contacts, or stiffer than given");
   if (implied.explained == Explained::too_soft)
     validity.add("no contact number explains " + named(m) +
-                 ": the loosest network of contacts that is rigid "
+                 ": the loosest rigid network of contacts "
                  "would have " +
                  bound_text(m, options, implied.softest) +
-                 "; the contacts may be rough or damaged, or the grains softer than was said");
+                 "; the contacts may be rough or damaged, or the grains softer than given");
 }
 
-/// What rung 3 remarks on the states, told of the first alone: a table may have thousands.
+/// Notes of rung 3 on the states; only those of the first are listed, since a table may have thousands.
 void note_states(const Inference& all, std::span<const Observation> measurements, Validity& validity) {
   std::size_t noted = 0;
   for (const Observation& m : measurements) {
@@ -80,12 +80,12 @@ void note_states(const Inference& all, std::span<const Observation> measurements
       validity.merge(own);
   }
   if (noted > 1)
-    validity.add(granum::detail::formatted("remarks of that kind go with %.0f of %.0f measurements",
+    validity.add(granum::detail::formatted("notes of this kind apply to %.0f of %.0f measurements",
                                            static_cast<double>(noted),
                                            static_cast<double>(measurements.size())));
 }
 
-/// Where the contacts are not those of packings of that void ratio.
+/// Adds a note if the contact number is unusual for packings of that void ratio.
 void note_density(const Inference& all, const effective::State& first, Validity& validity) {
   const effective::ContactPrior prior = effective::contact_prior(first);
   const Measured z = all.packing(first).mechanical_coordination_number;
@@ -93,12 +93,12 @@ void note_density(const Inference& all, const effective::State& first, Validity&
   const double most = prior.densest.mechanical_coordination_number;
   const double least = prior.loosest.mechanical_coordination_number;
   if (z.value > most + room || z.value < least - room)
-    validity.add(
-        granum::detail::formatted("z* = %.3g is %s than packings of spheres of void ratio %.3g have at "
-                                  "this stress, from %.3g to %.3g: ",
-                                  z.value, z.value > most ? "more" : "less", first.void_ratio, least, most) +
-        (z.value > most ? "grains of other shape touch more often, or their contacts are stiffer"
-                        : "their contacts may be softer than was said, or the grains crushed"));
+    validity.add(granum::detail::formatted(
+                     "z* = %.3g is %s than in packings of spheres of void ratio %.3g at "
+                     "this stress, %.3g to %.3g: ",
+                     z.value, z.value > most ? "larger" : "smaller", first.void_ratio, least, most) +
+                 (z.value > most ? "grains of other shape have more contacts, or their contacts are stiffer"
+                                 : "their contacts may be softer than given, or the grains crushed"));
 }
 
 void note_contradiction(const Inference& all, std::span<const Observation> measurements, Validity& validity) {
@@ -109,17 +109,18 @@ void note_contradiction(const Inference& all, std::span<const Observation> measu
     if (std::abs(all.measurements()[k].deviation) > std::abs(all.measurements()[worst].deviation))
       worst = k;
   const double deviation = all.measurements()[worst].deviation;
-  validity.add("the measurements contradict each other: no one contact number explains them all within their "
-               "errors and that of rung 3 (" +
-               granum::detail::formatted("chi^2 %.3g at %.0f degrees of freedom); ", all.chi_square(),
-                                         static_cast<double>(all.degrees_of_freedom())) +
-               "the worst is " + named(measurements[worst]) +
-               granum::detail::formatted(", %.2g standard errors ", std::abs(deviation)) +
-               (deviation > 0 ? "stiffer" : "softer") + " than the rest says");
+  validity.add(
+      "the measurements contradict each other: no single contact number explains them all within their "
+      "errors and that of rung 3 (" +
+      granum::detail::formatted("chi^2 %.3g at %.0f degrees of freedom); ", all.chi_square(),
+                                static_cast<double>(all.degrees_of_freedom())) +
+      "the largest deviation is that of " + named(measurements[worst]) +
+      granum::detail::formatted(", %.2g standard errors ", std::abs(deviation)) +
+      (deviation > 0 ? "stiffer" : "softer") + " than according to the others");
 }
 
-/// \throws   NotConverged where the least squares leave all that packings can be: contacts without number,
-///           fabric beyond its range. Each state and each value has been looked at before.
+/// \throws   NotConverged if the least squares leave the range of possible packings, e.g. of the contact
+///           number or the fabric. Each state and each value has been checked before.
 Inference solve_together(const std::shared_ptr<const detail::ContactModel>& model, double start,
                          std::span<const Observation> measurements, std::span<const AloneAnswer> alone) {
   try {
@@ -129,9 +130,10 @@ Inference solve_together(const std::shared_ptr<const detail::ContactModel>& mode
     for (std::size_t k = 0; k < measurements.size(); ++k)
       if (!alone[k].implied.mechanical_coordination_number)
         unexplained += (unexplained.empty() ? "; alone, none explains " : ", ") + named(measurements[k]);
-    throw NotConverged("no one contact number can be fitted to the measurements: they contradict each other "
-                       "by far more than their errors" +
-                       unexplained);
+    throw NotConverged(
+        "no single contact number can be fitted to the measurements: they contradict each other "
+        "by far more than their errors" +
+        unexplained);
   }
 }
 
@@ -166,8 +168,7 @@ InferenceAnswer infer(std::span<const Observation> measurements, const Inference
     answer.alone.push_back(std::move(alone));
   }
   if (!options.contacts.numbers.empty())
-    start =
-        start.value_or(any_contacts); // where the law is asked for, that of the states may explain nothing
+    start = start.value_or(any_contacts); // if the law is inferred, the law of the states may fit none
   if (!start)
     return answer;
   answer.together = solve_together(model, *start, measurements, answer.alone);

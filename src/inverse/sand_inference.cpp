@@ -45,7 +45,7 @@ bool compresses(Quantity quantity) {
   return quantity == Quantity::K || quantity == Quantity::V_p || quantity == Quantity::V_p_h;
 }
 
-/// The sand at a state, its level, exponent and Poisson's ratio moved.
+/// The sand at a state, with changed level, exponent and Poisson's ratio.
 Question moved(const Question& known, const effective::State& at, const Parameters& x) {
   Question q = known;
   q.state = at;
@@ -74,7 +74,8 @@ Parameters slopes(const Question& known, Quantity quantity, const effective::Sta
   return out;
 }
 
-/// Half of the variance from test to test belongs to each of the two that are compared; speeds have half.
+/// Half of the variance from test to test belongs to each of two compared tests; speeds have half the
+/// deviation.
 double own_error(Quantity quantity) {
   return (row_of(quantity).speed ? 0.5 : 1) * sands::scatter_within_a_sand / std::numbers::sqrt2;
 }
@@ -121,12 +122,12 @@ LeastSquares solve(std::span<const Observation> all, const Question& known, cons
 void require_wave_of_sand(Quantity quantity, const Question& known) {
   if (row_of(quantity).speed && compresses(quantity) && known.saturation > 0)
     throw InvalidArgument(
-        "a compression wave in wet pores is that of the water: it tells nothing of the sand");
+        "a compression wave in wet pores travels in the water and does not depend on the sand");
 }
 
 void require_observations(std::span<const Observation> all, const Question& known, SandGrowth growth) {
   if (all.empty())
-    throw InvalidArgument("measurements: none is given");
+    throw InvalidArgument("no measurement is given");
   for (const Observation& one : all) {
     require_positive(row_of(one.quantity).key, one.value.value);
     require_positive("mean stress of a measurement", one.state.mean_stress(), "Pa");
@@ -203,7 +204,7 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
   for (int k = 1; k < 3; ++k)
     if (std::isfinite(deviations[k]))
       found.chi_square_ += fit.x[k] * fit.x[k] / (deviations[k] * deviations[k]);
-  const std::size_t free = growth == SandGrowth::fitted ? 2 : 1; // the others are measured, too
+  const std::size_t free = growth == SandGrowth::fitted ? 2 : 1; // the others have measured priors
   found.degrees_of_freedom_ = all.size() > free ? all.size() - free : 0;
   if (found.degrees_of_freedom_ > 0) {
     const auto freedom = static_cast<double>(found.degrees_of_freedom_);
@@ -229,20 +230,20 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
   constexpr double unlikely = 0.01;
   if (found.probability_ < unlikely)
     found.validity_.add(
-        "the measurements contradict one another as one sand: chi^2 " + short_text(found.chi_square_, 3) +
-        " at " + std::to_string(found.degrees_of_freedom_) + " degrees of freedom; errors are taken " +
-        short_text(found.widening_, 2) + " times as large" +
-        (growth == SandGrowth::measured ? "; an exponent of its own, --growth fitted, may fit" : ""));
+        "the measurements contradict each other if all are of one sand: chi^2 " +
+        short_text(found.chi_square_, 3) + " at " + std::to_string(found.degrees_of_freedom_) +
+        " degrees of freedom; errors are enlarged " + short_text(found.widening_, 2) + " times" +
+        (growth == SandGrowth::measured ? "; a fitted exponent, --growth fitted, may agree" : ""));
   constexpr double stiffest_contacts = 2; // conforming grains of dry sands have up to 1.6
   if (const std::string remark = sands::level_remark(level); !remark.empty())
     found.validity_.add(remark);
   else if (found.tells_contacts_ &&
            found.contacts(estimate::Field::contact_softness, first).low > stiffest_contacts)
     found.validity_.add(
-        "Poisson's ratio and G together ask for contacts " +
+        "Poisson's ratio and G together imply contacts " +
         short_text(found.contacts(estimate::Field::contact_softness, first).value, 2) +
-        " times as stiff as those of smooth spheres: more than grains that only touch have; the ground is "
-        "cemented, or a value is of another unit or place");
+        " times as stiff as those of smooth spheres: more than possible without bonds; the ground is "
+        "cemented, or a value has another unit or is from another place");
   return found;
 }
 

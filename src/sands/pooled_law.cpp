@@ -19,16 +19,16 @@ namespace {
 
 constexpr double knee = 50 * kPa; ///< below, sands soften faster
 
-// Where the tests lie.
+// Range of the tests.
 constexpr double low_stress_exponent = 0.50; ///< s below the knee
 constexpr double noted_above =
-    2 * MPa; ///< up to here, and below least_tested_stress, the range widens, no more
+    2 * MPa; ///< up to here, and below least_tested_stress, the range widens without a note
 constexpr double least_e = 0.40, largest_e = 0.93;
-constexpr double gravel = 4.75 * mm, least_d50 = 0.06 * mm; ///< where sand ends
+constexpr double gravel = 4.75 * mm, least_d50 = 0.06 * mm; ///< limits of sand
 
 double largest(double a, double b, double c) { return std::max({a, b, c}); }
 
-/// How far outside of [low, high] a number lies, of logarithms or differences; 0 within.
+/// Distance of a number outside of [low, high], of logarithms or differences; 0 inside.
 double beyond(double value, double low, double high) { return largest(low - value, value - high, 0); }
 
 void require_valid(const Sand& sand, double void_ratio, double mean_stress) {
@@ -151,7 +151,7 @@ double stated_factor(const Sand& sand, double void_ratio, double mean_stress) {
     within = 1.15;
   else if (form_of(sand) == PooledForm::density_and_limits)
     within = 1.25;
-  const double p = std::max(mean_stress, 1.0); // without stress there is no modulus to be off
+  const double p = std::max(mean_stress, 1.0); // without stress the modulus is zero
   const double by_stress =
       0.3 * beyond(std::log(p), std::log(least_tested_stress), std::log(largest_tested_stress));
   const double by_density = 3 * beyond(void_ratio, least_e, largest_e);
@@ -163,9 +163,11 @@ std::string level_remark(double level) {
   const std::string times =
       "G is " + short_text(level, 2) + " times that of sands of this density and stress: ";
   if (level > far)
-    return times + "more than contacts without bonds have; the ground is cemented, or a value is of another "
-                   "unit or place";
-  return level < 1 / far ? times + "a value is of another unit or place, or of large strain" : std::string();
+    return times + "more than possible without bonds; the ground is cemented, or a value has another unit or "
+                   "is from another place";
+  return level < 1 / far
+             ? times + "a value has another unit, is from another place, or was measured at large strain"
+             : std::string();
 }
 
 Validity outside_of_tests(const Sand& sand, double void_ratio, double mean_stress) {

@@ -90,18 +90,18 @@ double damping_ratio(double r) { return std::max(0.0, 0.333 * (0.586 * r * r - 1
 StrainAnswer strained(const StrainedSand& s) {
   require_open("strain", s.strain, 0, 0.05 * (1 + 1e-12));
   require_positive("mean_stress", s.mean_stress, "Pa");
-  (void)pooled_shear_modulus(s.sand, s.void_ratio, s.mean_stress); // refuses what no sand can be
+  (void)pooled_shear_modulus(s.sand, s.void_ratio, s.mean_stress); // refuses impossible values
   StrainAnswer out{.ratio = s.sand.uniformity ? wang_stokoe_ratio_e_C_u(s) : wang_stokoe_ratio_e(s),
                    .validity = {}};
   const double r = out.ratio, usual = std::log(1.13);
   out.log_deviation = std::min(std::max(usual, spread(s)), -std::log(r));
   out.damping = damping_ratio(r);
   if (s.strain > 5e-3)
-    out.validity.add("beyond a shear strain of 0.5 % laws of G(strain) end: strength decides");
+    out.validity.add("beyond a shear strain of 0.5 % the laws of G(strain) are not valid: strength governs");
   else if (s.strain > 2e-4)
     out.validity.add(
-        "above a shear strain of some 0.02 % cycles compact drained sand, or raise its pore pressure: "
-        "their number matters");
+        "above a shear strain of about 0.02 % cycles compact drained sand, or raise its pore pressure: "
+        "the result depends on their number");
   return out;
 }
 

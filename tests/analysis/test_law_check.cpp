@@ -47,7 +47,7 @@ PowerLaw flat(const contact::GrainMaterial& g, double radius) { return PowerLaw:
 
 } // namespace
 
-TEST_CASE("law check: exact forces give back alpha and the coefficient, whatever the shape") {
+TEST_CASE("law check: exact forces give alpha and the coefficient, for every shape") {
   const struct {
     analysis::LawFamily family;
     double exponent;
@@ -87,7 +87,7 @@ TEST_CASE("law check: grains of several sizes lie on one line, as similar grains
   CHECK(check.worst_misfit < 1e-13);
 }
 
-TEST_CASE("law check: the coefficient tells another material, the misfit another law") {
+TEST_CASE("law check: the coefficient shows another material, the misfit another law") {
   const analysis::LawCheck soft = check_law(contacts_of(PowerLaw::sphere), PowerLaw::sphere, {15e9, 0.15});
   CHECK(soft.coefficient_ratio == relative(2, 1e-13));
   CHECK(soft.worst_misfit < 1e-13);
@@ -137,7 +137,7 @@ TEST_CASE("law check: without overlaps, forces or a range of them there is no sl
   CHECK(alike.coefficient_ratio == relative(1, 1e-14));
 }
 
-TEST_CASE("law check: the exponent is told whatever factor each pair of types has") {
+TEST_CASE("law check: the exponent is found for any factor of each pair of types") {
   packing::Assembly a = contacts_of(PowerLaw::sphere, 0.001);
   std::vector<long> type;
   samples::Uniform uniform(7);

@@ -124,7 +124,7 @@ TEST_CASE("a cubic lattice has the stiffness, the stress and the bounds of its s
   CHECK(std::abs(micro.fabric_anisotropy) < 1e-12);
 }
 
-TEST_CASE("both matrices of a lattice stand in its axes, with the moduli and waves of its springs") {
+TEST_CASE("both matrices of a lattice are in its axes, with the moduli and waves of its springs") {
   Given given = own;
   given.grain_density = 2650;
   const Measurement m = measure(cubic(), given, {.network = network::ResponseOptions{}});
@@ -166,7 +166,7 @@ TEST_CASE("a matrix has waves if the density is known, and none if it is not pos
   CHECK_FALSE((unknown.bulk_density || unknown.network->relaxed.waves));
 }
 
-TEST_CASE("the closed forms are asked what was measured, or what the caller knows better") {
+TEST_CASE("the closed forms use measured inputs, or those given by the caller") {
   const Measurement m = measure(cubic(), own, {.closed_forms = true});
   REQUIRE(m.state);
   CHECK(m.state->stress_v == relative(f_n / (edge * edge), 1e-12));
@@ -196,7 +196,7 @@ TEST_CASE("the closed forms are asked what was measured, or what the caller know
   CHECK(none.notes.size() == 1);
 }
 
-TEST_CASE("contacts without a stiffness get that of the law, others keep theirs unless asked otherwise") {
+TEST_CASE("contacts without a stiffness get that of the law, others keep theirs unless requested") {
   packing::Assembly packing = cubic();
   for (packing::Contact& c : packing.contacts)
     c.normal_stiffness = c.tangential_stiffness = 0;
@@ -210,7 +210,7 @@ TEST_CASE("contacts without a stiffness get that of the law, others keep theirs 
         relative(law.stiffness_at_force(f_n) / edge, 1e-9));
 }
 
-TEST_CASE("what is not there is asked for in vain") {
+TEST_CASE("missing parts raise an error") {
   packing::Assembly packing = row();
   const Measurement m = measure(packing, own, {.network = network::ResponseOptions{}});
   CHECK_THROWS_AS((void)m.solved_network(), NotConverged); // nothing bears load

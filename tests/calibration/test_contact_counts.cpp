@@ -7,7 +7,7 @@
 
 using namespace granum;
 
-TEST_CASE("contact counts: grains that hold one another are jammed, pairs that touch are not") {
+TEST_CASE("contact counts: grains that support each other are jammed, touching pairs are not") {
   packing::Assembly grains = samples::lattice(samples::simple_cubic, {});
   CHECK(relaxation::is_jammed(grains));
   grains.contacts.resize(1);

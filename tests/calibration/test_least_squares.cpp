@@ -25,7 +25,7 @@ std::vector<Observation<2>> decay() {
 
 } // namespace
 
-TEST_CASE("least squares: what made the rows is found") {
+TEST_CASE("least squares: the coefficients of synthetic rows are found") {
   const Fit<2> fit = least_squares<2>(decay(), {1, 0});
   CHECK(fit.coefficients[0] == doctest::Approx(3).epsilon(1e-10));
   CHECK(fit.coefficients[1] == doctest::Approx(-0.5).epsilon(1e-10));

@@ -27,7 +27,7 @@ std::vector<Deviation> drawn(double known, double measure) {
 
 } // namespace
 
-TEST_CASE("scatter: base and gain are found, also beside a scatter that is known") {
+TEST_CASE("scatter: base and gain are found, also with an additional known scatter") {
   for (const double known : {0.0, 0.001})
     for (const double measure : {1.0, 0.3}) {
       const Scatter found = most_likely_scatter(drawn(known, measure));
@@ -36,7 +36,7 @@ TEST_CASE("scatter: base and gain are found, also beside a scatter that is known
     }
 }
 
-TEST_CASE("scatter: what is known is not found again") {
+TEST_CASE("scatter: known scatter is not counted again") {
   std::vector<Deviation> deviations = drawn(0.001, 0);
   for (Deviation& d : deviations)
     d.measure = 1;

@@ -28,7 +28,7 @@ granum_cli_test("analyse: CSV in a box" EXIT 0 STDERR "the void ratio is 39\\.7:
   ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv --box 4mm,4mm,4mm)
 granum_cli_test("analyse: CSV without a box" EXIT 0 STDERR "no box in the file" STDOUT "C_n +1\\.3333"
   ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv)
-granum_cli_test("analyse: contacts alone" EXIT 0 STDOUT "F_11 F_22 F_33 +0\\.50000 0\\.00000 0\\.50000.*f_n +66\\.55 mN"
+granum_cli_test("analyse: only contacts" EXIT 0 STDOUT "F_11 F_22 F_33 +0\\.50000 0\\.00000 0\\.50000.*f_n +66\\.55 mN"
   ARGS analyse analyse_chain_contacts.csv)
 # types of MercuryDPM (species), YADE (materials) and tables
 foreach(files_and_types mercury_chain.data,mercury_chain.fstat=0 yade_script.grains,yade_script.contacts=0,3)
@@ -43,11 +43,11 @@ foreach(files_and_types mercury_chain.data,mercury_chain.fstat=0 yade_script.gra
 endforeach()
 # grains alone: contacts from overlaps, and what nobody can know is unknown
 set(alone "the files contain no contacts: overlapping spheres are used instead")
-granum_cli_test("analyse: grains alone" EXIT 0 STDERR "${alone}, and forces are unknown"
+granum_cli_test("analyse: only grains" EXIT 0 STDERR "${alone}, and forces are unknown"
   STDOUT "2 pairs of spheres overlap.*C_n +1\\.3333" ARGS analyse ${io}/lammps_chain.data)
-granum_cli_test("analyse: grains alone and their material" EXIT 0 STDERR "${alone}, with the normal forces of the given material"
+granum_cli_test("analyse: only grains and their material" EXIT 0 STDERR "${alone}, with the normal forces of the given material"
   STDOUT "largest f_n +65\\.63 mN" ARGS analyse ${io}/lammps_chain.data --grain-shear-modulus 30GPa)
-granum_cli_test("analyse: grains alone under --strict" EXIT 4 STDOUT "C_n" STDERR "granum: error: .*contain no contacts"
+granum_cli_test("analyse: only grains under --strict" EXIT 4 STDOUT "C_n" STDERR "granum: error: .*contain no contacts"
   ARGS analyse ${io}/lammps_chain.data --strict)
 foreach(key counts/coordination_number counts/contacts counts/mechanical_coordination_number counts/rattlers stress forces)
   granum_cli_test("analyse: grains apart, ${key} is null" EXIT 0 STDERR "no spheres overlap: C_n, z" JSON "frames/0/${key}=^$"
@@ -58,7 +58,7 @@ granum_cli_test("analyse: grains apart" EXIT 0 STDERR "no spheres overlap" STDOU
 
 # 54 spheres at rest in a box under their weight, contacts of 15 values without a column map, walls among the grains
 set(box "${io}/lammps_box.atoms" "${io}/lammps_box.contacts")
-granum_cli_test("analyse: a layout told by its values" EXIT 0 STDERR "47 contacts with walls"
+granum_cli_test("analyse: a layout recognised by its values" EXIT 0 STDERR "47 contacts with walls"
   STDOUT "c_p15\\[1\\] to c_p15\\[15\\] as dist force fx fy fz p1 to p10.*contacts with walls +47"
   ARGS analyse ${box} --no-network)
 granum_cli_test("analyse: weight is no unrest" EXIT 0 STDOUT "of it weight +100 %.*weight +26 kN per m3"
@@ -144,7 +144,7 @@ granum_cli_test("analyse: every second frame" EXIT 0 STDERR "E\\(gamma; a\\) doe
 granum_cli_test("analyse: a stress that agrees" EXIT 0 STDERR "${first_only}" STDOUT "zz .*relative difference -?[0-9.]+e-(09|10)"
   ARGS analyse ${chain} --stress 367.610294Pa,0Pa,1039.654941Pa,178.622502Pa,0Pa,0Pa)
 granum_cli_test("analyse: a stress that does not" EXIT 0 STDOUT "against the code's own"
-  STDERR "the stress by contacts differs from the code's own by 0\\.[0-9]+ of its largest component"
+  STDERR "the stress computed from contacts differs from that reported by the code by 0\\.[0-9]+ of its largest component"
   ARGS analyse ${chain} --stress 367.6Pa,0Pa,1049.7Pa,178.6Pa,0Pa,0Pa)
 
 set(both "${io}/lammps_chain.atoms" "${io}/lammps_chain.contacts" --no-network)
@@ -159,7 +159,7 @@ granum_cli_test("analyse: a file of stresses by their step" EXIT 0 STDERR "not a
   JSON "frames/0/stress/relative_difference/xz=^-?[0-9.]+e-(09|1[0-9])$"
   ARGS analyse ${both} --frames 1 --json --stress analyse_stress_steps.csv)
 granum_cli_test("analyse: one of two stresses does not agree" EXIT 0 STDOUT "frame"
-  STDERR "frame 1: the stress by contacts differs from the code's own by 0\\.088"
+  STDERR "frame 1: the stress computed from contacts differs from that reported by the code by 0\\.088"
   ARGS analyse ${both} --stress 367.610295Pa,0Pa,1039.654941Pa,178.622502Pa,0Pa,0Pa
     --stress 367.610295Pa,0Pa,1039.654941Pa,178.622502Pa,0Pa,0Pa)
 
@@ -182,7 +182,7 @@ granum_analyse_refuses("a number that is none" 3 "analyse_bad_number\\.atoms:11:
 granum_analyse_refuses("a frame cut off" 3 "analyse_cut\\.contacts:10: " ${io}/lammps_chain.atoms analyse_cut.contacts)
 granum_analyse_refuses("a missing file" 3 "none\\.dump: cannot be read" none.dump)
 granum_analyse_refuses("a file of no known format" 3 "analyse_words\\.txt:2: of no format that granum reads" analyse_words.txt)
-granum_analyse_refuses("contacts of dumps alone" 2 "a file of grains is missing" ${io}/lammps_chain.contacts)
+granum_analyse_refuses("only contacts of dumps" 2 "a file of grains is missing" ${io}/lammps_chain.contacts)
 granum_analyse_refuses("files of two formats" 2 ".* which does not go with" ${io}/lammps_chain.atoms ${io}/mercury_chain.fstat)
 granum_analyse_refuses("a frame that is not there" 2 "--frames selects none of the 2 frames" ${io}/lammps_chain.atoms --frames 5)
 granum_analyse_refuses("frames in words" 2 "--frames needs all, last" ${io}/lammps_chain.atoms --frames some)

@@ -18,11 +18,11 @@ granum_cli_test("answer: wave speeds of the assumed density" EXIT 0
 granum_cli_test("answer: dense" EXIT 0 JSON "answer/shear_modulus/low=^1[78][0-9][0-9]+\\." ARGS ${beads} --preparation dense --json)
 granum_cli_test("answer: loose" EXIT 0 JSON "answer/shear_modulus/high=^9[0-9]+\\." ARGS ${beads} --preparation loose --json)
 granum_cli_test("answer: friction" EXIT 0 JSON "answer/preparation=^friction:0\\.3$" ARGS ${beads} --preparation friction:0.3 --json)
-granum_cli_test("answer: z* alone" EXIT 0 JSON "answer/mechanical_coordination_number/value=^5\\.2"
+granum_cli_test("answer: only z*" EXIT 0 JSON "answer/mechanical_coordination_number/value=^5\\.2"
   ARGS ${beads} --mechanical-coordination-number 5.2 --json)
-granum_cli_test("answer: C_n alone" EXIT 0 JSON "answer/coordination_number/value=^(4\\.8999999|4\\.9)"
+granum_cli_test("answer: only C_n" EXIT 0 JSON "answer/coordination_number/value=^(4\\.8999999|4\\.9)"
   ARGS ${beads} --coordination-number 4.9 --json)
-granum_cli_test("answer: rattlers alone" EXIT 0 JSON "answer/rattler_fraction/value=^0\\.0(3|29999)" ARGS ${beads} --rattler-fraction 3% --json)
+granum_cli_test("answer: only rattlers" EXIT 0 JSON "answer/rattler_fraction/value=^0\\.0(3|29999)" ARGS ${beads} --rattler-fraction 3% --json)
 granum_cli_test("answer: C_n and rattlers are rung 3" EXIT 0 STDOUT "  G +203\\.9 MPa .*G_vh = C44 .* 203\\.9 MPa \\+- 3 %"
   ARGS estimate --void-ratio 0.56 --pressure 100kPa --coordination-number 5.9 --rattler-fraction 2% --bounds)
 foreach(preparation tapped "friction:" "friction:-1")
@@ -33,7 +33,7 @@ endforeach()
 # --uncertainty widens what was exact, and narrows what was assumed.
 granum_cli_test("answer: an assumed modulus has a spread" EXIT 0 STDOUT "assumed --grain-shear-modulus 30 GPa \\+- 9 GPa"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa)
-granum_cli_test("answer: it may be said to be smaller" EXIT 0 JSON "answer/shares/grain-shear-modulus=^0\\.00[0-9]+$"
+granum_cli_test("answer: a smaller deviation may be given" EXIT 0 JSON "answer/shares/grain-shear-modulus=^0\\.00[0-9]+$"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --uncertainty grain-shear-modulus=1GPa --json)
 granum_cli_test("answer: a given void ratio may be uncertain" EXIT 0 STDOUT "the range of G: contacts [0-9]+ %, void-ratio [0-9]+ %"
   ARGS ${beads} --uncertainty void-ratio=0.03)
@@ -42,7 +42,7 @@ granum_cli_test("answer: so may the density" EXIT 0 JSON "answer/bulk_density/hi
 # Presets, relative density, water.
 granum_cli_test("answer: quartz" EXIT 0 JSON "inputs/grain_shear_modulus=^44000000000" ARGS estimate --void-ratio 0.6
   --pressure 100kPa --grain quartz --json)
-granum_cli_test("answer: what is given stands above the preset" EXIT 0 JSON "inputs/grain_shear_modulus=^45000000000"
+granum_cli_test("answer: given options override the preset" EXIT 0 JSON "inputs/grain_shear_modulus=^45000000000"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --grain quartz --grain-shear-modulus 45GPa --json)
 granum_cli_test("answer: unknown grain" EXIT 2 STDERR "grain 'cheese' is unknown; known are quartz" ARGS estimate --void-ratio 0.6
   --pressure 100kPa --grain cheese)
@@ -70,11 +70,11 @@ granum_cli_test("answer: by direction" EXIT 0 STDOUT "G_vh .*V_s .*shear wave, v
 foreach(case "0.7=105\\.7 MPa.*1\\.4 times stiffer than these spheres" "0.8=86\\.71 MPa.*2\\.4 times stiffer" "0.9=70\\.59 MPa.*2\\.1 times stiffer")
   string(REGEX REPLACE "=.*" "" e "${case}")
   string(REGEX REPLACE "^[^=]*=" "" text "${case}")
-  set(remark STDERR "spheres rest only if they can hardly roll|no sphere packing is so loose")
+  set(remark STDERR "spheres are stable only if they can hardly roll|no sphere packing is so loose")
   if(e STREQUAL "0.7")
     unset(remark)
   endif()
-  granum_cli_test("answer: quartz at e = ${e} beside measured sands" EXIT 0 STDOUT "kokusho +${text}" ${remark}
+  granum_cli_test("answer: quartz at e = ${e} compared with measured sands" EXIT 0 STDOUT "kokusho +${text}" ${remark}
     ARGS estimate --void-ratio ${e} --pressure 98kPa --grain quartz --radius 0.1mm)
 endforeach()
 granum_cli_test("answer: measured sands in JSON" EXIT 0 JSON "measured_sands/2/shear_modulus=^1294[0-9]+\\." ARGS estimate --void-ratio 0.6
@@ -83,7 +83,7 @@ granum_cli_test("answer: no measured sands without stress" EXIT 0 JSON "measured
   --pressure 0Pa --json)
 granum_cli_test("answer: C_u of the laws" EXIT 0 STDOUT "C_u = 1\\.4; bias" ARGS estimate --sand longstone --relative-density 50%
   --pressure 100kPa)
-granum_cli_test("answer: bounds only where they are asked for" EXIT 0 STDOUT "answer +low +high.*uniform strain +uniform stress"
+granum_cli_test("answer: bounds only on request" EXIT 0 STDOUT "answer +low +high.*uniform strain +uniform stress"
   ARGS ${beads} --bounds)
 
 # One state, one answer, whoever asks; ranges that hold their value; lines that fit a screen.

@@ -35,7 +35,7 @@ execute_process(COMMAND "${env_program}" "LD_PRELOAD=${KILLER}" GRANUM_TEST_MOME
   RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
 execute_process(COMMAND "${PROGRAM}" reproduce ${scene} --out "${unfinished}"
   RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
-if(NOT code EQUAL 3 OR NOT err MATCHES "unfinished run; continue with: granum reproduce --resume ")
+if(NOT code EQUAL 3 OR NOT err MATCHES "unfinished run; continue it with: granum reproduce --resume ")
   fail("--resume must be suggested for an unfinished run")
 endif()
 if(kills LESS 5)

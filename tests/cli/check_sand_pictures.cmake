@@ -37,7 +37,7 @@ endforeach()
 
 # estimate draws around its state: over strain with each law of it, else over stress, both answers where nothing says which.
 set(state --void-ratio 0.7 --pressure 100kPa)
-foreach(text "shear strain [%]" darendeli menq ishibashi-zhang "asked for" range)
+foreach(text "shear strain [%]" darendeli menq ishibashi-zhang "given strain" range)
   check_picture(TRUE "${text}" estimate ${state} --strain 0.01%)
 endforeach()
 foreach(text "p' [kPa]" "sand (measured laws)" "beads (spheres of the model)")

@@ -76,7 +76,7 @@ if(NOT (heading MATCHES "^file,series,frame,step," AND last MATCHES "/loose/p100
   message(FATAL_ERROR "frames.csv has\n${heading}\n${last}")
 endif()
 foreach(name_and_text "states.svg=dense, s = 0.333" "states.svg=loose, network" "states.svg=z*"
-    "report.html=How it changes with stress" "report.html=G grows with the mean stress as p^s: s = 0.333")
+    "report.html=Dependence on stress" "report.html=G grows with the mean stress as p^s: s = 0.333")
   string(REGEX MATCH "^([^=]*)=(.*)$" matched "${name_and_text}")
   file(READ "${FOLDER}/out/${CMAKE_MATCH_1}" content)
   string(FIND "${content}" "${CMAKE_MATCH_2}" at)

@@ -23,7 +23,7 @@ granum_cli_test("depth: isotropic ground, dry, its weight of void ratio" EXIT 0 
 granum_cli_test("depth: surcharge" EXIT 0 JSON "states/0/stress_v=^50000(\\.0)?$" ARGS ${ground} --surcharge 50kPa --json)
 granum_cli_test("depth: water above the ground" EXIT 0 JSON "states/0/pore_pressure=^97870\\." ARGS sweep --grain-shape sphere --void-ratio 0.6
   --depth 0m..30m --water-table -10m --json)
-granum_cli_test("depth: contacts told are the same everywhere" EXIT 0 JSON "states/3/answer/mechanical_coordination_number/value=^5\\.2"
+granum_cli_test("depth: given contacts are the same everywhere" EXIT 0 JSON "states/3/answer/mechanical_coordination_number/value=^5\\.2"
   ARGS ${ground} --mechanical-coordination-number 5.2 --json)
 granum_cli_test("depth: a low K_0 is remarked" EXIT 0 STDOUT "depth" STDERR "warning: [0-9]+ of 25 states lie outside [^\n]*stress ratio 3\\.33"
   ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 0m..30m --k0 0.3)

@@ -26,7 +26,7 @@ granum_cli_test("estimate: exponents at frozen contacts" EXIT 0
   JSON "uniform_strain/m=^0\\.19967532467532" "uniform_strain/n=^0\\.13365800865800" "uniform_stress/m=^0\\.20031923383878"
   "uniform_stress/n=^0\\.13301409949454" ARGS estimate --void-ratio 0.558 --stress-v 100kPa --stress-h 100kPa --json)
 
-set(far_fabric STDERR "beyond what the relaxation of anisotropic packings was compared with")
+set(far_fabric STDERR "beyond the range in which the relaxation of anisotropic packings was validated")
 # Contacts of one stiffness, a = 1/2, r = 0.9: moduli over P k_n are 234/875, 372/875, 1013/2385, 464967/1740115.
 granum_cli_test("estimate: fabric" EXIT 0 ${far_fabric} JSON "uniform_strain/C11=^3314886660\\.8442"
   "uniform_strain/C33=^5269819819\\.8037" "uniform_strain/E_v=^5264800774\\.0791" "uniform_strain/E_h=^3312112348\\.5494"
@@ -54,7 +54,7 @@ foreach(hypothesis uniform_strain uniform_stress)
   granum_cli_test("estimate: unloaded spheres, ${hypothesis}" EXIT 0 JSON ${nothing} "${hypothesis}/s=^0\\.3333333333333"
     ARGS estimate --void-ratio 0.6 --pressure 0Pa --json)
 endforeach()
-granum_cli_test("estimate: unloaded, in the table" EXIT 0 STDOUT "E_v +0 Pa +0 Pa.*limit on the isotropic path"
+granum_cli_test("estimate: unloaded, in the table" EXIT 0 STDOUT "E_v +0 Pa +0 Pa.*limits along the isotropic path"
   ARGS estimate --bounds --void-ratio 0.6 --pressure 0Pa)
 set(frictionless --void-ratio 0.6 --pressure 100kPa --tangential-ratio 0 --json)
 granum_cli_test("estimate: k_t = 0" EXIT 0 STDERR "warning: uniform stress without tangential stiffness"
@@ -100,9 +100,9 @@ granum_cli_test("estimate: assumed punch" EXIT 0 JSON "inputs/punch_radius=^5\\.
 granum_cli_test("estimate: rungs have the contacts of the answer" EXIT 0
   STDOUT "\n  G +156\\.9 MPa .*C_n = 5\\.379, z\\* = 5\\.489\n.*G_vh = C44 +[0-9.]+ MPa +[0-9.]+ MPa +156\\.9 MPa \\+- .*C_n = 5\\.38 .*--coordination-number"
   ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa --rattler-fraction 2%)
-add_test(NAME "cli: estimate: rungs at contacts that are given and at those of the answer"
+add_test(NAME "cli: estimate: rungs with given contacts and with those of the answer"
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_rungs.cmake")
-set_tests_properties("cli: estimate: rungs at contacts that are given and at those of the answer" PROPERTIES LABELS cli)
+set_tests_properties("cli: estimate: rungs with given contacts and with those of the answer" PROPERTIES LABELS cli)
 granum_cli_test("estimate: table" EXIT 0
   STDOUT "\n  K +208 MPa +208 MPa +186\\.3 MPa .*\n  s = m . n +0\\.3333 +0\\.3333 +0\\.3333"
   ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa --coordination-number 5.73)
@@ -163,7 +163,7 @@ granum_estimate_refuses("constant of a sphere" "--profile-constant goes with --c
 granum_estimate_refuses("unknown contact" "--contact: egg not in {cone,sphere,flat,power-law,rough}" ${state} --contact egg)
 granum_estimate_refuses("unknown option" "[^\n]*--pressur" ${state} --pressur 5kPa)
 granum_estimate_refuses("huge k_t" "tangential_ratio = 1e\\+20 is outside \\[0, 100\\]" ${state} --tangential-ratio 1e20)
-granum_estimate_refuses("overflow" "the moduli exceed what a double can hold" ${state}
+granum_estimate_refuses("overflow" "the moduli exceed the range of a double" ${state}
   --contact flat --punch-radius 1m --radius 1nm --grain-shear-modulus 1e300Pa)
 
 granum_cli_test("estimate: unwritable output" EXIT 3 STDERR "no such folder/estimate\\.json: cannot be written"
@@ -176,9 +176,9 @@ granum_cli_test("estimate: output to a file" EXIT 0
 # Rung 3 where z* is given: z* = C_n/(1 - share), softer than uniform strain by the factor of a dense packing, with its
 # standard error; nothing below the isostatic point.
 set(dense --void-ratio 0.56 --pressure 100kPa --coordination-number 5.9)
-granum_cli_test("estimate: relaxed declines below the isostatic point" EXIT 0 STDERR "may not be rigid|is not above the isostatic point"
+granum_cli_test("estimate: relaxed is not evaluated below the isostatic point" EXIT 0 STDERR "may not be rigid|is not above the isostatic point"
   STDOUT "G_vh = C44 [^\n]* declines " ARGS estimate --bounds ${dense} --mechanical-coordination-number 3.5)
-granum_cli_test("estimate: relaxed declines and states no error" EXIT 0 STDERR "isostatic point" JSON "relaxed/relative_error=^$"
+granum_cli_test("estimate: relaxed is not evaluated and states no error" EXIT 0 STDERR "isostatic point" JSON "relaxed/relative_error=^$"
   ARGS estimate ${dense} --mechanical-coordination-number 3.5 --json)
 granum_cli_test("estimate: relaxed where rattlers are given" EXIT 0 JSON "inputs/mechanical_coordination_number=^6\\.0204"
   ARGS estimate ${dense} --rattler-fraction 0.02 --json)
@@ -217,7 +217,7 @@ granum_cli_test("estimate: a tolerance that nothing meets" EXIT 0 JSON "ladder/t
   STDERR "warning: [^\n]* 1 % is not met: [^\n]* 3, [^\n]* 3 %\n" ARGS estimate ${counted} --tolerance 1% --json)
 granum_cli_test("estimate: a tolerance that nothing meets, strictly" EXIT 4 STDOUT "a packing of grains"
   STDERR "error: [^\n]* 1 % is not met" ARGS estimate ${counted} --tolerance 1% --strict)
-granum_cli_test("estimate: what is assumed counts in a stated error" EXIT 0 STDERR "not met"
+granum_cli_test("estimate: assumed inputs contribute to a stated error" EXIT 0 STDERR "not met"
   JSON "ladder/rungs/3/relative_error/G_vh=^0\\.2[0-9]" "ladder/rungs/3/error_source=grain-shear-modulus 20 %"
   ARGS estimate ${dense} --rattler-fraction 0.02 --fabric 0 --tolerance 5% --json)
 granum_cli_test("estimate: unknown rattlers count in a stated error" EXIT 0 STDERR "not met"
@@ -226,10 +226,10 @@ granum_cli_test("estimate: unknown rattlers count in a stated error" EXIT 0 STDE
   ARGS estimate --void-ratio 0.57 --pressure 10kPa --coordination-number 4.1 --tolerance 5% --json)
 granum_cli_test("estimate: rungs 1 and 2 miss the fabric" EXIT 0 STDERR "not met" JSON "ladder/rungs/1/verdict=^inputs_missing$"
   "ladder/rungs/2/missing/0=fabric" "ladder/rungs/0/missing=^\\[ *\\]$" ARGS estimate ${dense} --tolerance 5% --json)
-granum_cli_test("estimate: the error of contacts that nobody counted" EXIT 4 STDERR "10 % is not met"
+granum_cli_test("estimate: the error of uncounted contacts" EXIT 4 STDERR "10 % is not met"
   JSON "ladder/rungs/3/relative_error/G_vh=^0\\.5[0-9]" "ladder/rungs/3/error_source=contacts 50 %" "ladder/rungs/0/relative_error/G_vh=^[1-9]"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --tolerance 10% --strict --json)
-granum_cli_test("estimate: below the isostatic point no error is known" EXIT 0 JSON "ladder/rungs/0/relative_error=^$"
+granum_cli_test("estimate: below the isostatic point the error is unknown" EXIT 0 JSON "ladder/rungs/0/relative_error=^$"
   STDERR "may not be rigid" ARGS estimate ${dense} --mechanical-coordination-number 3.5 --tolerance 5% --json)
 granum_estimate_refuses("tolerance 0" "tolerance = 0 is outside \\(0, inf\\)" ${dense} --tolerance 0)
 granum_estimate_refuses("tolerance NaN" "--tolerance = 'nan' is not a pure number" ${dense} --tolerance nan)
@@ -246,7 +246,7 @@ granum_cli_test("estimate: ladder at k_t = k_n" EXIT 0 JSON "ladder/rung=^3$"
     --tolerance 10% --json)
 granum_cli_test("estimate: k_t = k_n of grains of nu = 0" EXIT 0 JSON "relaxed/n=^0\\.[1-9]"
   ARGS estimate --void-ratio 0.6 --grain-poisson-ratio 0 --pressure 100kPa --rattler-fraction 2% --json)
-granum_cli_test("estimate: warnings of the ladder stand in the JSON" EXIT 0 STDERR "tolerance of 0.1 % is not met"
+granum_cli_test("estimate: warnings of the ladder are in the JSON" EXIT 0 STDERR "tolerance of 0.1 % is not met"
   JSON "warnings/0=tolerance of 0.1 % is not met" ARGS estimate ${equal_stiffness} --coordination-number 6 --fabric 0
     --tolerance 0.1% --json)
 
@@ -265,8 +265,8 @@ granum_cli_test("estimate: --uniformity with --d50" EXIT 0 STDERR "contacts of u
   ARGS ${dense} --grain-shape sphere --uniformity 2.5 --d50 0.5mm --json)
 granum_cli_test("estimate: --d50 is the diameter of half of the mass" EXIT 0 STDERR "contacts of unequal grains" JSON "inputs/gradation/d50=^0\\.000(5|4999999)"
   ARGS ${dense} --grain-shape sphere --uniformity 2.5 --d50 0.5mm --json)
-granum_cli_test("estimate: a wide distribution says that it was not compared" EXIT 0 STDERR "contacts of unequal grains"
-  STDOUT "C_u is 2\\.5: which sizes touch was compared with packings up to 1\\.75 alone" ARGS ${dense} --grain-shape sphere --uniformity 2.5)
+granum_cli_test("estimate: a wide distribution is reported as not validated" EXIT 0 STDERR "contacts of unequal grains"
+  STDOUT "C_u is 2\\.5: the sizes in contact were validated with packings only up to 1\\.75" ARGS ${dense} --grain-shape sphere --uniformity 2.5)
 granum_cli_test("estimate: --d50 moves as --radius does" EXIT 0 STDERR "contacts of unequal grains"
   JSON "answer/stated_deviations/d50=^0\\.0001" ARGS ${dense} --grain-shape sphere --uniformity 2.5 --d50 0.5mm --uncertainty d50=0.1mm --json)
 granum_cli_test("estimate: a sieve curve that does not end" EXIT 3 STDERR "sieve_cut.csv:4: sieve curve: passing must end at 1"
@@ -274,8 +274,8 @@ granum_cli_test("estimate: a sieve curve that does not end" EXIT 3 STDERR "sieve
 granum_cli_test("estimate: no sieve curve" EXIT 3 STDERR "no_such.csv.*cannot be read" ARGS ${dense} --sieve no_such.csv)
 granum_cli_test("estimate: sizes of no form" EXIT 2 STDERR "sizes 'normal:1' are not one of equal, bidisperse"
   ARGS ${dense} --sizes normal:1)
-granum_cli_test("estimate: sizes said twice" EXIT 2 STDERR "--sizes, --sieve and --uniformity mean the same"
+granum_cli_test("estimate: sizes given twice" EXIT 2 STDERR "--sizes, --sieve and --uniformity are alternatives"
   ARGS ${dense} --sizes uniform:1:2 --uniformity 2)
-granum_cli_test("estimate: a sieve curve says the radius" EXIT 2 STDERR "leave out --radius"
+granum_cli_test("estimate: a sieve curve sets the radius" EXIT 2 STDERR "leave out --radius"
   ARGS ${dense} --sieve sieve.csv --radius 1mm)
-granum_cli_test("estimate: --radius and --d50" EXIT 2 STDERR "--radius and --d50 mean the same" ARGS ${dense} --radius 1mm --d50 2mm)
+granum_cli_test("estimate: --radius and --d50" EXIT 2 STDERR "--radius and --d50 are alternatives" ARGS ${dense} --radius 1mm --d50 2mm)

@@ -140,7 +140,7 @@ granum_new_user("a column with its unit" "fit isotropic_by_hand.csv --modulus-co
 granum_new_user("no file" "fit" 2 "file is required; see granum fit --help")
 granum_new_user("a file that is not there" "fit moduli.csv" 3 "moduli\\.csv: cannot be read: No such file")
 
-granum_cli_test("people: a likely slip stands in the JSON" EXIT 0 STDERR "warning: --void-ratio 60: is it per cent"
+granum_cli_test("people: a likely mistake is in the JSON" EXIT 0 STDERR "warning: --void-ratio 60: is it per cent"
   JSON "warnings/0=^--void-ratio 60: is it per cent, 60%" ARGS estimate --void-ratio 60 --pressure 100kPa --json)
 granum_cli_test("people: of infer too, strictly" EXIT 4 STDERR "error: --grain-shear-modulus 44 kPa: softer than rubber; did you mean 44 GPa"
   JSON "command=infer" ARGS infer --void-ratio 0.6 --pressure 100kPa --vs 0.3m/s --grain-shear-modulus 44kPa --strict --json)
@@ -152,7 +152,7 @@ granum_cli_test("people: over depth" EXIT 0 STDERR "warning: 2 of 2 states [^\n]
 set(slips "2 of 4 states have a likely mistake, see notes; line 3: --void-ratio 60: is it per cent, 60%")
 granum_cli_test("people: of the rows of a table, counted" EXIT 0 STDERR "${slips}" ARGS sweep --table sweep_slips.csv
   STDOUT "\nB,60,100,[^\n]*,\"?'--void-ratio 60: is it per cent[^\n]*\nC,0\\.65,0\\.05,[^\n]*--pressure 50 Pa[^\n]*did you mean 50 kPa[^\n]*\nD,62,[^\n]*--void-ratio 62: ")
-granum_cli_test("people: of another kind beside it" EXIT 0 STDERR "1 of 4 states have a likely mistake, see notes; line 4: --pressure 50 Pa"
+granum_cli_test("people: together with one of another kind" EXIT 0 STDERR "1 of 4 states have a likely mistake, see notes; line 4: --pressure 50 Pa"
   JSON "states/1/notes/0=^--void-ratio 60: is it" ARGS sweep --table sweep_slips.csv --json)
 granum_cli_test("people: of a table in the JSON" EXIT 0 STDERR "${slips}" JSON "warnings=2 of 4 states have a likely mistake"
   ARGS sweep --table sweep_slips.csv --json)

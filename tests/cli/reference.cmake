@@ -6,10 +6,10 @@ if(TARGET granum_reference)
   find_program(GRANUM_MANDOC mandoc)
   find_program(GRANUM_BASH bash)
   find_program(GRANUM_ZSH zsh)
-  add_test(NAME "cli: manual pages hold every option and have no fault"
+  add_test(NAME "cli: manual pages contain every option and have no fault"
     COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DPAGES=${reference}/man1" "-DGROFF=${GRANUM_GROFF}"
       "-DMANDOC=${GRANUM_MANDOC}" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_manual.cmake")
-  set_tests_properties("cli: manual pages hold every option and have no fault" PROPERTIES LABELS cli)
+  set_tests_properties("cli: manual pages contain every option and have no fault" PROPERTIES LABELS cli)
   if(GRANUM_BASH)
     add_test(NAME "cli: completion in bash" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
       COMMAND "${GRANUM_BASH}" "${CMAKE_CURRENT_SOURCE_DIR}/check_completion.sh" "$<TARGET_FILE:granum_cli>" "${reference}/bash/granum")

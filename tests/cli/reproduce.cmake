@@ -20,7 +20,7 @@ granum_cli_test("reproduce: folder that is a file" EXIT 3 STDERR "^granum: error
   ARGS reproduce --out isotropic.csv)
 granum_cli_test("reproduce: help lists the keys" EXIT 0
   STDOUT "--paper.*--resume.*Keys of scenes and of --set:.*shear\\.paths .*shear\\.probe_eta_step " ARGS reproduce --help)
-granum_cli_test("reproduce: the note on sizes stands in the manifest" EXIT 0 STDERR "^granum: note: grain\\.sizes span 1:6: [^\n]*\n$"
+granum_cli_test("reproduce: the note on sizes is in the manifest" EXIT 0 STDERR "^granum: note: grain\\.sizes span 1:6: [^\n]*\n$"
   JSON "notes/0=^grain\\.sizes span 1:6: "
   ARGS reproduce --grains 60 --set grain.sizes=uniform:1:6 --set study.contacts=sphere --set study.densities=dense
     --set study.pressures=25kPa,50kPa,100kPa --set study.probe_pressures= --set shear.paths=TXC

@@ -20,9 +20,9 @@ foreach(case "--grain-shape sphere" "--grain glass" "--grain steel" "--coordinat
 endforeach()
 granum_cli_test("sands: --uniformity 2 --grain glass are spheres" EXIT 0 STDERR "contacts of unequal grains" JSON "answer/grain_shape=^sphere$"
   ARGS estimate ${at} --uniformity 2 --grain glass --json)
-granum_cli_test("sands: a relative density alone" EXIT 0 JSON "answer/shear_modulus/value=^9653" "answer/grain_shape=^sand$"
+granum_cli_test("sands: only a relative density" EXIT 0 JSON "answer/shear_modulus/value=^9653" "answer/grain_shape=^sand$"
   ARGS estimate --relative-density 60% --pressure 100kPa --json)
-granum_cli_test("sands: one limit alone" EXIT 2 STDERR "go together" ARGS estimate --relative-density 60% --least-void-ratio 0.5 --pressure 100kPa)
+granum_cli_test("sands: only one limit" EXIT 2 STDERR "go together" ARGS estimate --relative-density 60% --least-void-ratio 0.5 --pressure 100kPa)
 granum_cli_test("sands: spheres of C_u 10" EXIT 2 STDERR "\\[1, 4\\] for spheres" ARGS estimate ${at} --uniformity 10 --grain-shape sphere)
 granum_cli_test("sands: strain of spheres" EXIT 2 STDERR "measured on sands" ARGS estimate ${at} --strain 0.01% --grain-shape sphere)
 granum_cli_test("sands: each law with its bias" EXIT 0 STDOUT "kokusho +106\\.8 MPa +1\\.09 Toyoura" ARGS estimate ${at} --grain-shape sand)
@@ -32,7 +32,7 @@ granum_cli_test("sands: cement" EXIT 0 JSON "cemented/porosity=^0\\.391764" "cem
 granum_cli_test("sands: more cement than pores" EXIT 2 STDERR "--cement = 0\\.5 is outside" ARGS estimate ${at} --cement 50%)
 granum_cli_test("sands: cement in wet pores" EXIT 2 STDERR "dry pores" ARGS estimate ${at} --cement 2% --saturation 100%)
 granum_cli_test("sands: K_0" EXIT 0 JSON "inputs/stress_h=^50000" ARGS estimate --void-ratio 0.7 --stress-v 100kPa --k0 0.5 --json)
-granum_cli_test("sands: K_0 beside both stresses" EXIT 2 STDERR "give one of the two" ARGS estimate --void-ratio 0.7 --stress-v 100kPa
+granum_cli_test("sands: K_0 with both stresses" EXIT 2 STDERR "give one of the two" ARGS estimate --void-ratio 0.7 --stress-v 100kPa
   --stress-h 50kPa --k0 0.5)
 
 # ---- the same by sweeps
@@ -40,16 +40,16 @@ granum_cli_test("sands: columns of both, and laws" EXIT 0 STDOUT "grain_shape,sa
   ARGS sweep --void-ratio 0.7 --from 100kPa --to 200kPa --points 2 --laws)
 granum_cli_test("sands: the ground is soil" EXIT 0 STDOUT "void ratio 0\\.7648: sand \\(measured laws\\)"
   ARGS sweep --depth 1m..20m --points 2 --sand toyoura --relative-density 60%)
-granum_cli_test("sands: from the surface on, strictly" EXIT 0 STDOUT "no sand was tested below p' = 25 kPa, here at 1\\.7 m and less"
+granum_cli_test("sands: from the surface on, strictly" EXIT 0 STDOUT "there are no tests of sands below p' = 25 kPa, here at 1\\.7 m and less"
   ARGS sweep --depth 0m..20m --points 201 --sand toyoura --relative-density 60% --k0 1 --unit-weight 14.7kN/m3 --strict)
-granum_cli_test("sands: rungs are of spheres" EXIT 2 STDERR "Grain shape sphere has the rungs" ARGS estimate --sand toyoura ${at} --tolerance 5%)
+granum_cli_test("sands: rungs are of spheres" EXIT 2 STDERR "Use grain shape sphere for the rungs" ARGS estimate --sand toyoura ${at} --tolerance 5%)
 granum_cli_test("sands: but beads stay beads" EXIT 0 STDOUT "beads \\(spheres of the model\\)" ARGS sweep --depth 1m..20m --points 2
   --void-ratio 0.6 --grain glass)
 
-add_test(NAME "cli: sands: what pictures show" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
+add_test(NAME "cli: sands: content of pictures" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/sand_pictures"
     -P "${CMAKE_CURRENT_SOURCE_DIR}/check_sand_pictures.cmake")
-set_tests_properties("cli: sands: what pictures show" PROPERTIES LABELS cli)
+set_tests_properties("cli: sands: content of pictures" PROPERTIES LABELS cli)
 
 add_test(NAME "cli: sands: layers, and depths in tables" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/layers"
@@ -57,7 +57,7 @@ add_test(NAME "cli: sands: layers, and depths in tables" WORKING_DIRECTORY "${CM
 set_tests_properties("cli: sands: layers, and depths in tables" PROPERTIES LABELS cli)
 set(deep --depth 1m..20m --points 3)
 granum_cli_test("sands: layers on the screen" EXIT 0 STDOUT "10 m +e = 0\\.65, 17 kN/m3.*from 4 m: Hostun" ARGS sweep --layers layers.csv ${deep})
-granum_cli_test("sands: a column that is an option too" EXIT 2 STDERR "--void-ratio is an option and the column 'e' too" ARGS sweep --layers layers.csv
+granum_cli_test("sands: a column that is an option too" EXIT 2 STDERR "--void-ratio is given as an option and by the column 'e'" ARGS sweep --layers layers.csv
   ${deep} --void-ratio 0.7)
 granum_cli_test("sands: layers without depths" EXIT 2 STDERR "--layers goes with --depth" ARGS sweep --layers layers.csv)
 granum_cli_test("sands: layers without tops" EXIT 3 STDERR "sweep_few\\.csv:[0-9]+: [^\n]*top_m" ARGS sweep --layers sweep_few.csv ${deep})
@@ -74,15 +74,15 @@ granum_cli_test("sands: a measured speed of 0" EXIT 1 STDERR "V_s = 0 m/s" STDOU
 
 # ---- what slip at contacts takes
 granum_cli_test("sands: slip begins" EXIT 0 JSON "answer/slip_strain/value=^1\\.2[0-9]*e-05" ARGS estimate ${at} --strain 0.01% --json)
-granum_cli_test("sands: slip is asked for with strain" EXIT 0 JSON "answer/slip_strain=^$" ARGS estimate ${at} --grain-shape sand --json)
+granum_cli_test("sands: slip is computed with strain" EXIT 0 JSON "answer/slip_strain=^$" ARGS estimate ${at} --grain-shape sand --json)
 
 # ---- infer
 set(measured infer --void-ratio 0.58 --pressure 50kPa --uniformity 1.48)
 granum_cli_test("sands: a forecast" EXIT 0 JSON "sand/predictions/0/G/value=^1[89]" "sand/tells_contacts=^(false|OFF)$" "grain_shape=^sand$"
   ARGS ${measured} --shear-modulus 68.3MPa+-2% --predict-pressure 500kPa --json)
-granum_cli_test("sands: an error is assumed, and said" EXIT 0 STDOUT "assumed --measurement-error 2 % of speeds" ARGS ${measured} --vs 200m/s)
-granum_cli_test("sands: V_s alone does not tell contacts" EXIT 0 STDOUT "V_p beside V_s would" ARGS ${measured} --vs 200m/s+-2%)
-granum_cli_test("sands: V_p beside it does" EXIT 0 JSON "sand/tells_contacts=^(true|ON)$" ARGS ${measured} --vs 200m/s+-1% --vp 310m/s+-1% --json)
+granum_cli_test("sands: an assumed error is reported" EXIT 0 STDOUT "assumed --measurement-error 2 % of speeds" ARGS ${measured} --vs 200m/s)
+granum_cli_test("sands: V_s alone does not determine contacts" EXIT 0 STDOUT "V_p and V_s together would" ARGS ${measured} --vs 200m/s+-2%)
+granum_cli_test("sands: V_p with V_s does" EXIT 0 JSON "sand/tells_contacts=^(true|ON)$" ARGS ${measured} --vs 200m/s+-1% --vp 310m/s+-1% --json)
 granum_cli_test("sands: bonded" EXIT 0 STDERR "cemented" STDOUT "level" ARGS ${measured} --vs 600m/s)
 # What a sand would ignore is refused, and nothing of it is said to be uncertain.
 foreach(option "--uncertainty void-ratio=0.01" "--contacts rough" "--rattler-fraction 2%")
@@ -113,7 +113,7 @@ granum_new_user("K_0" "estimate --void-ratio 0.7 --stress-v 200kPa --k0 0.5 --gr
 granum_new_user("K0 in capitals" "estimate --void-ratio 0.7 --stress-v 200kPa --K0 0.5 --grain-shape sand" 2 "did you mean --k0")
 granum_new_user("strain" "estimate --void-ratio 0.7 --pressure 100kPa --strain 0.01%" 0 "G/G0 +0\\.8[0-9]*")
 granum_new_user("strain as a number" "estimate --void-ratio 0.7 --pressure 100kPa --strain 1e-4" 0 "G/G0 +0\\.8[0-9]*")
-granum_new_user("large strain" "estimate --void-ratio 0.7 --pressure 100kPa --strain 1%" 0 "strength decides")
+granum_new_user("large strain" "estimate --void-ratio 0.7 --pressure 100kPa --strain 1%" 0 "strength governs")
 granum_new_user("strain of 10 %" "estimate --void-ratio 0.7 --pressure 100kPa --strain 10%" 2 "strain = 0\\.1 is outside \\(0, 0\\.05")
 granum_new_user("fines" "estimate --void-ratio 0.7 --pressure 100kPa --fines 12%" 2 "fines are not modelled")
 granum_new_user("OCR" "estimate --void-ratio 0.7 --pressure 100kPa --ocr 4" 2 "overconsolidation and age are not modelled")

@@ -38,7 +38,7 @@ set(flat sweep --contact flat --punch-radius 50um --void-ratio 0.558 --coordinat
 granum_cli_test("sweep: fabric of rungs 0 and 1" EXIT 0 ${far_fabric} JSON "states/1/rung1/E_v=^5264800774\\.0791"
   "states/1/rung1/E_h=^3312112348\\.5494" "states/0/rung0/G_hv=^1941947491\\.840" ARGS ${flat} --fabric 0.5)
 granum_cli_test("sweep: rung 0 without fabric" EXIT 0 JSON "states/0/rung0/G_hv=^1941947491\\.840" ARGS ${flat} --fabric 0)
-granum_cli_test("sweep: chosen rungs alone" EXIT 0 STDOUT "\np_Pa,q_Pa,eta,sigma_v_Pa,sigma_h_Pa,e,C_n,a,G_answer_Pa,G_low_Pa,G_high_Pa,[^\n]*,s_answer,s_low,s_high,G_hh_rung0_Pa,[^\n]*s_rung0,G_hh_uniform_stress_Pa,[^\n]*,notes,error,grain_shape[^\n]*\n10000,"
+granum_cli_test("sweep: only the chosen rungs" EXIT 0 STDOUT "\np_Pa,q_Pa,eta,sigma_v_Pa,sigma_h_Pa,e,C_n,a,G_answer_Pa,G_low_Pa,G_high_Pa,[^\n]*,s_answer,s_low,s_high,G_hh_rung0_Pa,[^\n]*s_rung0,G_hh_uniform_stress_Pa,[^\n]*,notes,error,grain_shape[^\n]*\n10000,"
   ARGS ${iso} --rungs uniform-stress,0)
 granum_cli_test("sweep: assumptions are noted" EXIT 0 STDOUT "# note: assumed --grain-shear-modulus 30 GPa \\+- 9 GPa.*# note: assumed --fabric 0 \\+- 0\\.05"
   ARGS ${iso})
@@ -69,14 +69,14 @@ foreach(line "sample,contact,e,C_n,a,sigma_v_kPa,sigma_h_kPa,slope,G_answer_Pa,G
     "S3,[^\n]*\"stress_h = -100000 Pa is outside" "S4,sphere,0\\.558,,0,100,100,,[0-9.]+,[0-9.]+,[0-9.]+,[^\n]*,,sphere," "S5,[^\n]*contact 'egg' is not one of cone"
     "S6,[^\n]*expected a finite number in column 'e', found 'dense'" "S7,[^\n]*--slope goes with --contact cone"
     "S8,[^\n]*coordination number exceeds 12" "S1[^\n]*\nS2[^\n]*\nS3[^\n]*\nS4[^\n]*\nS5[^\n]*\nS6[^\n]*\nS7[^\n]*\nS8[^\n]*\nS9[^\n]*\n$"
-    "# note: columns that are no inputs: sample\n")
+    "# note: unused columns: sample\n")
   granum_cli_test("sweep: table, ${line}" EXIT 1 STDOUT "${line}" STDERR "${four_of_nine}" ARGS ${table})
 endforeach()
 granum_cli_test("sweep: table as JSON" EXIT 1 BELOW "states/" JSON
     "2/error=stress_h" "2/rung2/K=^$" "2/answer=^$" "1/rung2/s=^0\\.(5$|4999999999999|50000000000000)" "8/line=^11$"
   STDERR "${four_of_nine}"
     ARGS ${table} --json)
-granum_cli_test("sweep: a table has the answers alone unless rungs are asked for" EXIT 0
+granum_cli_test("sweep: a table has only the answers unless rungs are requested" EXIT 0
   STDOUT "\np_kPa,e,[^\n]*,V_p_high_m/s,z_star_answer,z_star_low,z_star_high,s_answer,s_low,s_high,notes,error,grain_shape" ARGS sweep --table sweep_few.csv)
 granum_cli_test("sweep: all columns of a table" EXIT 0 STDOUT ",rattlers_high,C_n_answer,[^\n]*,s_high,[^\n]*G_hh_rung0_Pa,[^\n]*,G_hv_rung3_Pa,[^\n]*,s_uniform_stress,notes,error,grain_shape"
   ARGS sweep --table sweep_few.csv --columns all)
@@ -96,15 +96,15 @@ granum_cli_test("sweep: two kinds of separators" EXIT 3 STDERR "sweep_mixed\\.cs
   ARGS sweep --table sweep_mixed.csv)
 granum_cli_test("sweep: decimal commas between commas" EXIT 3 STDERR "sweep_commas\\.csv:2: expected 2 fields [^\n]* with decimal commas, separate the fields by semicolons"
   ARGS sweep --table sweep_commas.csv)
-granum_cli_test("sweep: a preparation is an option and a column" EXIT 2 STDERR "--preparation is an option and the column 'preparation' too"
+granum_cli_test("sweep: a preparation is an option and a column" EXIT 2 STDERR "--preparation is given as an option and by the column 'preparation'"
   ARGS sweep --table sweep_tapped.csv --preparation dense)
-granum_cli_test("sweep: options fill what a table leaves out" EXIT 0 JSON "states/0/rung0/s=^0\\.5"
+granum_cli_test("sweep: options replace missing columns of a table" EXIT 0 JSON "states/0/rung0/s=^0\\.5"
   ARGS sweep --table isotropic.csv --contact cone --json)
 
 function(granum_sweep_refuses what message)
   granum_cli_test("sweep: ${what}" EXIT 2 STDERR "^granum: error: ${message}" ARGS sweep ${ARGN})
 endfunction()
-granum_sweep_refuses("no path and no table" "--from is missing: the mean stress at which the path begins, or --table" ${packing})
+granum_sweep_refuses("no path and no table" "--from, the mean stress at the start of the path, is missing, or --table" ${packing})
 granum_sweep_refuses("no end" "--to is missing" ${packing} --from 10kPa)
 granum_sweep_refuses("no eta" "give one of --eta and --friction-angle" ${packing} --path txc --from 10kPa)
 granum_sweep_refuses("eta and angle" "give one of --eta and --friction-angle"
@@ -123,12 +123,12 @@ granum_sweep_refuses("negative start" "--from = -1000 Pa is outside" ${packing} 
 granum_sweep_refuses("one point" "--points: 1 is not in the range 2 to 1000000" ${packing} --from 1kPa --to 2kPa --points 1)
 granum_sweep_refuses("unknown rung" "--rungs: 7 not in {0,1,2,3,uniform-stress}" ${packing} --from 1kPa --to 2kPa --rungs 0,7)
 granum_sweep_refuses("unknown path" "--path: iss not in" ${packing} --path iss --from 1kPa --to 2kPa)
-granum_sweep_refuses("stress of a path" "--pressure goes with --table; a path takes its stress from --from"
+granum_sweep_refuses("stress of a path" "--pressure goes with --table; the stress of a path begins at --from"
   ${packing} --from 1kPa --to 2kPa --pressure 1kPa)
 granum_sweep_refuses("an impossible packing once" "void_ratio = -1 is outside[^\n]*\n$" --void-ratio -1 --from 1kPa --to 2kPa)
 granum_sweep_refuses("no density" "the density is missing" --from 1kPa --to 2kPa)
 granum_sweep_refuses("path and table" "--from excludes --table" --table isotropic.csv --from 1kPa)
-granum_sweep_refuses("option and column" "--void-ratio is an option and the column 'e' too"
+granum_sweep_refuses("option and column" "--void-ratio is given as an option and by the column 'e'"
   --table isotropic.csv --void-ratio 0.6)
 granum_sweep_refuses("picture of another kind" "--picture = 'a\\.png' must end in \\.svg"
   ${packing} --from 1kPa --to 2kPa --out a.csv --picture a.png)

@@ -74,7 +74,7 @@ function(granum_uncertainty_refuses what message)
 endfunction()
 granum_uncertainty_refuses("unknown key" "mood: [^\n]* grain-shear-modulus, [^\n]*, pressure, grain-density\n" --uncertainty mood=1)
 granum_uncertainty_refuses("input of another packing" "porosity: [^\n]*void-ratio" --uncertainty porosity=0.01)
-granum_uncertainty_refuses("contacts that are not told" "coordination-number: [^\n]*void-ratio" --uncertainty coordination-number=0.1)
+granum_uncertainty_refuses("contacts that are not given" "coordination-number: [^\n]*void-ratio" --uncertainty coordination-number=0.1)
 granum_uncertainty_refuses("k_t that follows Poisson's ratio" "tangential-ratio: [^\n]*void-ratio"
   --uncertainty tangential-ratio=0.1)
 granum_uncertainty_refuses("negative deviation" "void-ratio = -0\\.1 is outside \\[0, inf\\)"

@@ -56,7 +56,7 @@ granum_cli_test("plan: sizes of 1:5 have no note" EXIT 0 STDOUT "packings +1 +of
   ARGS plan ${few_states} --grains 230 --set grain.sizes=power-law:3:5)
 granum_cli_test("plan: sizes of 1:6 have one" EXIT 0 STDERR "^granum: note: grain\\.sizes span 1:6: "
   STDOUT "packings +1 +of 330 grains" ARGS plan ${few_states} --grains 330 --set grain.sizes=power-law:3:6)
-granum_cli_test("verify: the note on sizes stands in the JSON" EXIT 0 STDERR "${wide}" JSON "notes/0=^grain\\.sizes span 1:7\\.4: "
+granum_cli_test("verify: the note on sizes is in the JSON" EXIT 0 STDERR "${wide}" JSON "notes/0=^grain\\.sizes span 1:7\\.4: "
   ARGS verify ${few_states} --grains 294 --set study.densities=dense --set grain.sizes=lognormal:0.35 --json)
 granum_cli_test("plan: no error at all cannot be wanted" EXIT 2 STDERR "error = 0 is outside \\(0, inf\\)"
   ARGS plan ${small} --error 0)
@@ -75,7 +75,7 @@ granum_cli_test("verify: JSON" EXIT 0 JSON
     "exponents/1/probe=^$" "specimens/1/states/2/pressure_Pa=^40000" "specimens/0/failure=^$"
   ARGS verify ${small} --json)
 
-granum_cli_test("verify: --strict fails where a finding differs, and says which" EXIT 1
+granum_cli_test("verify: --strict fails if a result differs, and reports it" EXIT 1
   STDOUT "\"finding\": true" STDERR "^granum: error: differs from the paper: [^\n]*sphere: s is " ARGS verify ${small} --json --strict)
 granum_cli_test("verify: --report and another scene" EXIT 2 STDERR "^granum: error: --report uses the earlier run"
   ARGS verify --report x --grains 100)

@@ -114,7 +114,7 @@ TEST_CASE("fault, wrong contact removed: leaving one out keeps the sums of the o
       CHECK(std::abs(A(i, j)) < 1e-15);
 }
 
-TEST_CASE("fault, absolute tolerance: a soil at 100 MPa is judged alike in Pa and in GPa") {
+TEST_CASE("fault, absolute tolerance: a soil at 100 MPa gives the same result in Pa and in GPa") {
   const SymmetryDistances in_Pa = symmetry_distances(voigt(soil));
   CHECK(in_Pa.transversely_isotropic < 1e-15);
   CHECK(in_Pa.cubic > 5e-3); // not cubic: an absolute 1e-3 GPa would have called it so

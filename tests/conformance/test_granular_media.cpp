@@ -194,7 +194,7 @@ TEST_CASE("fault, factor 2 lost: the radius of cement at contacts has it") {
         relative(2 * std::pow(0.04 / (3 * 8.6 * 0.6), 0.25), 1e-14));
 }
 
-TEST_CASE("fault, argument changed: a second call gives the same bits and leaves its argument alone") {
+TEST_CASE("fault, argument changed: a second call gives the same bits and does not change its argument") {
   const SpherePacking packing = reference();
   const auto first = hertz_mindlin(packing), second = hertz_mindlin(packing);
   CHECK(first.bulk_modulus == second.bulk_modulus);

@@ -10,7 +10,7 @@
 using namespace granum;
 using contact::Friction;
 
-TEST_CASE("friction angle and coefficient go into one another") {
+TEST_CASE("friction angle and coefficient convert into each other") {
   constexpr double degree = std::numbers::pi / 180;
   CHECK(Friction::from_angle(26.5 * degree).coefficient() ==
         doctest::Approx(0.49858).epsilon(2e-5)); // 5 digits

@@ -74,7 +74,7 @@ TEST_CASE("laws: k_n is the derivative of the force, at an overlap and at a forc
   });
 }
 
-TEST_CASE("laws: b is d ln k_n/d ln f, and one number where it is said to be") {
+TEST_CASE("laws: b is d ln k_n/d ln f, and constant where stated") {
   each_law([](const LawRow&, const NormalLaw& law) {
     const auto log_stiffness = [&](double f) { return std::log(law.stiffness_at_force(f)); };
     double least = 1, most = 0;
@@ -142,7 +142,7 @@ TEST_CASE("laws: other grains, other sizes, and whether a size matters") {
   });
 }
 
-TEST_CASE("laws: what cannot be is refused") {
+TEST_CASE("laws: impossible values are refused") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   each_law([](const LawRow& row, const NormalLaw& law) {
     for (const double wrong : {-1.0, nan, std::numeric_limits<double>::infinity()}) {
@@ -165,7 +165,7 @@ TEST_CASE("laws: what cannot be is refused") {
   CHECK_THROWS_AS((void)law_of(Shape::cone, grain, radius, {{"slope", 0.3}}), InvalidArgument);
 }
 
-TEST_CASE("the table of laws: names and keys are of one row alone, and its values lie in their ranges") {
+TEST_CASE("the table of laws: names and keys are unique, and its values lie in their ranges") {
   std::set<std::string> shapes, keys, plurals;
   for (const LawRow& row : laws()) {
     CAPTURE(name(row.shape));

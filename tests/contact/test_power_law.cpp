@@ -117,7 +117,7 @@ TEST_CASE("power law: the sphere is Hertz's textbook contact") {
     }
 }
 
-TEST_CASE("power law: force and overlap, and both stiffnesses, are inverse to one another") {
+TEST_CASE("power law: force and overlap, and both stiffnesses, are inverse to each other") {
   for (const PowerLaw& law : laws())
     for (const double d : {1e-12, 3e-8, 1e-4}) {
       CAPTURE(law.alpha());
@@ -177,7 +177,7 @@ TEST_CASE("power law: the exponent may be huge") {
               PowerLaw::flat(glass, 5.7e-6).coefficient(), 0.1));
 }
 
-TEST_CASE("power law: kernels give what the checked functions give") {
+TEST_CASE("power law: kernels agree with the checked functions") {
   for (const PowerLaw& law : laws()) {
     const auto [force, stiffness] = std::visit([](const auto& k) { return k(2e-7); }, law.kernel());
     CHECK(close(force, law.force(2e-7), 1e-14));

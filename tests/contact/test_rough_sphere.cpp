@@ -156,7 +156,7 @@ TEST_CASE("rough spheres: b falls from 1 to 1/3, and X is 1 at the force of tran
   CHECK(X == relative(1 - 1e-3 / 3, 2e-5));
 }
 
-TEST_CASE("rough spheres: pairs of unequal grains are those of their pair radius, the surface stays") {
+TEST_CASE("rough spheres: pairs of unequal grains have their pair radius and the same surface") {
   const RoughSphere law(quartz, R, u0);
   const double d = 40 * u0;
   for (const auto& [i, j] : {std::pair(1.0, 1.0), {0.5, 2.0}, {3.0, 0.7}}) {

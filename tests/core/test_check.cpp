@@ -38,7 +38,7 @@ TEST_CASE("a refused number can be read off its exception, and a text that is no
   CHECK_FALSE(InvalidArgument("two masses").refused());
 }
 
-TEST_CASE("a file error knows its path and its line") {
+TEST_CASE("a file error contains its path and its line") {
   const FileError error("a.csv", 3, "expected a number");
   CHECK(error.path() == "a.csv");
   CHECK(error.line() == 3);

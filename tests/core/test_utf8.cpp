@@ -7,7 +7,7 @@
 
 using namespace granum;
 
-TEST_CASE("utf8: lengths of characters, 0 for what is none") {
+TEST_CASE("utf8: lengths of characters, 0 for invalid ones") {
   for (const auto& [text, length] :
        {std::pair{"a", 1}, {"\u03b3", 2}, {"\u2264", 3}, {"\U0001F600", 4}, {"", 0}})
     CHECK(utf8_length(text) == static_cast<std::size_t>(length));
@@ -16,7 +16,7 @@ TEST_CASE("utf8: lengths of characters, 0 for what is none") {
     CHECK_MESSAGE(utf8_length(wrong) == 0, static_cast<int>(static_cast<unsigned char>(wrong[0])));
 }
 
-TEST_CASE("utf8: what a terminal would obey is written out, and nothing else is changed") {
+TEST_CASE("utf8: control characters are escaped, and nothing else is changed") {
   CHECK(printable("\x1b[2Ja\rb\x07\x7f") == "\\x1b[2Ja\\x0db\\x07\\x7f");
   CHECK(printable(std::string("\0", 1)) == "\\x00");
   CHECK(printable("\x9b"

@@ -76,7 +76,7 @@ TEST_CASE(
   CHECK(std::abs(contact.tangential_force.x) + std::abs(contact.tangential_force.z) < 1e-12 * expected);
 }
 
-TEST_CASE("Coulomb's limit holds at every contact, and sliding is counted") {
+TEST_CASE("Coulomb's limit is satisfied at every contact, and sliding is counted") {
   const Material material = test::quartz(radius, 0.3);
   Specimen state = pair_state(1e-7);
   state.velocity = {{0, 0, 0}, {0, 0.05, 0}};

@@ -84,7 +84,7 @@ TEST_CASE("the pair list is renewed at the same step where the strain of the cel
   CHECK(resumed.state() == straight.state());
 }
 
-TEST_CASE("a damping that was set goes along") {
+TEST_CASE("a given damping is stored") {
   const Material material = test::quartz(radius, 0.5);
   Engine straight(lively(false), material);
   straight.set_damping(0);
@@ -95,7 +95,7 @@ TEST_CASE("a damping that was set goes along") {
   CHECK(resumed.state() == straight.state());
 }
 
-TEST_CASE("a fraction of the time step that was set goes along") {
+TEST_CASE("a given fraction of the time step is stored") {
   const Material material = test::quartz(radius, 0.5);
   Engine straight(lively(false), material);
   straight.set_time_step_fraction(0.3);
@@ -135,7 +135,7 @@ TEST_CASE("an engine is not loaded for another material, nor from part of its by
   CHECK_THROWS_AS((void)Engine::load(cut, material), FileError);
 }
 
-TEST_CASE("bytes that were forged are refused, or an engine goes on with them within its own memory") {
+TEST_CASE("forged bytes are refused, or the engine continues with them within its own memory") {
   const Material material = test::quartz(radius, 0.5);
   std::mt19937_64 random(7);
   for (const bool walls : {false, true}) {

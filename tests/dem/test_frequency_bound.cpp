@@ -199,7 +199,7 @@ TEST_CASE("so it is among different grains, and between walls") {
   }
 }
 
-TEST_CASE("chunks, in whatever order they come, change no bit of it") {
+TEST_CASE("the order of chunks changes no bit of it") {
   for (const bool unequal : {false, true})
     for (unsigned seed = 1; seed <= 12; ++seed) { // one grain alone decides in each
       CAPTURE(unequal);

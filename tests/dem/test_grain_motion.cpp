@@ -50,7 +50,7 @@ TranslatingGrains unequal_grains() {
 
 } // namespace
 
-TEST_CASE("sums over forces count what spare rows hold, of any number of grains") {
+TEST_CASE("sums over forces include spare rows, for any number of grains") {
   const auto grains = moving_grains<TranslatingGrains>();
   const Vec3 lent{0.5, 4, -3};
   const std::vector<Addition> additions = {{count, 2}};

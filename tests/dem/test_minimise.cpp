@@ -89,7 +89,7 @@ TEST_CASE("frictionless stages clear rotations and histories") {
   CHECK(state.angular_velocity == std::vector<Vec3>(state.grain_count()));
 }
 
-TEST_CASE("a minimiser that may not run says that it did not arrive") {
+TEST_CASE("a minimiser without allowed steps reports that it did not converge") {
   Specimen state = disordered(1e-3);
   MinimiseOptions options;
   options.max_steps = 3;
@@ -116,7 +116,7 @@ TEST_CASE("impossible minimisations are refused") {
   CHECK_THROWS_AS((void)minimise_energy(empty, law), InvalidArgument);
 }
 
-TEST_CASE("a wish to stop ends a relaxation before its next step, in the state that so many steps lead to") {
+TEST_CASE("a stop request ends a relaxation before its next step, in the state of its last step") {
   constexpr double radius = 1e-3;
   for (const std::size_t question : {1u, 7u, 30u}) {
     CAPTURE(question);

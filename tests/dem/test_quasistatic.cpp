@@ -118,7 +118,7 @@ TEST_CASE(
   CHECK_THROWS_AS((void)shear_at_stress(engine, shear, 50, {1e5, 0, 1e5}), InvalidArgument);
 }
 
-TEST_CASE("runs that cannot arrive say so") {
+TEST_CASE("runs that cannot converge report it") {
   const Material material = test::quartz(radius, 0.5);
   Engine engine(test::fcc(radius, 3, 1e-8), material);
   CHECK(equilibrate(engine, {1e5, 1e5, 1e5}, {.max_steps = 20}).outcome == Outcome::step_limit);
@@ -128,7 +128,7 @@ TEST_CASE("runs that cannot arrive say so") {
   CHECK_THROWS_AS((void)equilibrate(engine, {1e5, 1e5, 1e5}, {.inertial_number = 0}), InvalidArgument);
 }
 
-TEST_CASE("a wish to stop is seen before the next step, whatever the step") {
+TEST_CASE("a stop request is observed before the next step of any kind") {
   const Material material = test::quartz(radius, 0.5);
   Mat3 shear;
   shear(0, 2) = 1e-6;
@@ -152,7 +152,7 @@ TEST_CASE("a wish to stop is seen before the next step, whatever the step") {
         Outcome::stopped);
 }
 
-TEST_CASE("a run at fixed cell may end when its stress stands still, in less time and with the same stress") {
+TEST_CASE("a run at fixed cell may end when its stress is constant, in less time and with the same stress") {
   const Material material = test::quartz(radius, std::numeric_limits<double>::infinity());
   const Specimen state = test::fcc(radius, 3, 2e-7);
   Mat3 shear;
@@ -178,7 +178,7 @@ TEST_CASE("a run at fixed cell may end when its stress stands still, in less tim
   CHECK_THROWS_AS((void)sheared(-1), InvalidArgument);
 }
 
-TEST_CASE("a run that did not arrive gives no stress but by its other name") {
+TEST_CASE("a run that did not converge gives its stress only by its other name") {
   QuasistaticReport report;
   report.last_stress = Mat3::identity();
   for (const Outcome outcome : {Outcome::step_limit, Outcome::unstable, Outcome::stopped}) {

@@ -41,7 +41,7 @@ TEST_CASE("forces of a three-sphere chain are those that three other codes print
   require_valid(assembly);
 }
 
-TEST_CASE("a frozen state carries tangential forces and says which contacts slide") {
+TEST_CASE("a frozen state includes tangential forces and sliding contacts") {
   dem::Specimen state = chain();
   const dem::Material material = test::quartz(0.5e-3, 0.5);
   state.history = {{0, 1, {0, 0.5 * 0.0235294118 * 1.1, 0}, 1.0}, {1, 2, {1e-3, 0, 0}, 1.0}};

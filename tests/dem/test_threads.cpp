@@ -106,7 +106,7 @@ TEST_CASE("a small specimen takes one thread, and no engine takes none") {
   CHECK_THROWS_AS(engine.set_threads(0), InvalidArgument);
 }
 
-TEST_CASE("a team calls its job once for each member, as often as it is asked") {
+TEST_CASE("a team calls its job once for each member, in each run") {
   for (const std::size_t members : {1u, 2u, 5u}) {
     Team team(members);
     REQUIRE(team.size() == members);
@@ -119,7 +119,7 @@ TEST_CASE("a team calls its job once for each member, as often as it is asked") 
   }
 }
 
-TEST_CASE("a partition holds every pair once, and each chunk writes rows that no other one writes") {
+TEST_CASE("a partition contains every pair once, and each chunk writes its own rows") {
   const Specimen state = test::fcc(radius, 11, 2e-7);
   const std::vector<Pair> pairs =
       neighbour_pairs(state.cell, state.position, 2.02 * radius, Images::periodic);

@@ -140,7 +140,7 @@ TEST_CASE("an elastic collision of unequal grains keeps its energy") {
   CHECK(engine.kinetic_energy() == relative(stored, 1e-3));
 }
 
-TEST_CASE("the surfaces of unequal grains move as their spins and radii say") {
+TEST_CASE("the surfaces of unequal grains move according to their spins and radii") {
   const Material material = test::quartz(radius, inf);
   const double overlap = 1e-7, w0 = 1e-3, w1 = 3e-3;
   Specimen state = pair_state(0.7, 1.8, overlap);
@@ -155,7 +155,7 @@ TEST_CASE("the surfaces of unequal grains move as their spins and radii say") {
   CHECK(contact.tangential_force.y == relative(expected, 1e-9));
 }
 
-TEST_CASE("a grain of any size at a wall stands as before its mirror image") {
+TEST_CASE("a grain of any size at a wall behaves as in contact with its mirror image") {
   const Material material = test::quartz(radius, 0.5);
   const double overlap = 1e-7;
   for (const double size : {0.4, 2.5}) {

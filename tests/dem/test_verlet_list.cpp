@@ -62,7 +62,7 @@ const Mat3 skew{{{1.2, 0.3, -0.2}, {0, 1.1, 0.25}, {0.1, 0, 1.3}}};
 
 } // namespace
 
-TEST_CASE("lists taken from a wider one hold the pairs of a search, in its order") {
+TEST_CASE("lists filtered from a wider one contain the pairs of a search, in its order") {
   for (const Mat3& shape : {cube, skew})
     for (const bool unequal : {false, true})
       for (const bool walls : {false, true}) {

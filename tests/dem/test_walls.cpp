@@ -193,7 +193,7 @@ TEST_CASE("a wall turns with its face: a grain that rolls along with a rotating 
         relative(k_t * radius * w * other.time_step(), 0.01));
 }
 
-TEST_CASE("momentum: what the grains gain is what the walls gave") {
+TEST_CASE("momentum: the gain of the grains equals the impulse of the walls") {
   const Material material = test::quartz(radius, 0.5);
   Specimen state = shaken_box(0.3);
   for (std::size_t g = 0; g < state.grain_count(); ++g)

@@ -64,7 +64,7 @@ elastic::TransverselyIsotropic one_by_one(const contact::PowerLaw& law, double p
 
 } // namespace
 
-TEST_CASE("batch: every row is what the function for one state gives, for any number of rows") {
+TEST_CASE("batch: every row equals the function for one state, for any number of rows") {
   for (const double alpha : {1.0, 1.5, 2.0, 8.0, 300.0, test::infinity}) {
     const contact::PowerLaw law = test::law_of(alpha, 0.15);
     std::vector<std::size_t> counts{255, 256, 257, 280, 700};
@@ -164,7 +164,7 @@ TEST_CASE("batch: results may take the place of the inputs") {
   CHECK(in.porosity == out.shear);
 }
 
-TEST_CASE("batch: bad rows are named and zero, the others are worked out") {
+TEST_CASE("batch: bad rows are named and zero, the others are computed") {
   const contact::PowerLaw law = test::law_of(2, 0.15);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Inputs in(600);

@@ -110,7 +110,7 @@ TEST_CASE("contact prior: a preparation narrows the range, and more friction mea
         doctest::Approx(z(effective::contact_prior(spheres(0.56, 1e5), dense).middle)).epsilon(1e-6));
 }
 
-TEST_CASE("contact prior: denser is never softer, whatever the preparation, the shape and the pressure") {
+TEST_CASE("contact prior: denser is never softer, for any preparation, shape and pressure") {
   for (const double alpha : {1.0, 1.5, 2.0, 4.0, infinity})
     for (const double p : {1.0, 1e3, 1e4, 1e5, 2e6, 1e7, 1e9, 1e12})
       for (const Preparation& told :
@@ -138,12 +138,12 @@ TEST_CASE("contact prior: denser is never softer, whatever the preparation, the 
       }
 }
 
-TEST_CASE("contact prior: published states of friction 0.3, dense by vibration and as loose as it is") {
+TEST_CASE("contact prior: published states of friction 0.3, dense by vibration and loose") {
   CHECK(std::abs(z(effective::contact_prior(spheres(0.575, 10e3), friction(0.3)).middle) - 4.56) < 0.25);
   CHECK(std::abs(z(effective::contact_prior(spheres(0.689, 10e3), friction(0.3)).middle) - 4.55) < 0.25);
 }
 
-TEST_CASE("contact prior: where no packing of spheres exists it says so, and its error grows") {
+TEST_CASE("contact prior: void ratios without sphere packings are reported, and the error grows") {
   const auto note_at = [](double e) {
     const ContactPrior prior = effective::contact_prior(spheres(e, 1e5));
     return prior.validity.ok() ? std::string() : prior.validity.notes.front();
@@ -168,10 +168,10 @@ TEST_CASE("contact prior: notes on friction, sizes and overlaps") {
         return true;
     return false;
   };
-  CHECK(has(effective::contact_prior(spheres(0.7, 1e5), friction(0.05)).validity,
-            "does not hold grains apart"));
-  CHECK(!has(effective::contact_prior(spheres(0.7, 1e5), friction(0.5)).validity,
-             "does not hold grains apart"));
+  CHECK(
+      has(effective::contact_prior(spheres(0.7, 1e5), friction(0.05)).validity, "cannot keep grains apart"));
+  CHECK(
+      !has(effective::contact_prior(spheres(0.7, 1e5), friction(0.5)).validity, "cannot keep grains apart"));
   CHECK(has(effective::contact_prior(spheres(0.6, 1e9)).validity, "calibrated up to 0.01"));
   State unequal = spheres(0.5, 1e5);
   unequal.contacts.branch = 1.1;
@@ -197,7 +197,7 @@ TEST_CASE("contact prior: without pressure the contacts are those of rigid grain
   CHECK(prior.relative_overlap == 0);
 }
 
-TEST_CASE("contact prior: carried there and back") {
+TEST_CASE("contact prior: to another stress and back") {
   for (const double z_star : {4.3, 5.0, 6.2}) // the last above the densest line
     for (const double e : {0.572, 0.6, 0.7}) {
       const State start = spheres(e, 1e4);
@@ -215,7 +215,7 @@ TEST_CASE("contact prior: carried there and back") {
     }
 }
 
-TEST_CASE("contact prior: a packing of the densest line stays on it when it is carried") {
+TEST_CASE("contact prior: a packing of the densest line is on it at every stress") {
   const ContactPrior prior = effective::contact_prior(spheres(0.65, 1e4), dense);
   const auto carried = effective::carried_contacts(spheres(0.65, 1e4), prior.middle, 1e6);
   const ContactPrior there = effective::contact_prior(spheres(carried.void_ratio, 1e6), dense);
@@ -223,7 +223,8 @@ TEST_CASE("contact prior: a packing of the densest line stays on it when it is c
   CHECK(close(carried.counts.rattler_fraction, there.middle.rattler_fraction, 1e-9));
 }
 
-TEST_CASE("contact prior: the error of being carried is that of a random walk in the root of the overlap") {
+TEST_CASE(
+    "contact prior: the error of a change of stress is that of a random walk in the root of the overlap") {
   const ContactCounts counts{.mechanical_coordination_number = 4.5, .rattler_fraction = 0.05};
   const State start = spheres(0.6, 1e4);
   CHECK(effective::carried_contacts(start, counts, 1e4).coordination_error < 1e-6);
@@ -251,7 +252,7 @@ TEST_CASE("contact prior: the less a packing was opened, the faster it gains con
   CHECK(growth(0.573, 4.38, 0.083) > 1.5 * growth(0.716, 4.285, 0.085));
 }
 
-TEST_CASE("contact prior: preparations as text, and what is refused") {
+TEST_CASE("contact prior: preparations as text, and refused texts") {
   CHECK(effective::preparation_of("dense") == dense);
   CHECK(effective::preparation_of("loose") == loose);
   CHECK(effective::preparation_of("friction:0.3") == friction(0.3));

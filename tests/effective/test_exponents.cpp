@@ -43,7 +43,7 @@ double difference_quotient(const Hypothesis& h, const State& s, Modulus which, d
 
 } // namespace
 
-TEST_CASE("exponents: their sum is 1/(1+alpha), whatever the modulus, fabric and stress") {
+TEST_CASE("exponents: their sum is 1/(1+alpha) for every modulus, fabric and stress") {
   for (const double alpha : {1.0, 1.5, 2.0, 341.0, infinity})
     for (const double a : {-1.0, 0.0, 0.5, 1.0})
       for (const double nu : {-0.9, 0.15, 0.5})

@@ -81,7 +81,7 @@ TEST_CASE("free spin: closed form in the fabric") {
     }
 }
 
-TEST_CASE("free spin: networks are not above it, and at it where a cell holds one grain") {
+TEST_CASE("free spin: networks are not above it, and equal to it with one grain in a cell") {
   // Lattices whose steep contacts are of another stiffness. In the simple cubic one a strain moves no grain
   // out of its place, but the grains spin; in the hexagonal one they move as well.
   const double R = 0.5e-3, k_n = 1.3e6, k_t = 0.9e6;

@@ -56,7 +56,7 @@ TEST_CASE("implied coordination: moduli grow with z*, so that there is one answe
     }
 }
 
-TEST_CASE("implied coordination: what no contact number explains") {
+TEST_CASE("implied coordination: moduli that no contact number explains") {
   const State state = state_of(2, 0, 0.15, 100e3, 100e3);
   const double most = modulus_with(state, 12, Modulus::G_vh);
   const auto stiff = implied_coordination(state, Modulus::G_vh, 1.001 * most);
@@ -103,7 +103,7 @@ TEST_CASE("expected rattlers: those of the contact prior at its own z*") {
   CHECK(effective::expected_rattlers(state, 6).fraction < effective::expected_rattlers(state, 4.5).fraction);
 }
 
-TEST_CASE("implied coordination: refuses what has no answer") {
+TEST_CASE("implied coordination: refuses inputs without an answer") {
   const State state = state_of(2, 0, 0.15, 100e3, 100e3);
   CHECK_THROWS_AS((void)implied_coordination(state, Modulus::C12, 1e8), InvalidArgument);
   CHECK_THROWS_AS((void)implied_coordination(state, Modulus::E_v, 1e8), InvalidArgument);

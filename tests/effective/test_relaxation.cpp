@@ -84,7 +84,7 @@ TEST_CASE("relaxation: G grows linearly from the isostatic point, K jumps") {
   CHECK(bulk(high + 1e-9, 0.9) > 0.5);
 }
 
-TEST_CASE("relaxation: at z* = 6 the shear modulus goes as the root of the tangential stiffness") {
+TEST_CASE("relaxation: at z* = 6 the shear modulus grows as the root of the tangential stiffness") {
   const auto modulus = [](double r) { return shear(6, r) * (2 + 3 * r); };
   for (const double r : {1e-6, 1e-4})
     CHECK(modulus(4 * r) == relative(2 * modulus(r), 1e-3));
@@ -156,7 +156,7 @@ TEST_CASE("relaxation: the standard error") {
   CHECK(relaxation(6.3, 0, 0).validity.ok());
 }
 
-TEST_CASE("relaxation: refuses what no packing has") {
+TEST_CASE("relaxation: refuses impossible packings") {
   CHECK_THROWS_AS((void)relaxation(-1, 0.9, 0.3), InvalidArgument);
   CHECK_THROWS_AS((void)relaxation(5, -0.1, 0.3), InvalidArgument);
   CHECK_THROWS_AS((void)relaxation(5, 0.9, 1.1), InvalidArgument);
@@ -269,7 +269,8 @@ TEST_CASE("relaxed: notes on states outside the calibration") {
   CHECK_FALSE(relaxed(state_of(2, 0, 0.15, 1e8, 1e8), 5.9).validity.ok()); // overlaps of 2 %
 }
 
-TEST_CASE("relaxation: beyond b = 1/2 the factors go on from there, rough contacts lower than power laws") {
+TEST_CASE(
+    "relaxation: beyond b = 1/2 the factors are continuous, for rough contacts lower than for power laws") {
   using enum effective::Stiffening;
   for (const double r : ratios)
     for (double z = 4.1; z < 9; z += 0.1) {
@@ -331,7 +332,7 @@ TEST_CASE("relaxed: rough packings, of other numbers of grains than those of the
   }
 }
 
-TEST_CASE("relaxation: K never exceeds that of uniform strain, and a note says where it is held to it") {
+TEST_CASE("relaxation: K never exceeds that of uniform strain, with a note where it is limited") {
   int held = 0;
   for (const double z : {4.0, 4.5, 6.2, 8.7, 20.0})
     for (const double r : {0.0, 0.1, 1.0, 100.0})
@@ -358,7 +359,7 @@ TEST_CASE("relaxation: K never exceeds that of uniform strain, and a note says w
   CHECK(held > 50);
 }
 
-TEST_CASE("relaxation: slopes of a modulus that is held to its bound") {
+TEST_CASE("relaxation: derivatives of a modulus at its bound") {
   State s = state_of(2, 1, 0.15, 2e6, 1e5);
   const double z = 5.5, h = 1e-3;
   const auto log_G = [&](double step) {

@@ -40,7 +40,7 @@ double log_modulus(State s, double z, const Growth& growth, Modulus which, doubl
 
 } // namespace
 
-TEST_CASE("relaxed exponents: of frozen contacts their sum is 1/(1+alpha), whatever the modulus") {
+TEST_CASE("relaxed exponents: at frozen contacts their sum is 1/(1+alpha) for every modulus") {
   for (const double alpha : {1.0, 1.5, 2.0, infinity})
     for (const double a : {-0.2, 0.0, 0.2})
       for (const Modulus which : all_moduli) {
@@ -77,7 +77,7 @@ TEST_CASE("relaxed exponents: derivatives of the relaxed estimate along the path
           }
 }
 
-TEST_CASE("relaxed exponents: where constants of uniform strain vanish, the others go on") {
+TEST_CASE("relaxed exponents: where constants of uniform strain vanish, the others have exponents") {
   // C12 = C13 = 0 at k_t = k_n; without tangential stiffness, at the ends of a, and in flat contacts nothing
   // is special either.
   for (const double ratio : {0.0, 1e-300, 1.0, 1.0 + 1e-15, 4.0 / 3})
@@ -158,7 +158,7 @@ TEST_CASE("relaxed exponents: a closing-gap law solves for C_n and the mean forc
       }
 }
 
-TEST_CASE("relaxed exponents: loose specimens have a larger s than dense ones, by their laws alone") {
+TEST_CASE("relaxed exponents: loose specimens have a larger s than dense ones, by their laws only") {
   // Loose minus dense as in validation/verify_default: 0.17 (cone), 0.21 (sphere), 0.30 (flat).
   for (const double alpha : {1.0, 2.0, infinity}) {
     const auto s_of = [&](const effective::ClosingGapLaw& law) {
@@ -175,7 +175,7 @@ TEST_CASE("relaxed exponents: loose specimens have a larger s than dense ones, b
   }
 }
 
-TEST_CASE("relaxed exponents: refuses what has no exponent") {
+TEST_CASE("relaxed exponents: refuses moduli without exponent") {
   const State s = state_of(2, 0, 0.15, 1e5, 1e5);
   CHECK_THROWS_AS((void)effective::relaxed_exponents(s, 3.5, {}, Modulus::K), InvalidArgument);
   CHECK_THROWS_AS((void)effective::relaxed_exponents(state_of(2, 0, 0.15, 0, 0), 5, {}, Modulus::K),

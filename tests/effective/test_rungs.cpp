@@ -48,7 +48,7 @@ double slope(const Rung& rung, Modulus which, double State::*stress) {
 
 } // namespace
 
-TEST_CASE("rungs: one row a name, and names that a table can tell apart") {
+TEST_CASE("rungs: one row per name, and distinct names") {
   std::set<RungName> names;
   std::set<std::string> keys, columns;
   for (const Rung& rung : effective::rungs()) {
@@ -68,7 +68,7 @@ TEST_CASE("rungs: one row a name, and names that a table can tell apart") {
     CHECK_FALSE(rung.needs_packing);
 }
 
-TEST_CASE("rungs: each says what its formula says") {
+TEST_CASE("rungs: each agrees with its formula") {
   const State s = packing();
   const auto answer = [&](RungName name) { return effective::answer(effective::rung(name), s).stiffness; };
   State no_fabric = s;
@@ -89,7 +89,7 @@ TEST_CASE("rungs: each says what its formula says") {
   CHECK(answer(RungName::isotropic).G_vh() == relative(isotropic.shear_modulus, 1e-14));
 }
 
-TEST_CASE("rungs: exponents are slopes of what the rung says") {
+TEST_CASE("rungs: exponents are derivatives of the moduli of the rung") {
   for (const Rung& rung : closed_forms())
     for (const Modulus which : all_moduli) {
       CAPTURE(rung.key);
@@ -102,7 +102,7 @@ TEST_CASE("rungs: exponents are slopes of what the rung says") {
     }
 }
 
-TEST_CASE("rungs: a modulus that vanishes has no exponents, and the others go on") {
+TEST_CASE("rungs: a vanishing modulus has no exponents, the others have") {
   for (const double ratio : {0.0, 1.0})
     for (const double a : {-1.0, 0.0, 1.0})
       for (const double alpha : {1.0, 2.0, infinity})
@@ -132,7 +132,7 @@ TEST_CASE("rungs: a modulus that vanishes has no exponents, and the others go on
             }
 }
 
-TEST_CASE("rungs: no contacts, no stiffness and no exponents; what is missing is said") {
+TEST_CASE("rungs: no contacts, no stiffness and no exponents; missing inputs are reported") {
   State none = packing();
   none.coordination_number = 0;
   for (const Rung& rung : closed_forms()) {

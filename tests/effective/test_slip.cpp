@@ -116,7 +116,7 @@ TEST_CASE("slip: growth with strain and contacts") {
   CHECK(effective::slip_onset(quartz_at(100e3), 4.6, 0.5).amplification > 2 * onset.amplification);
 }
 
-TEST_CASE("slip: what no packing can have is refused") {
+TEST_CASE("slip: impossible packings are refused") {
   effective::State s = quartz_at(100e3);
   CHECK_THROWS_AS((void)effective::slip_onset(s, 5.8, 0), InvalidArgument);
   CHECK_THROWS_AS((void)effective::slip_onset(s, 3.9, 0.5), InvalidArgument);

@@ -112,7 +112,7 @@ TEST_CASE("state: every impossible member is refused by name") {
   CHECK_THROWS_AS((void)effective::static_force_field(forgotten), InvalidArgument);
 }
 
-TEST_CASE("state: what is possible but outside the derivation is noted") {
+TEST_CASE("state: possible values outside the derivation are noted") {
   const auto notes = [](auto change) {
     State s = sample;
     change(s);
@@ -125,7 +125,7 @@ TEST_CASE("state: what is possible but outside the derivation is noted") {
   CHECK(notes([](State& s) { s.stress_v = s.stress_h = 10e6; }) == 0);  // 0.07 R
 }
 
-TEST_CASE("state: without contacts moduli are the limit 0, and there is no force to tell") {
+TEST_CASE("state: without contacts moduli are the limit 0, and forces do not exist") {
   State none = sample;
   none.coordination_number = 0;
   CHECK(effective::require_valid(none).notes.size() == 1);

@@ -151,7 +151,8 @@ TEST_CASE("unequal grains: a packing of spheres that is scaled has the same modu
   check_same(stiffness_of(c, 2 * mean_radius), before, 1e-13);
 }
 
-TEST_CASE("unequal grains: the kinematic field bears the stress with the stiffness of the same contacts") {
+TEST_CASE("unequal grains: the kinematic field has the stress of the state, with the stiffness of the same "
+          "contacts") {
   const State s = state_of(drawn(0.6), contact::PowerLaw::sphere(quartz, mean_radius));
   const effective::KinematicForceField field = effective::kinematic_force_field(s);
   const auto C = effective::uniform_strain_kinematic(s).stiffness;

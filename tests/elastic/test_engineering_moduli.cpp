@@ -38,7 +38,7 @@ TEST_CASE("engineering moduli: an isotropic solid has its own along every axis")
     CHECK(E == relative(9 * 300e6 * 200e6 / (3 * 300e6 + 200e6), rounding));
 }
 
-TEST_CASE("engineering moduli: E is the stress over the strain that it alone makes") {
+TEST_CASE("engineering moduli: E is a uniaxial stress over its strain") {
   const VoigtStiffness c = triclinic_sample();
   const EngineeringModuli m = engineering_moduli(c);
   const double E[] = {m.E_1, m.E_2, m.E_3};

@@ -69,7 +69,7 @@ TEST_CASE("rotations are orthogonal, compose and can be undone") {
   CHECK(distance(c, rotate(rotate(c, tilt), transpose(tilt))) < rounding);
 }
 
-TEST_CASE("a symmetry of the material leaves its stiffness as it was") {
+TEST_CASE("a symmetry of the material does not change its stiffness") {
   const TransverselyIsotropic layered{.C11 = 310e6, .C33 = 402e6, .C12 = 118e6, .C13 = 133e6, .C44 = 121e6};
   CHECK(distance(voigt(layered), rotate(voigt(layered), spin)) < rounding);
   CHECK(distance(voigt(layered), rotate(voigt(layered), tilt)) > 1e-2);

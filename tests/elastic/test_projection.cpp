@@ -30,7 +30,7 @@ TEST_CASE("transversely isotropic projection is the average over turns about axi
   CHECK(relative_distance(mean, mandel(voigt(projected))) < rounding);
 }
 
-TEST_CASE("a projection leaves what is symmetric already") {
+TEST_CASE("a projection does not change a symmetric stiffness") {
   const TransverselyIsotropic layered{.C11 = 310e6, .C33 = 402e6, .C12 = 118e6, .C13 = 133e6, .C44 = 121e6};
   CHECK(relative_distance(mandel(voigt(layered)),
                           mandel(voigt(transversely_isotropic_projection(voigt(layered))))) < rounding);
@@ -50,7 +50,7 @@ TEST_CASE("isotropic projection does not change under rotation, nor by projectin
   CHECK(twice.shear_modulus() == relative(once.shear_modulus(), rounding));
 }
 
-TEST_CASE("what a projection leaves out is orthogonal to it") {
+TEST_CASE("the remainder of a projection is orthogonal to it") {
   const MandelStiffness c = mandel(triclinic_sample());
   const MandelStiffness iso = mandel(voigt(isotropic_projection(triclinic_sample())));
   const double inner = (c.matrix - iso.matrix).cwiseProduct(iso.matrix).sum();

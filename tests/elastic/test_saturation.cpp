@@ -32,7 +32,7 @@ TEST_CASE("saturation: an isotropic skeleton has the bulk modulus of the usual e
   CHECK(std::abs(wet.C11 / wet.C33 - 1) < 1e-14);
 }
 
-TEST_CASE("saturation: pores filled with what is as stiff as the solid compress as the solid") {
+TEST_CASE("saturation: pores filled with a fluid as stiff as the solid compress as the solid") {
   SaturatedPores filled = sand;
   filled.fluid_bulk_modulus = filled.grain_bulk_modulus;
   for (const double K : {0.1 * GPa, 10 * GPa, 30 * GPa})
@@ -73,7 +73,7 @@ TEST_CASE("saturation: air rules the mixture but for the last per cent") {
   CHECK_THROWS_AS((void)saturated({}, none), InvalidArgument);
 }
 
-TEST_CASE("saturation: the share of water that a mass tells is the one that it has") {
+TEST_CASE("saturation: the degree of saturation derived from the mass is recovered") {
   for (const double e : {0.45, 0.7, 1.1})
     for (const double share : {0.0, 0.3, 1.0, 1.2}) {
       const double rho =

@@ -72,7 +72,7 @@ TEST_CASE("symmetry: the nearest isotropic stiffness is nearest") {
   CHECK(nearest == relative(least, 1e-3)); // a step of 1 MPa beside the minimum costs its square
 }
 
-TEST_CASE("symmetry: classes contain one another, and their members are at distance zero") {
+TEST_CASE("symmetry: classes are nested, and their members are at distance zero") {
   const SymmetryDistances d = symmetry_distances(triclinic_sample());
   CHECK(d.isotropic > d.transversely_isotropic);
   CHECK(d.isotropic > d.cubic);

@@ -42,7 +42,7 @@ void check_same(const TransverselyIsotropic& a, const TransverselyIsotropic& b, 
 
 } // namespace
 
-TEST_CASE("Thomsen: the parameters are what the wave speeds say") {
+TEST_CASE("Thomsen: the parameters agree with the wave speeds") {
   std::mt19937_64 random(1986);
   for (int i = 0; i < 100; ++i) {
     const TransverselyIsotropic c = with_fast_p(random);
@@ -127,7 +127,7 @@ TEST_CASE("Thomsen: an isotropic solid has none") {
   CHECK(t == ThomsenParameters{});
 }
 
-TEST_CASE("Thomsen: what has no parameters, or no solid, is refused") {
+TEST_CASE("Thomsen: stiffnesses without parameters, or of no solid, are refused") {
   TransverselyIsotropic c = layered_sample();
   CHECK_THROWS_AS((void)thomsen_solid(c, 0), InvalidArgument);
   c.C44 = 500e6; // above C33

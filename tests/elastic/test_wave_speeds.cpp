@@ -11,7 +11,7 @@
 using namespace granum;
 using namespace granum::elastic;
 
-TEST_CASE("bulk density counts grains and what fills the pores") {
+TEST_CASE("bulk density includes grains and pore fluid") {
   CHECK(bulk_density({.grain_density = 2650, .void_ratio = 0}) == 2650);
   CHECK(bulk_density({.grain_density = 2650, .void_ratio = 0.6}) == relative(2650 / 1.6, 1e-15));
   // mass of 1 m3 of solid in 1.6 m3, with 0.6 m3 of water

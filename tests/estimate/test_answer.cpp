@@ -50,14 +50,14 @@ Question with_grain(Question q, double shear_modulus) {
 
 } // namespace
 
-TEST_CASE("answer: glass beads, nothing else told, within a factor of 3.1, and 150 MPa are in it") {
+TEST_CASE("answer: glass beads without further inputs are within a factor of 3.1, and include 150 MPa") {
   const Answer a = estimate::answer(beads());
   CHECK(holds(a[Field::shear_modulus], 150e6, 187e6));
   CHECK(a[Field::shear_modulus].high / a[Field::shear_modulus].low <= 3.1);
   CHECK(a.validity().ok());
 }
 
-TEST_CASE("answer: every number of spheres is positive, and none is of the strain of sands") {
+TEST_CASE("answer: every number of spheres is positive, and strain numbers of sands are absent") {
   const Answer a = estimate::answer(beads());
   for (const estimate::FieldRow& row : estimate::fields())
     if (const std::optional<Range>& range = a.find(row.field)) {
@@ -69,7 +69,7 @@ TEST_CASE("answer: every number of spheres is positive, and none is of the strai
     CHECK(!a.find(of_sands));
 }
 
-TEST_CASE("answer: counted contacts give rung 3, with its standard error alone") {
+TEST_CASE("answer: counted contacts give rung 3, with only its standard error") {
   Question q = beads();
   q.state.mechanical_coordination_number = 5.2;
   q.rattler_fraction = 0.03;
@@ -112,7 +112,7 @@ TEST_CASE("answer: isotropic moduli obey their identities, speeds their definiti
   CHECK(estimate::answer(weightless)[Field::shear_modulus].value == G);
 }
 
-TEST_CASE("answer: whatever is told narrows the range") {
+TEST_CASE("answer: each known input narrows the range") {
   const auto width = [](const Question& q) {
     const Range G = estimate::answer(q)[Field::shear_modulus];
     return std::log(G.high / G.low);
@@ -139,7 +139,8 @@ TEST_CASE("answer: whatever is told narrows the range") {
   CHECK(estimate::answer(counted)[Field::rattler_fraction].value == 0.03);
 }
 
-TEST_CASE("answer: a C_n and a z* that are told stay as told, even where no rattlers fit between them") {
+TEST_CASE(
+    "answer: a given C_n and a given z* are reported unchanged, even if no rattler fraction fits them") {
   for (const double z : {5.0, 6.1, 7.3}) {
     Question q = beads();
     q.state.coordination_number = 6.1;
@@ -151,7 +152,7 @@ TEST_CASE("answer: a C_n and a z* that are told stay as told, even where no ratt
   }
 }
 
-TEST_CASE("answer: rattlers of equal grains tell z*, those of unequal ones do not") {
+TEST_CASE("answer: rattlers of equal grains determine z*, those of unequal ones do not") {
   Question few = beads(), many = beads();
   few.rattler_fraction = 0.02;
   many.rattler_fraction = 0.08;
@@ -167,7 +168,7 @@ TEST_CASE("answer: rattlers of equal grains tell z*, those of unequal ones do no
   CHECK(has(estimate::answer(few).validity(), "unequal grains"));
 }
 
-TEST_CASE("answer: of one share of rattlers, looser is never stiffer, also where no packing of spheres is so "
+TEST_CASE("answer: at one rattler fraction looser is never stiffer, also where no packing of spheres is so "
           "loose") {
   for (const double rattlers : {0.001, 0.013, 0.05, 0.2}) {
     double before = std::numeric_limits<double>::infinity();
@@ -187,7 +188,7 @@ TEST_CASE("answer: of one share of rattlers, looser is never stiffer, also where
   }
 }
 
-TEST_CASE("answer: dense and loose are the ends of what is not known") {
+TEST_CASE("answer: dense and loose are the ends of the range for unknown preparation") {
   Question dense = beads(), loosest = beads();
   dense.preparation.kind = Preparation::Kind::dense;
   loosest.preparation = {.kind = Preparation::Kind::friction, .friction_coefficient = 0.5};
@@ -200,7 +201,7 @@ TEST_CASE("answer: dense and loose are the ends of what is not known") {
   CHECK(all.low > 0.8 * least);
 }
 
-TEST_CASE("answer: an uncertain input adds what it moves the answer by, in quadrature") {
+TEST_CASE("answer: the effect of an uncertain input is added in quadrature") {
   Question q = beads();
   q.state.mechanical_coordination_number = 5.2;
   q.rattler_fraction = 0.03;
@@ -217,7 +218,7 @@ TEST_CASE("answer: an uncertain input adds what it moves the answer by, in quadr
   CHECK(a.shares().front().share + a.shares().back().share == doctest::Approx(1));
 }
 
-TEST_CASE("answer: water adds mass, and stiffness to V_p alone once no air is left") {
+TEST_CASE("answer: water adds mass, and stiffness only to V_p and only without air") {
   const Answer dry = estimate::answer(beads());
   Question q = beads();
   q.saturation = 1;
@@ -232,7 +233,7 @@ TEST_CASE("answer: water adds mass, and stiffness to V_p alone once no air is le
   CHECK(estimate::answer(q)[Field::compression_wave_speed].value < dry[Field::compression_wave_speed].value);
 }
 
-TEST_CASE("answer: stresses that differ give speeds by direction") {
+TEST_CASE("answer: unequal stresses give speeds by direction") {
   Question q = beads();
   q.state.stress_v = 2e5;
   const Answer a = estimate::answer(q);
@@ -241,7 +242,7 @@ TEST_CASE("answer: stresses that differ give speeds by direction") {
   CHECK(a[Field::shear_modulus].value > a[Field::horizontal_shear_modulus].value);
 }
 
-TEST_CASE("answer: quartz as loose as no spheres are: the note or the range covers what is measured") {
+TEST_CASE("answer: quartz looser than any sphere packing: the note or the range covers the measured values") {
   // Toyoura sand at 98 kPa [Kokusho1980]. At e = 0.7 it has 107 MPa, more than any spheres.
   for (const auto& [e, G] : {std::pair{0.8, 88e6}, {0.9, 71e6}}) {
     Question q = beads(e, 98e3);
@@ -272,7 +273,7 @@ TEST_CASE("answer: near the isostatic point the range reaches 0 and stays finite
   CHECK(estimate::answer(q)[Field::shear_modulus].high == 0);
 }
 
-TEST_CASE("answer: what is refused") {
+TEST_CASE("answer: refused inputs") {
   Question q = beads();
   q.saturation = 1.5;
   CHECK_THROWS_AS((void)estimate::answer(q), InvalidArgument);
@@ -351,7 +352,7 @@ TEST_CASE("answer: Poisson's ratio of an anisotropic packing may exceed 0.5, and
   CHECK(nu.high >= nu.value);
 }
 
-TEST_CASE("answer: an input is moved as far as packings allow") {
+TEST_CASE("answer: an input is changed as far as a packing is possible") {
   const Question q =
       grains_of(2, 0, 9000e5, 1e5); // forces of 9,000 to 1, near the most that a state may have
   Question counted = q;

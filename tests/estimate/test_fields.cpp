@@ -9,7 +9,7 @@
 
 using namespace granum;
 
-TEST_CASE("fields: every key and every column is one number's alone, and finds its row") {
+TEST_CASE("fields: keys and columns are unique, and find their row") {
   std::set<std::string> keys, columns;
   for (const estimate::FieldRow& row : estimate::fields()) {
     CHECK(keys.insert(row.key).second);
@@ -22,7 +22,7 @@ TEST_CASE("fields: every key and every column is one number's alone, and finds i
   CHECK_THROWS_AS((void)estimate::field_of("stiffness"), InvalidArgument);
 }
 
-TEST_CASE("fields: a row stands at the place of its field") {
+TEST_CASE("fields: the index of a row is its field") {
   for (std::size_t k = 0; k < estimate::field_count; ++k)
     CHECK(static_cast<std::size_t>(estimate::fields()[k].field) == k);
 }

@@ -176,7 +176,7 @@ TEST_CASE(
   CHECK(ladder.rungs[3].verdict == RungVerdict::cheaper_does);
 }
 
-TEST_CASE("ladder: a looser tolerance never takes a dearer rung") {
+TEST_CASE("ladder: a larger tolerance never leads to a more expensive rung") {
   std::vector<estimate::Answer> answers;
   for (const Recorded& row : recorded()) {
     answers.push_back(estimate::answer(known(row)));
@@ -207,7 +207,7 @@ TEST_CASE("ladder: a looser tolerance never takes a dearer rung") {
   CHECK(changes >= static_cast<int>(answers.size()));
 }
 
-TEST_CASE("ladder: one z*, that of the answer, whatever is known of the contacts") {
+TEST_CASE("ladder: the z* is that of the answer for any given contacts") {
   Question q = dense_spheres();
   q.state.mechanical_coordination_number.reset();
   const Ladder dense = ladder_of(q, 0.05);
@@ -225,7 +225,7 @@ TEST_CASE("ladder: one z*, that of the answer, whatever is known of the contacts
   }
 }
 
-TEST_CASE("ladder: what is missing is named, and what it would bring") {
+TEST_CASE("ladder: missing inputs are listed, with their benefit") {
   Question q = dense_spheres();
   q.state.stress_v = 2e5;
   const Ladder ladder = ladder_of(q, 0.02, true);
@@ -291,7 +291,7 @@ TEST_CASE("ladder: no error is stated where the packing may not be rigid") {
   CHECK(mentions(ladder.validity.notes, "isostatic"));
 }
 
-TEST_CASE("ladder: refuses what cannot be") {
+TEST_CASE("ladder: refuses impossible inputs") {
   for (const double tolerance : {0.0, -0.05, static_cast<double>(NAN), infinity})
     CHECK_THROWS_AS((void)ladder_of(dense_spheres(), tolerance), InvalidArgument);
 }

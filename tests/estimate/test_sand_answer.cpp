@@ -36,7 +36,7 @@ Range field(const estimate::Question& q, Field wanted) { return estimate::answer
 } // namespace
 
 // The rows of tests/sands/data/sand_states.csv; forecasts are in tests/inverse.
-TEST_CASE("a sand: states that were measured lie where the table of states wants them") {
+TEST_CASE("a sand: measured states agree with the table of states") {
   const auto holds = [](const Range& range, double measured, double deviations) {
     const double off = std::log(measured / range.value);
     const double one = off > 0 ? std::log(range.high / range.value) : std::log(range.value / range.low);
@@ -75,7 +75,7 @@ TEST_CASE("a sand: states that were measured lie where the table of states wants
   CHECK(ratio.high > 0.87);
 }
 
-TEST_CASE("a sand: G is that of the pooled law to the bit, and the moduli belong together") {
+TEST_CASE("a sand: G equals the pooled law to the bit, and the moduli are consistent") {
   const sands::Sand sand{.uniformity = 2};
   const estimate::Answer a = estimate::answer(quartz(0.6, 3e5, 3e5, sand));
   CHECK(a[Field::shear_modulus].value == sands::pooled_shear_modulus(sand, 0.6, 3e5));
@@ -103,7 +103,7 @@ TEST_CASE("a sand: rung 3 at the inferred contacts has this Poisson's ratio and,
   CHECK(a[Field::contact_softness].high / a[Field::contact_softness].low > 1.5);
 }
 
-TEST_CASE("a sand: inferred contacts are those of equal spheres, whatever the sizes of the grains") {
+TEST_CASE("a sand: inferred contacts are those of equal spheres for any grain sizes") {
   estimate::Question q = quartz(0.65, 2e5, 2e5);
   q.shear_strain = 1e-4;
   const estimate::Answer equal = estimate::answer(q);
@@ -151,7 +151,7 @@ TEST_CASE("a sand: exponents are the slopes of G_vh by each stress") {
         relative(1.1 * equal[Field::shear_modulus].value, 1e-14));
 }
 
-TEST_CASE("a sand: full of water V_p is that of water, V_s only heavier") {
+TEST_CASE("a sand: saturated, V_p is that of water, and V_s changes by the density only") {
   estimate::Question q = quartz(0.6, 1e5, 1e5);
   const double dry = field(q, Field::shear_wave_speed).value;
   q.saturation = 1;
@@ -182,7 +182,8 @@ TEST_CASE("a sand: an uncertain void ratio widens the range") {
   CHECK(open[Field::shear_modulus].value == known[Field::shear_modulus].value);
 }
 
-TEST_CASE("spheres beyond their calibration reach what is measured, without a jump, or are refused") {
+TEST_CASE("the range of spheres beyond their calibration includes measured values, without a jump, or they "
+          "are refused") {
   const auto spheres = [](double e) {
     estimate::Question q = quartz(e, 1e5, 1e5);
     q.grain_shape = estimate::GrainShape::sphere;

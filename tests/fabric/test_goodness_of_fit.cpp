@@ -58,7 +58,7 @@ TEST_CASE("goodness of fit: p-values are uniform where there is nothing to find"
   }
 }
 
-TEST_CASE("goodness of fit: anisotropy that is there is found") {
+TEST_CASE("goodness of fit: existing anisotropy is detected") {
   const auto normals = fabric::sample_normals(0.1, 30000, 3); // ten standard errors
   const fabric::IsotropyTest test = fabric::test_isotropy(normals);
   CHECK(test.z_score > 6);
@@ -139,7 +139,7 @@ TEST_CASE("goodness of fit: a fabric without axisymmetry is found where it is") 
   CHECK(after.tilt.statistic == relative(before.tilt.statistic, 1e-10));
 }
 
-TEST_CASE("goodness of fit: what cannot vary takes no part") {
+TEST_CASE("goodness of fit: components that cannot vary are not counted") {
   const auto vertical = fabric::test_axisymmetry(std::vector<Vec3>(20, Vec3{0, 0, 1}));
   CHECK(vertical.both.degrees_of_freedom == 0);
   CHECK(vertical.both.p_value == 1);

@@ -98,7 +98,7 @@ TEST_CASE("likelihood estimate: a maximum at the end of the range is reported as
   CHECK(inside.anisotropy == relative(3 * (59. / 31) / (4 + 59. / 31), 1e-13));
 }
 
-TEST_CASE("likelihood estimate: contacts along cube diagonals tell nothing, and it says so") {
+TEST_CASE("likelihood estimate: contacts along cube diagonals do not determine a, with a note") {
   const double s = std::sqrt(1.0 / 3);
   std::vector<Vec3> lattice;
   for (const double x : {-s, s})

@@ -96,7 +96,7 @@ TEST_CASE("fabric measures: the ends of the density and of all that vectors can 
   }
 }
 
-TEST_CASE("fabric measures: contact tensor of LAMMPS and fabric tensor go into one another") {
+TEST_CASE("fabric measures: contact tensor of LAMMPS and fabric tensor convert into each other") {
   const Mat3 F{{{0.31, 0.02, -0.01}, {0.02, 0.28, 0.03}, {-0.01, 0.03, 0.41}}};
   const Mat3 A = fabric::contact_tensor(F);
   CHECK(std::abs(trace(A)) < 1e-15);

@@ -62,7 +62,7 @@ TEST_CASE("orientation: the density is never negative and isotropic at a = 0") {
   CHECK(fabric::density(0, -1) == 0);
 }
 
-TEST_CASE("orientation: F33 and a go into one another over the whole range of F33") {
+TEST_CASE("orientation: F33 and a convert into each other over the whole range of F33") {
   for (double a = -5; a <= 5.0 / 3; a += 0.05) {
     CAPTURE(a);
     // da/dF33 = 40/(5 F33 + 1)^2 is 40 at F33 = 0: rounding of F33 is magnified at most that much.

@@ -30,7 +30,7 @@ TEST_CASE("rose: expected counts and densities are those of the density over eac
     }
 }
 
-TEST_CASE("rose: counts add up, and scatter about what is expected as their bars say") {
+TEST_CASE("rose: counts add up, and scatter about the expected ones within their error bars") {
   const auto normals = fabric::sample_normals(0.5, 20000, 12);
   const auto bins = fabric::rose(normals, 0.5, 18);
   REQUIRE(bins.size() == 18);
@@ -64,7 +64,7 @@ TEST_CASE("rose: either sense of a normal, and the ends of the range, fall into 
         relative(1 / (4 * std::numbers::pi), 1e-15));
 }
 
-TEST_CASE("rose: neighbours are taken together until the bin around the vertical would hold 25 contacts") {
+TEST_CASE("rose: bins are merged until the bin at the vertical is expected to contain 25 contacts") {
   std::vector<std::size_t> counts(18);
   const auto bins = [&](std::size_t contacts) {
     counts.assign(18, 0);

@@ -91,7 +91,7 @@ TEST_CASE("moduli made with the paper's Table 5 give its m and n back") {
     }
 }
 
-TEST_CASE("noise in the moduli moves the result by what the standard errors say") {
+TEST_CASE("noise in the moduli changes the result within the standard errors") {
   const Equation truth = equation(215, 0.273, 0.237);
   const auto states = triaxial_paths();
   const int seeds = 600; // the spread of a sample of 600 is known to 3 %
@@ -196,7 +196,7 @@ TEST_CASE("units of the data change nothing but C") {
   CHECK(second.fit().exponent_i->standard_error == relative(first.fit().exponent_i->standard_error, 1e-6));
 }
 
-TEST_CASE("a proportional path gives s only, and says so") {
+TEST_CASE("a proportional path gives only s, with a note") {
   const Equation truth = equation(215, 0.273, 0.237);
   auto states = isotropic_path();
   CHECK(refusal(fit, measured(truth, states)).find("only the sum s = m + n has a meaning") !=
@@ -218,7 +218,7 @@ TEST_CASE("a proportional path gives s only, and says so") {
   CHECK(refusal(fit, measured(truth, states)).find("add rows of another stress path") != std::string::npos);
 }
 
-TEST_CASE("s alone on the isotropic path") {
+TEST_CASE("only s on the isotropic path") {
   for (const double s : {0.0, 0.025, 0.349, 0.677}) {
     auto rows = measured(equation(720, s / 2, s / 2), isotropic_path());
     const FitReport report = fit_exponent_sum(rows, with(Weights::relative));
@@ -240,7 +240,7 @@ TEST_CASE("moduli that fall as stresses grow bring a note, those that rise do no
   CHECK(notes_of(-0.001, 0.1).empty()); // nobody can tell
 }
 
-TEST_CASE("stresses that hardly tell m from n bring a note and wide errors, not silence") {
+TEST_CASE("stresses that hardly determine m and n separately give a note and large errors") {
   auto states = isotropic_path();
   for (std::size_t k = 0; k < states.size(); ++k)
     states[k].stress_j *= k % 2 == 0 ? 1.01 : 0.99;

@@ -31,7 +31,7 @@ TEST_CASE("nonlinear fit: the bottom of a bent valley") {
   CHECK(found.theta[1] == doctest::Approx(1).epsilon(1e-12));
 }
 
-TEST_CASE("nonlinear fit: too few steps are said to be so") {
+TEST_CASE("nonlinear fit: too few steps are reported") {
   const auto stopped = hardin::solve({valley, valley_slopes}, Eigen::Vector2d(-1.2, 1), 2, "a valley");
   CHECK(stopped.status == hardin::FitStatus::iteration_limit);
   CHECK(stopped.iterations == 2);

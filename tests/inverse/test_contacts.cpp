@@ -86,7 +86,7 @@ TEST_CASE("a power law through a stiffness at a force has both") {
   CHECK_THROWS_AS((void)inverse::power_law_through(quartz, 0, 1, 3e5), InvalidArgument);
 }
 
-TEST_CASE("contacts that can be asked for go by name, in the place of smooth spheres") {
+TEST_CASE("families of contact laws to infer are found by name and replace smooth spheres") {
   for (const std::string_view name : inverse::unknown_contact_names())
     CHECK(inverse::unknown_contacts(name).name == name);
   CHECK(inverse::unknown_contacts("given").numbers.empty());
@@ -155,7 +155,7 @@ TEST_CASE("z*, softness and alpha come back within their errors") {
   CHECK(within_two >= draws * 0.9);
 }
 
-TEST_CASE("V_s alone does not tell contacts, and V_p would") {
+TEST_CASE("V_s alone does not determine contacts, and V_p would") {
   const contact::RoughSphere law(quartz, sand_radius, 30e-9);
   const std::vector<Observation> measured = speeds(law, 5.4, {Quantity::V_s}, 0.015);
   const inverse::ImpliedContacts contacts = asked(measured, "power-law").together.value().contacts().value();
@@ -163,7 +163,7 @@ TEST_CASE("V_s alone does not tell contacts, and V_p would") {
   CHECK(contacts.would_determine == Quantity::V_p);
 }
 
-TEST_CASE("contacts as given answer as ever") {
+TEST_CASE("contacts as given do not change the result") {
   const auto measured = speeds(sand(1e5).law, 5.4, both, 0.01);
   CHECK_FALSE(asked(measured, "given").together.value().contacts());
 }

@@ -23,7 +23,7 @@ std::string complaint(const Action& action) {
 
 } // namespace
 
-TEST_CASE("growths and specimens: each has a name of its own, which finds it again") {
+TEST_CASE("growths and specimens: each is found by its name") {
   for (const GrowthRule growth : all_growth_rules)
     CHECK(growth_rule_of(name(growth)) == growth);
   for (const AskedPacking specimen : all_asked_packings)
@@ -32,7 +32,7 @@ TEST_CASE("growths and specimens: each has a name of its own, which finds it aga
   CHECK(name(AskedPacking::prepared_alike) == "prepared_alike");
 }
 
-TEST_CASE("growths, specimens and quantities: an unknown name is answered with all of them") {
+TEST_CASE("growths, specimens and quantities: an unknown name is refused with all known ones") {
   CHECK(complaint([] { (void)growth_rule_of("Fixed"); }) ==
         "growth is one of packings, fixed, fitted, not Fixed");
   CHECK(complaint([] { (void)asked_packing_of(""); }) == "specimen is one of same, prepared_alike, not ");

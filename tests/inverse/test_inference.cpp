@@ -111,7 +111,7 @@ TEST_CASE("inference: measurements of one packing agree, and narrow the error") 
   CHECK(sum == relative(1, 1e-9));
 }
 
-TEST_CASE("inference: the growth of z* is fitted where it is asked for") {
+TEST_CASE("inference: the growth of z* is fitted on request") {
   const double isostatic = effective::isostatic_coordination_number(beads(1e6).tangential_ratio);
   const auto grown = [&](double p) { return isostatic + 0.8 * std::pow(p / 1e6, 0.13); };
   std::vector<Observation> all;
@@ -130,7 +130,7 @@ TEST_CASE("inference: the growth of z* is fitted where it is asked for") {
   CHECK_THROWS_AS((void)infer(std::span(all).first(1), options_with(GrowthRule::fitted)), InvalidArgument);
 }
 
-TEST_CASE("inference: z* grows as that of own packings, and the void ratio shrinks") {
+TEST_CASE("inference: z* grows as in granum's packings, and the void ratio decreases") {
   const State at_rest = beads(1e6, 1e6, 0.6);
   const double z = 5.3;
   const effective::ContactCounts counts{z, effective::expected_rattlers(at_rest, z).fraction};
@@ -205,7 +205,7 @@ TEST_CASE("inference: measurements that contradict each other by more than any p
   CHECK_THROWS_AS(static_cast<void>(infer(both, options_with())), granum::NotConverged);
 }
 
-TEST_CASE("inference: a speed whose modulus no number holds is named") {
+TEST_CASE("inference: a speed whose modulus overflows is reported") {
   for (const double speed : {1e200, 1e-200}) {
     const Observation one{Quantity::V_s, {speed, 0.02 * speed}, beads(1e5, 1e5, 0.6)};
     InferenceOptions options;
@@ -220,7 +220,7 @@ TEST_CASE("inference: contacts that no packing of that void ratio has") {
   const auto answer = infer(std::span(&many, 1), options_with());
   REQUIRE(answer.together);
   REQUIRE_FALSE(answer.validity.ok());
-  CHECK(answer.validity.notes.back().find("is more than packings of spheres of void ratio 0.72") !=
+  CHECK(answer.validity.notes.back().find("is larger than in packings of spheres of void ratio 0.72") !=
         std::string::npos);
   const Observation usual = measurement(Quantity::G_vh, beads(1e6, 1e6, 0.6), 5.3, 0.02);
   CHECK(infer(std::span(&usual, 1), options_with()).validity.ok());
@@ -243,7 +243,7 @@ TEST_CASE("inference: K and G that contradict each other") {
   CHECK(infer(all, options_with()).together->probability() > 0.1);
 }
 
-TEST_CASE("inference: three of a thousand are taken for a contradiction") {
+TEST_CASE("inference: a probability of three in a thousand counts as a contradiction") {
   bool before = false;
   for (double factor = 1; factor < 1.5; factor *= 1.01) {
     std::vector<Observation> all{measurement(Quantity::G_vh, beads(1e6), 5.2, 0.02),
@@ -258,7 +258,7 @@ TEST_CASE("inference: three of a thousand are taken for a contradiction") {
   CHECK(before);
 }
 
-TEST_CASE("inference: what no contact number explains") {
+TEST_CASE("inference: measurements that no contact number explains") {
   Observation stiff = measurement(Quantity::V_s, beads(1e6), 12);
   stiff.value.value *= 1.01;
   const auto none = infer(std::span(&stiff, 1), options_with());
@@ -271,7 +271,7 @@ TEST_CASE("inference: what no contact number explains") {
   soft.value.value *= 0.5;
   const auto too_soft = infer(std::span(&soft, 1), options_with());
   CHECK_FALSE(too_soft.together);
-  CHECK(too_soft.validity.notes.front().find("loosest network") != std::string::npos);
+  CHECK(too_soft.validity.notes.front().find("loosest rigid network") != std::string::npos);
   // Beside one that is explained, the fit goes on and the note stays.
   const std::vector<Observation> both{measurement(Quantity::G_vh, beads(1e6), 5), soft};
   const auto mixed = infer(both, options_with());
@@ -279,7 +279,7 @@ TEST_CASE("inference: what no contact number explains") {
   CHECK(mixed.validity.notes.front().find("no contact number explains K") == 0);
 }
 
-TEST_CASE("inference: what measurement and prediction share cancels") {
+TEST_CASE("inference: errors common to measurement and prediction cancel") {
   InferenceOptions options = options_with();
   const Observation one = measurement(Quantity::V_s, beads(3e6), 5.3, 0.01);
   const auto error_at = [&](double p) {
@@ -299,7 +299,7 @@ TEST_CASE("inference: what measurement and prediction share cancels") {
   CHECK(without < 0.025);
 }
 
-TEST_CASE("inference: stated errors are those of a sample") {
+TEST_CASE("inference: stated errors agree with the scatter of a sample") {
   // Truth: z* 5.2; everything else scatters as it is said to. A measurement at 3 MPa, a prediction at 30.
   const double z = 5.2, noise = 0.005, grain_error = 0.05, shared = 0.42;
   InferenceOptions options = options_with();
@@ -367,7 +367,7 @@ TEST_CASE("inference: exact measurements of dependent quantities") {
   CHECK(answer.together->packing(beads(1e6)).mechanical_coordination_number.value == relative(5.0, 1e-9));
 }
 
-TEST_CASE("inference: water in the pores weighs, and hides the compression wave") {
+TEST_CASE("inference: pore water adds mass, and excludes the compression wave") {
   InferenceOptions wet = options_with();
   wet.pore_density = 998;
   const double e = 0.61, ratio = (density + e * 998) / density;
@@ -385,7 +385,7 @@ TEST_CASE("inference: water in the pores weighs, and hides the compression wave"
   CHECK_THROWS_AS((void)infer(std::span(&compression, 1), wet), InvalidArgument);
 }
 
-TEST_CASE("inference: refuses what it cannot use") {
+TEST_CASE("inference: refuses unusable measurements") {
   const Observation good = measurement(Quantity::V_s, beads(1e6), 5);
   const auto refused = [](const Observation& m, const InferenceOptions& o) {
     CHECK_THROWS_AS((void)infer(std::span(&m, 1), o), InvalidArgument);

@@ -63,7 +63,7 @@ TEST_CASE("forecasts are the answers of estimate for the sand that was found, to
   }
 }
 
-TEST_CASE("an Ottawa sand: 222.1 MPa at 500 kPa are foretold from 68.3 at 50 within two stated errors") {
+TEST_CASE("an Ottawa sand: 222.1 MPa at 500 kPa are predicted from 68.3 at 50 within two stated errors") {
   const SandInference found =
       infer_sand(std::vector{measured(Quantity::G_vh, 68.3e6, 0, 50e3)}, quartz({.uniformity = 1.48}));
   const Measured there = found.predict(Quantity::G_vh, at(500e3));
@@ -72,7 +72,7 @@ TEST_CASE("an Ottawa sand: 222.1 MPa at 500 kPa are foretold from 68.3 at 50 wit
   CHECK(error == relative(0.125, 0.02)); // a factor of 1.13
 }
 
-TEST_CASE("from one measurement the error is that of forecasts and of the measurement") {
+TEST_CASE("with one measurement the error combines forecast and measurement") {
   const sands::Sand sand{.uniformity = 2};
   for (const double p : {20e3, 100e3, 150e3, 800e3}) {
     const SandInference found =
@@ -99,7 +99,7 @@ TEST_CASE("forecasts do not jump with the pressure they are for") {
   }
 }
 
-TEST_CASE("several pressures move the exponent, as far as they are fitted wholly") {
+TEST_CASE("several pressures change the exponent, and determine it if it is fitted") {
   const double s = 0.55;
   std::vector<Observation> all;
   for (const double p : {50e3, 100e3, 200e3, 400e3})
@@ -113,7 +113,7 @@ TEST_CASE("several pressures move the exponent, as far as they are fitted wholly
   CHECK_THROWS_AS((void)infer_sand(std::span(all).first(1), quartz(), SandGrowth::fitted), InvalidArgument);
 }
 
-TEST_CASE("a contradiction widens the errors and says so") {
+TEST_CASE("a contradiction enlarges the errors and is reported") {
   const std::vector alike{measured(Quantity::G_vh, 90e6, 0.02, 1e5),
                           measured(Quantity::G_vh, 92e6, 0.02, 1e5)};
   const std::vector apart{measured(Quantity::G_vh, 90e6, 0.02, 1e5),
@@ -128,7 +128,7 @@ TEST_CASE("a contradiction widens the errors and says so") {
         3 * good.level().standard_error / good.level().value);
 }
 
-TEST_CASE("V_p beside V_s tells contacts, V_s alone does not") {
+TEST_CASE("V_p and V_s together determine contacts, V_s alone does not") {
   const double nu = 0.12;
   const double ratio = std::sqrt(2 * (1 - nu) / (1 - 2 * nu));
   const std::vector both{measured(Quantity::V_s, 250, 0.01, 1e5),
@@ -142,7 +142,7 @@ TEST_CASE("V_p beside V_s tells contacts, V_s alone does not") {
   CHECK_FALSE(infer_sand(std::span(both).first(1), quartz()).tells_contacts());
 }
 
-TEST_CASE("far above what contacts have: bonded") {
+TEST_CASE("a stiffness far above that of contacts is reported as bonded") {
   const SandInference found = infer_sand(std::vector{measured(Quantity::V_s, 700, 0.02, 1e5)}, quartz());
   REQUIRE_FALSE(found.validity().ok());
   CHECK(found.validity().notes.front().find("cemented") != std::string::npos);
@@ -158,7 +158,7 @@ TEST_CASE("a forecast far beyond the tests is doubtful, one of a compression wav
   CHECK_THROWS_AS((void)found.predict(Quantity::V_p, at(2e5)), InvalidArgument);
 }
 
-TEST_CASE("what tells nothing is refused") {
+TEST_CASE("measurements without information are refused") {
   CHECK_THROWS_AS((void)infer_sand({}, quartz()), InvalidArgument);
   estimate::Question wet = quartz();
   wet.saturation = 1;

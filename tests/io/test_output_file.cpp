@@ -85,7 +85,7 @@ TEST_CASE("a link is something that exists, also where it leads nowhere") {
   CHECK(entries(folder.path()) == 1);
 }
 
-TEST_CASE("what a killed run left of a file is removed by the next that writes it") {
+TEST_CASE("remains of a file of a killed run are removed by the next run that writes it") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "out.csv";
   const auto part = folder.path() / "out.csv.granum.part";

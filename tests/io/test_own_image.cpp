@@ -38,7 +38,7 @@ ImportedPacking one_grain() {
 
 } // namespace
 
-TEST_CASE("a grain in contact with its own image stands there as often as it takes") {
+TEST_CASE("a grain in contact with its own image is replicated as often as needed") {
   const ImportedPacking p = one_grain();
   CHECK(p.has(Finding::own_image));
   CHECK(p.assembly.grain_count() == 8);

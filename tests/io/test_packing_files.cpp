@@ -38,7 +38,7 @@ std::size_t count_states(const std::vector<std::string>& names) {
 
 } // namespace
 
-TEST_CASE("packing files: each format is told by what stands in it") {
+TEST_CASE("packing files: each format is recognised by its content") {
   const std::tuple<const char*, const PackingFormat*, Holds> expected[] = {
       {"lammps_chain.atoms", &lammps_dump_format, Holds::grains},
       {"lammps_chain.contacts", &lammps_dump_format, Holds::contacts},
@@ -67,7 +67,7 @@ TEST_CASE("packing files: each format is told by what stands in it") {
   }
 }
 
-TEST_CASE("packing files: every format says what it is, and files of its own kinds are told by no other") {
+TEST_CASE("packing files: every format recognises its own files and no others") {
   for (const PackingFormat* format : packing_formats) {
     INFO(format->name);
     CHECK_FALSE((format->name.empty() || format->sign.empty() || format->grains.empty()));
@@ -76,7 +76,7 @@ TEST_CASE("packing files: every format says what it is, and files of its own kin
   }
 }
 
-TEST_CASE("packing files: CSV and VTK of spheres, and what is none of all these") {
+TEST_CASE("packing files: CSV and VTK of spheres, and unknown files") {
   const auto kind_of = [](const std::string& text) {
     TextSource source = text_source("file", text);
     return recognise(source);
@@ -123,7 +123,7 @@ TEST_CASE("packing files: the chain out of every format, files in any order") {
   CHECK_FALSE(yade.next());
 }
 
-TEST_CASE("packing files: a pipe is read once, plain or gzip, however much it takes to tell its format") {
+TEST_CASE("packing files: a pipe is read once, plain or gzip, however late its format is recognised") {
   const TemporaryFolder folder;
   const std::string grains =
       "# vtk DataFile Version 3.0.\ncomment\nASCII\n\nDATASET POLYDATA\nPOINTS 20000 double\n";
@@ -214,7 +214,7 @@ TEST_CASE("packing files: states of several files come in the order of the numbe
   CHECK(files.path() == names[2]);
 }
 
-TEST_CASE("packing files: a series of VTK files comes in the order of its times, whatever the names") {
+TEST_CASE("packing files: a series of VTK files is sorted by time, not by name") {
   const TemporaryFolder folder;
   const auto at = [&](const std::string& name) { return folder.path() / name; };
   std::filesystem::create_directory(at("states"));

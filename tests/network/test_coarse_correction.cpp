@@ -181,7 +181,7 @@ TEST_CASE("motions of the nodes leave a residual that does no work on any") {
     check_correction<3>(smooth, {}, grains_a_node);
 }
 
-TEST_CASE("what the nodes have in a grain is linear along the edges of its box, and periodic") {
+TEST_CASE("weights of the nodes in a grain are linear along the edges of its box, and periodic") {
   const packing::Assembly a = samples::random_network({.seed = 3, .repeats = 3});
   const network::Backbone backbone = network::load_bearing_network(a, {});
   for (const int along : {1, 2, 3}) { // boxes

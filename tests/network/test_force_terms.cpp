@@ -100,7 +100,7 @@ TEST_CASE("force terms are in proportion to the forces, and nothing without them
   CHECK(geometric().cwiseAbs().maxCoeff() == 0);
 }
 
-TEST_CASE("force terms are worked out only where they are asked for, and not between walls") {
+TEST_CASE("force terms are computed only on request, and not between walls") {
   packing::Assembly a = pressed(samples::face_centred);
   CHECK_FALSE(network::linear_response(a).force_terms().has_value());
   a.wall_contacts.push_back(a.contacts.front());

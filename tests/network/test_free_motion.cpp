@@ -63,7 +63,7 @@ double largest(const Field<3>& x) {
 
 } // namespace
 
-TEST_CASE("a motion that only rounding resists stays rigid where pivots are judged") {
+TEST_CASE("a motion resisted only by rounding counts as rigid in the check of pivots") {
   const Backbone backbone = levers();
   const Workers alone;
   const Field<3> motion = free_motion();

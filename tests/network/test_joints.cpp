@@ -97,7 +97,7 @@ TEST_CASE("grains of one body move as one, as in their dense twin") {
     }
 }
 
-TEST_CASE("bodies of one grain each change nothing, and what is not known of bodies is refused") {
+TEST_CASE("bodies of one grain each change nothing, and unsupported inputs of bodies are refused") {
   packing::Assembly a = samples::random_network({.seed = 4, .repeats = 2, .kept = 0.6});
   const Matrix6 grains = network::linear_response(a).relaxed().matrix;
   a.body.resize(a.grain_count());

@@ -118,7 +118,7 @@ TEST_CASE(
   CHECK(twin::smallest_eigenvalue(stick - slip) > 0); // slip softens every strain
 }
 
-TEST_CASE("clusters that nothing holds add nothing") {
+TEST_CASE("unsupported clusters add nothing") {
   const packing::Assembly one = samples::random_network({.seed = 7, .repeats = 2, .kept = 0.6});
   packing::Assembly two = one;
   const auto first = static_cast<std::uint32_t>(two.grain_count());
@@ -226,7 +226,8 @@ TEST_CASE("stiffness and length scale as dimensions demand, bit by bit") {
   CHECK(relaxed(a) == base);
 }
 
-TEST_CASE("bounds on the bulk modulus hold for equilibrated forces, and close on the true force field") {
+TEST_CASE(
+    "bounds on the bulk modulus are valid for equilibrated forces, and converge to the true force field") {
   packing::Assembly a = samples::random_network({.seed = 16, .repeats = 2, .kept = 0.6});
   const auto load_isotropically = [&](packing::Assembly& target, const packing::Assembly& source) {
     const auto response = twin::response(source, false);
@@ -303,7 +304,7 @@ TEST_CASE("assemblies without a load-bearing network have zero stiffness") {
   check_zero(27);
 }
 
-TEST_CASE("a result that was not reached is not handed out") {
+TEST_CASE("a result that did not converge is not returned") {
   const packing::Assembly a = samples::random_network({.seed = 18, .kept = 0.5});
   const auto hasty = network::linear_response(a, {.iteration_limit = 2});
   CHECK_FALSE(hasty.converged());

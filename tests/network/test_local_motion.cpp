@@ -74,7 +74,7 @@ TEST_CASE("the energy of a motion of few grains is that of the whole network") {
   }
 }
 
-TEST_CASE("the grains that a motion moves most are told, of each motion alone") {
+TEST_CASE("the grains moved most by a motion are found for each motion separately") {
   std::vector<std::uint32_t> place(10, network::LocalMotion<6>::absent), first, second{1};
   network::LocalMotion<6> motion(place);
   motion.of(7).row[4][0] = -2;

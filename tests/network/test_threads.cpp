@@ -74,7 +74,8 @@ TEST_CASE("without threads there is no response") {
   CHECK_THROWS_AS(static_cast<void>(network::linear_response(a, {.threads = 0})), InvalidArgument);
 }
 
-TEST_CASE("pieces hold every grain once, and touch none of their stage, also by an earlier neighbour") {
+TEST_CASE(
+    "pieces contain every grain once, and touch none of their stage, also through an earlier neighbour") {
   for (const double kept : {0.6, 0.26})
     check_pieces(network::load_bearing_network(samples::large_network(28, kept), {}));
 }

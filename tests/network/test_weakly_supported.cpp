@@ -43,7 +43,7 @@ network::Neighbours neighbours_of(const network::Backbone& backbone) {
 
 } // namespace
 
-TEST_CASE("a grain is barely held by two contacts, or by three of which one is with such a grain") {
+TEST_CASE("a grain is weakly supported by two contacts, or by three with one to such a grain") {
   network::Neighbours neighbours = five_well_held();
   join(neighbours, 0, {1, 4});
   join(neighbours, 1, {5, 6});
@@ -57,7 +57,8 @@ TEST_CASE("a grain is barely held by two contacts, or by three of which one is w
   }
 }
 
-TEST_CASE("four contacts hold a grain barely if three are with grains of two, and well if two are") {
+TEST_CASE(
+    "four contacts support a grain weakly if three lead to grains of two contacts, and well if two do") {
   network::Neighbours neighbours = five_well_held();
   join(neighbours, 0, {1, 2, 3, 4});
   join(neighbours, 1, {5});
@@ -69,7 +70,7 @@ TEST_CASE("four contacts hold a grain barely if three are with grains of two, an
   CHECK_FALSE(network::WeaklySupported(neighbours).contains(0));
 }
 
-TEST_CASE("barely held grains come first in pieces of the first stage, whole clusters in one") {
+TEST_CASE("weakly supported grains come first in pieces of the first stage, whole clusters in one") {
   const network::Backbone backbone = network::load_bearing_network(samples::large_network(29, 0.26), {});
   REQUIRE(backbone.stages.size() == 3);
   const network::WeaklySupported weakly_supported(neighbours_of(backbone));
@@ -97,7 +98,7 @@ TEST_CASE("barely held grains come first in pieces of the first stage, whole clu
   CHECK(split == 0);
 }
 
-TEST_CASE("grains that count as barely held come first in pieces of the first stage") {
+TEST_CASE("grains that count as weakly supported come first in pieces of the first stage") {
   const packing::Assembly a = samples::large_network(28, 0.3);
   std::vector<bool> soft(a.grain_count());
   for (std::uint32_t g = 0; g < a.grain_count(); g += 40)

@@ -43,7 +43,7 @@ TEST_CASE("a lattice has its own coordination and no rattlers") {
   CHECK(m.contact_count == a.contacts.size());
 }
 
-TEST_CASE("contacts with walls hold grains, but are no contacts between grains") {
+TEST_CASE("contacts with walls support grains, but do not count as contacts between grains") {
   packing::Assembly a = clique_with_tail(5, 3);
   a.wall_contacts = {{.i = 7, .j = 2, .branch = {0.5, 0, 0}, .tangential_force = {}, .normal_stiffness = 1},
                      {.i = 6, .j = 2, .branch = {0.5, 0, 0}, .tangential_force = {}, .normal_stiffness = 1}};
@@ -81,7 +81,7 @@ TEST_CASE("rattlers go one after the other") {
   CHECK(none.contact_count == 0);
 }
 
-TEST_CASE("two grains joined by two contacts through the periodic cell hold each other with friction") {
+TEST_CASE("two grains joined by two contacts through the periodic cell support each other with friction") {
   packing::Assembly a = clique_with_tail(2, 0);
   a.contacts = {a.contacts[0], a.contacts[0]};
   a.contacts[1].branch = {-1, 0, 0};

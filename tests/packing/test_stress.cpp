@@ -26,7 +26,7 @@ TEST_CASE("contact forces of lattices under isotropic pressure") {
   check(samples::face_centred, std::sqrt(2) * radius * radius * p);
 }
 
-TEST_CASE("the chain of three spheres: stress and what is left unbalanced") {
+TEST_CASE("the chain of three spheres: stress and unbalanced forces") {
   const packing::Assembly a = samples::sphere_chain();
   const double fa = samples::chain_force_ab, fb = samples::chain_force_bc;
   const auto stress = contact_stress(a);

@@ -56,7 +56,7 @@ TEST_CASE("a chart becomes one well-formed SVG with its texts, and the same byte
   CHECK_FALSE(well_formed(picture.substr(0, picture.size() - 8)));
 }
 
-TEST_CASE("numbers that were asked for have their ticks, and round ones make room") {
+TEST_CASE("requested numbers have ticks, and round ones are omitted next to them") {
   Chart chart = chart_of({2.76, 34.47}, {587, 1003}, Scale::logarithmic);
   const auto labels = [&chart] { return texts(svg(chart), "x-label"); };
   CHECK(labels() == std::vector<std::string>{"5", "10", "20"});
@@ -162,7 +162,7 @@ TEST_CASE("any range gets at least two labels, in order and well-formed") {
   }
 }
 
-TEST_CASE("points stand where their numbers say, in the unit of the axis") {
+TEST_CASE("points are at their numbers, in the unit of the axis") {
   Chart chart = chart_of({0, 500e3, 1000e3}, {0, 1, 2});
   chart.x.unit = 1e3;
   chart.series[0].mark = Mark::line;
@@ -186,7 +186,7 @@ TEST_CASE("rows that cannot be drawn are left out, and the line has a gap there"
   CHECK(count(svg(chart), "<circle") == 1);
 }
 
-TEST_CASE("empty series and charts give axes alone, and one point is drawn") {
+TEST_CASE("empty series and charts give only axes, and one point is drawn") {
   for (const Scale scale : {Scale::linear, Scale::logarithmic}) {
     Chart chart = chart_of({}, {}, scale);
     CHECK(well_formed(svg(chart)));
@@ -207,7 +207,7 @@ TEST_CASE("empty series and charts give axes alone, and one point is drawn") {
   }
 }
 
-TEST_CASE("error bars are drawn where there is an error, and the axis holds them") {
+TEST_CASE("error bars are drawn if there is an error, and lie within the axis") {
   Chart chart = chart_of({1, 2, 3, 4}, {10, 10, 10, 10});
   chart.series[0].y_error = {10, 0, nothing, 5};
   const std::string picture = svg(chart);
@@ -380,7 +380,7 @@ TEST_CASE("charts side by side are as wide as all of them, as high as the highes
         std::max(attribute(svg(one), "width"), attribute(svg(two), "width")));
 }
 
-TEST_CASE("lines that lie on each other are drawn once, and the legend says so") {
+TEST_CASE("coinciding lines are drawn once, as stated by the legend") {
   using Texts = std::vector<std::string>;
   Chart chart = chart_of({1, 2, 3}, {10, 30, 20}); // 380 pixels for 20
   chart.series[0].name = "G_hh";

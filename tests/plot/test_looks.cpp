@@ -42,7 +42,7 @@ TEST_CASE("a colour may differ from the style, and a kind is listed once in grey
   CHECK(count(picture, "<circle") == 0);             // style 2 has diamonds
 }
 
-TEST_CASE("every colour stands out from its paper as text does, has a name, and none stands twice") {
+TEST_CASE("every colour has the contrast of text and a name, and none occurs twice") {
   const auto luminance = [](std::string_view colour) {
     const double weights[] = {0.2126, 0.7152, 0.0722};
     double sum = 0;
@@ -73,7 +73,7 @@ TEST_CASE("every colour stands out from its paper as text does, has a name, and 
   CHECK(std::string_view(palette[static_cast<std::size_t>(Colour::closed_form)].name) == "closed_form");
 }
 
-TEST_CASE("a slope triangle has the slope it says, and its text lies inside the picture") {
+TEST_CASE("a slope triangle has its labelled slope, and its text lies inside the picture") {
   Chart chart = chart_of({1, 100}, {1, 100}, Scale::logarithmic);
   chart.triangles = {{.x0 = 10, .x1 = 100, .y0 = 1, .slope = 0.5, .text = "s = 0.50"},
                      {.x0 = 10, .x1 = 100, .y0 = 1.01, .slope = 0.5, .text = "s = 0.51"}};
@@ -98,7 +98,7 @@ TEST_CASE("a slope triangle has the slope it says, and its text lies inside the 
   CHECK(std::abs(y[0] - y[1]) >= 15.9); // they would lie upon each other
 }
 
-TEST_CASE("a picture says what is seen in it: its finding, or where its series go") {
+TEST_CASE("a picture has a text description: its finding, or the ends of its series") {
   Chart chart = chart_of({1, 2}, {10, 30});
   chart.title = "Moduli";
   chart.series[0].name = "rung 2";

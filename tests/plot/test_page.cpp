@@ -49,7 +49,7 @@ TEST_CASE("a page is well-formed, carries all it needs, and asks for nothing fro
   }
 }
 
-TEST_CASE("a figure has its pictures, its caption and its files, and says which picture is which choice") {
+TEST_CASE("a figure has its pictures, its caption and its files, and labels each choice") {
   const std::string html = figure();
   CHECK(well_formed(html));
   CHECK(contains(html, "Moduli &lt;of all&gt;"));
@@ -60,7 +60,7 @@ TEST_CASE("a figure has its pictures, its caption and its files, and says which 
   CHECK(html.find("<svg") < html.find("<figcaption"));
 }
 
-TEST_CASE("numbers of a table stand to the right, and cells are escaped") {
+TEST_CASE("numbers of a table are right-aligned, and cells are escaped") {
   const std::string html = html_table({"what", "s"}, {{"cone & co", "0.5"}, {"-", "-0.1"}});
   CHECK(well_formed(html));
   CHECK(contains(html, "<th class=\"number\">s</th>"));
@@ -69,7 +69,7 @@ TEST_CASE("numbers of a table stand to the right, and cells are escaped") {
   CHECK(contains(html, "<td>-</td>")); // in a column of words
 }
 
-TEST_CASE("what is folded away stands under its title") {
+TEST_CASE("folded content is below its title") {
   CHECK(html_folded("Table <2>", html_paragraph("x")) ==
         "<details><summary>Table &lt;2&gt;</summary>\n<p>x</p>\n</details>\n");
 }

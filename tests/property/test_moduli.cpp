@@ -110,7 +110,7 @@ TEST_CASE("property: more contacts or more stress never make a packing softer") 
   }));
 }
 
-TEST_CASE("property: a half turn about any axis leaves a transversely isotropic stiffness as it is") {
+TEST_CASE("property: a half turn about any axis does not change a transversely isotropic stiffness") {
   CHECK(holds("half turns", [](const State& state) {
     const auto C = elastic::mandel(elastic::voigt(uniform_strain(state).stiffness));
     const double angle = test::between(0, 6.28);

@@ -99,7 +99,7 @@ TEST_CASE("contact cement: a published value") {
   CHECK(contact_cement(example(), CementScheme::at_contacts).bulk_modulus == relative(10.68e9, 5e-4));
 }
 
-TEST_CASE("contact cement: the discs hold the cement there is") {
+TEST_CASE("contact cement: the discs contain the given volume of cement") {
   // Between paraboloids of gap r^2/R a disc of radius a holds pi a^4/(2 R); half of it for each grain.
   const auto p = example();
   const double cement = 0.04 / 0.6; // by volume of the grains

@@ -95,7 +95,7 @@ TEST_CASE("hertz mindlin: pressures from 1e-300 to 1e12 Pa keep every digit") {
   }
 }
 
-TEST_CASE("hertz mindlin: what is outside the theory is noted, what cannot be is refused") {
+TEST_CASE("hertz mindlin: values outside the theory are noted, impossible ones refused") {
   CHECK_FALSE(hertz_mindlin(with(golden, &SpherePacking::coordination_number, 12.5)).validity.ok());
   // Moduli in GPa with a pressure in MPa.
   CHECK_FALSE(hertz_mindlin(with(golden, &SpherePacking::shear_modulus, 45)).validity.ok());

@@ -62,7 +62,7 @@ TEST_CASE("Wichtmann and Triantafyllidis: well graded sands are softer at the sa
   }
 }
 
-TEST_CASE("outside of the tests a law says so") {
+TEST_CASE("a law reports values outside of its tests") {
   const MeasuredLaw& law = measured_law("kokusho");
   CHECK(shear_modulus(law, {0.7, 98e3}).validity.ok());
   CHECK(shear_modulus(law, {0.5, 98e3}).validity.notes.size() == 1);
@@ -71,7 +71,7 @@ TEST_CASE("outside of the tests a law says so") {
   CHECK(shear_modulus(measured_law("wichtmann-triantafyllidis"), {0.2, 98e3, 30}).validity.notes.size() == 2);
 }
 
-TEST_CASE("what no sand can be is refused") {
+TEST_CASE("impossible sands are refused by a law") {
   for (const MeasuredLaw& law : measured_laws()) {
     CAPTURE(law.key);
     CHECK_THROWS_AS((void)shear_modulus(law, {0, 100e3}), InvalidArgument);

@@ -84,7 +84,7 @@ TEST_CASE("pooled law: stated factors, wider outside of the tests and never beyo
   CHECK(stated_factor({}, 0.7, 100e6) == 1.6);
 }
 
-TEST_CASE("pooled law: what lies outside of the tests is said") {
+TEST_CASE("pooled law: values outside of the tests are reported") {
   CHECK(outside_of_tests(uniform, 0.7, 100e3).ok());
   CHECK(outside_of_tests(uniform, 0.7, 0).ok());
   CHECK(outside_of_tests(uniform, 0.7, 500).ok()); // such stresses are in every ground: the range is wider
@@ -92,7 +92,7 @@ TEST_CASE("pooled law: what lies outside of the tests is said") {
   CHECK(outside_of_tests({.uniformity = 12, .d50 = 10e-3, .quartz = false}, 0.3, 5e6).notes.size() == 5);
 }
 
-TEST_CASE("Poisson's ratio of sands: 0.20 at 100 kPa, 0.05 less a decade, held at its ends") {
+TEST_CASE("Poisson's ratio of sands: 0.20 at 100 kPa, 0.05 less per decade, constant beyond its ends") {
   CHECK(poisson_ratio({}, 100e3).value == relative(0.20, ulps));
   CHECK(poisson_ratio({}, 1e6).value == relative(0.15, ulps));
   CHECK(poisson_ratio({}, 10e6).value == relative(0.10, ulps));
@@ -102,7 +102,7 @@ TEST_CASE("Poisson's ratio of sands: 0.20 at 100 kPa, 0.05 less a decade, held a
   CHECK(poisson_ratio({.uniformity = 5}, 100e3).deviation == 0.08);
 }
 
-TEST_CASE("pooled law: what no sand can be is refused") {
+TEST_CASE("pooled law: impossible sands are refused") {
   CHECK_THROWS_AS((void)G({}, 0, 100e3), InvalidArgument);
   CHECK_THROWS_AS((void)G({}, 3, 100e3), InvalidArgument);
   CHECK_THROWS_AS((void)G({}, 0.7, -1), InvalidArgument);

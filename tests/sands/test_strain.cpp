@@ -32,7 +32,7 @@ TEST_CASE("strain: the centre lies within 0.04 of the median of eight published 
     }
 }
 
-TEST_CASE("strain: at 0.01 % and 100 kPa the stated range holds 0.76 to 0.87, and 0.83") {
+TEST_CASE("strain: at 0.01 % and 100 kPa the stated range includes 0.76 to 0.87, and 0.83") {
   StrainedSand s = sand(1e-4, 100e3);
   s.sand.uniformity = 1.5;
   const StrainAnswer answer = strained(s);
@@ -71,7 +71,7 @@ TEST_CASE("strain: damping grows as G falls; small strain keeps 95 % from 50 kPa
   CHECK(strained(sand(small_strain, 50e3)).ratio > 0.95);
 }
 
-TEST_CASE("strain: notes where cycles matter and where laws end; what no strain can be is refused") {
+TEST_CASE("strain: notes if cycles matter or laws end; impossible strains are refused") {
   CHECK(strained(sand(1e-4, 100e3)).validity.ok());
   CHECK(strained(sand(1e-3, 100e3)).validity.notes.size() == 1);
   CHECK(strained(sand(1e-2, 100e3)).validity.notes.size() == 1);

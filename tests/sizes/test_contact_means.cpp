@@ -71,7 +71,7 @@ TEST_CASE("classes of a large sample make no difference to its means") {
   check_same(expected_contact_means(repeated), expected_contact_means(radii), 1e-4);
 }
 
-TEST_CASE("contacts drawn as the theory says have the expected means") {
+TEST_CASE("contacts drawn according to the theory have the expected means") {
   // 400 radii by classes; every pair counted in proportion to the product of both contact numbers.
   const Distribution sizes = Distribution::lognormal(0.35);
   const std::vector<double> radii = sample_radii(sizes, 400, 2);

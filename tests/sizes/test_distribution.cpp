@@ -105,7 +105,7 @@ TEST_CASE("moments known in closed form") {
   CHECK(two.size_ratio() == relative(1.4, 1e-15));
 }
 
-TEST_CASE("a lognormal keeps what its header says of its tails") {
+TEST_CASE("a lognormal has the tails stated in its header") {
   const Distribution cut = Distribution::lognormal(0.35), whole = Distribution::lognormal(0.35, 1e6);
   CHECK(cut.size_ratio() == relative(7.36, 1e-3));
   // Radii are relative to slightly different means.
@@ -129,7 +129,7 @@ TEST_CASE("a uniformity is met exactly, also where the tails are cut elsewhere")
   CHECK(Distribution::uniformity(2.5).size_ratio() == relative(std::pow(2.5, 2.52), 0.01));
 }
 
-TEST_CASE("a sieve curve passes through its points, and knows its sizes in metres") {
+TEST_CASE("a sieve curve passes through its points, and has sizes in metres") {
   const Distribution sizes = Distribution::sieve(sand);
   REQUIRE(sizes.mean_radius());
   const double mean = *sizes.mean_radius();
@@ -180,7 +180,7 @@ TEST_CASE("grains of a sample have the gradation of their distribution") {
   CHECK(three.d50 == 6);
 }
 
-TEST_CASE("what no distribution can be is refused by name") {
+TEST_CASE("impossible distributions are refused by name") {
   using D = Distribution;
   CHECK_THROWS_WITH_AS((void)D::bidisperse(0.5), "bidisperse size ratio = 0.5 is outside [1, 1000]",
                        InvalidArgument);

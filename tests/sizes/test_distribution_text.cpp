@@ -11,7 +11,7 @@
 using namespace granum;
 using namespace granum::sizes;
 
-TEST_CASE("what a distribution writes is read back as the same") {
+TEST_CASE("the text of a distribution is read back as the same") {
   for (const char* text :
        {"equal", "bidisperse:1.4:0.5", "uniform:1:3", "lognormal:0.35", "lognormal:0.35:5",
         "power-law:3.5:10", "uniformity:2.5", "uniformity:2.5:8", "sieve:6.3e-05m=0:0.0002m=0.31:0.001m=1"}) {

@@ -37,7 +37,7 @@ double summed_weight(const Ground& g, double depth) {
 
 } // namespace
 
-TEST_CASE("total stress is the weight above, and effective stress what the water does not bear") {
+TEST_CASE("total stress is the weight above, and effective stress the part not carried by water") {
   for (const double depth : {0.0, 0.5, 2.0, 3.0, 12.0, 30.0}) {
     const GroundStress at = stress_at(sand, depth);
     CAPTURE(depth);
@@ -67,7 +67,7 @@ TEST_CASE("stress is continuous at the water table and grows there by the buoyan
   CHECK(stress_at(sand, 1).pore_pressure == 0);
 }
 
-TEST_CASE("what the grains bear does not depend on how high water stands above the ground") {
+TEST_CASE("effective stress does not depend on the water level above the ground") {
   Ground shallow = sand, deep = sand;
   shallow.water_table = 0;
   deep.water_table = -50;

@@ -21,7 +21,7 @@ double end_of(ShearPath path) { return is_compression(path) ? 1 : -0.75; }
 
 } // namespace
 
-TEST_CASE("each path holds its stress to the bit and arrives at its stress ratio") {
+TEST_CASE("each path keeps its constant stress to the bit and reaches its stress ratio") {
   for (const ShearPath path : all_shear_paths)
     for (const double share : {0.05, 0.3, 0.7, 1.0}) {
       CAPTURE(name(path));

@@ -69,7 +69,7 @@ TEST_CASE(
     CHECK(sentence.ends_with("."));
 }
 
-TEST_CASE("what was not run is not answered") {
+TEST_CASE("parts that were not run have no result") {
   CHECK(compression_answer({compression(Shape::cone, Density::dense, 0.5)}).size() == 2);
   std::vector<Compression> all = both();
   all[1].exponent = {};

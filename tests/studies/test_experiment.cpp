@@ -70,7 +70,7 @@ void check_same(const Experiment& a, const Experiment& b) {
 
 } // namespace
 
-TEST_CASE("an experiment compresses, shears, and freezes where the scene says") {
+TEST_CASE("an experiment compresses, shears, and freezes according to the scene") {
   Scene scene = small_scene();
   scene.shear.inertial_number = 2e-4; // the servos hold the other stress the better, the slower the path
   const Experiment experiment = run_experiment(scene);
@@ -116,7 +116,7 @@ TEST_CASE("an experiment compresses, shears, and freezes where the scene says") 
   }
 }
 
-TEST_CASE("what an experiment keeps of a frozen state agrees: probes, cycles, histograms and its network") {
+TEST_CASE("stored results of a frozen state are consistent: probes, cycles, histograms and its network") {
   const Experiment experiment = run_experiment(small_scene());
   {
     // Probes agree with the networks.
@@ -180,7 +180,7 @@ TEST_CASE("an experiment is the same bits on one and on two threads, and with ch
   check_same(one, run_experiment(scene, {}, {.folder = folder.path(), .scene_text = "scene"}));
 }
 
-TEST_CASE("an experiment that is stopped again and again goes on to the same bits") {
+TEST_CASE("an experiment that is stopped repeatedly continues to the same bits") {
   const Experiment whole = run_experiment(small_scene());
   const TemporaryFolder folder;
   const CheckpointFolder checkpoints{.folder = folder.path(), .scene_text = "scene"};
@@ -306,7 +306,7 @@ TEST_CASE("a scene that no experiment can have is refused") {
   CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
 }
 
-TEST_CASE("experiment: between walls as many grains as leave some inside, said before anything runs") {
+TEST_CASE("experiment: between walls too few interior grains are reported before the run") {
   Scene scene = small_scene();
   scene.specimen.walls = true;
   scene.study.grains = 153; // of the densest packing in a box of ten radii: 1000/(4/3 pi 1.55) = 154.02

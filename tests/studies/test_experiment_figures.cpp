@@ -81,7 +81,7 @@ TEST_CASE("every figure of the paper is drawn in its order, with a panel for eac
   CHECK(assembly_picture(synthetic::experiment())->stem == "fig03_sphere_dense");
 }
 
-TEST_CASE("pictures are well-formed and free of what is no number") {
+TEST_CASE("pictures are well-formed and contain no NaN") {
   for (const Figure& figure : experiment_figures(synthetic::experiment()))
     for (const Panel& panel : figure.panels) {
       CAPTURE(panel.stem);
@@ -95,7 +95,7 @@ TEST_CASE("pictures are well-formed and free of what is no number") {
     }
 }
 
-TEST_CASE("every series of every figure says what its colour stands for, or is grey") {
+TEST_CASE("every series of every figure has a colour with a meaning, or is grey") {
   for (const Figure& figure : experiment_figures(synthetic::experiment()))
     for (const Panel& panel : figure.panels)
       for (std::size_t k = 0; k < panel.chart.series.size(); ++k) {
@@ -184,7 +184,7 @@ TEST_CASE("curves and paths show stresses and strains of the experiment") {
     CHECK(path.y[k] == relative(-1.5 * (path.x[k] - 100e3), 1e-10));
 }
 
-TEST_CASE("exponents stand beside the printed ones") {
+TEST_CASE("exponents are shown next to the printed ones") {
   const Experiment experiment = synthetic::experiment();
   const Panel panel = find_panel(experiment, "fig15_loose");
   const plot::Series ours = find_series(panel, "G_hv granum"), paper = find_series(panel, "G_hv paper");
@@ -241,7 +241,7 @@ TEST_CASE("microstructure carries its errors on some of its points") {
   CHECK(z.y_error.empty());
 }
 
-TEST_CASE("relaxation holds all states of all seeds over the calibrated curve") {
+TEST_CASE("the relaxation figure contains all states of all seeds and the calibrated curve") {
   Experiment experiment = synthetic::experiment();
   experiment.scene.study.seeds = 2;
   experiment.specimens.push_back(dense_sphere(experiment)); // a second seed
@@ -261,7 +261,7 @@ TEST_CASE("relaxation holds all states of all seeds over the calibrated curve") 
   CHECK(experiment_figures(experiment).front().caption.find("first of 2 specimens") != std::string::npos);
 }
 
-TEST_CASE("an experiment with parts missing gives what it can") {
+TEST_CASE("an experiment with missing parts gives partial results") {
   Experiment experiment = synthetic::experiment();
   // Dense cones never compressed, loose ones have no paths, dense spheres no closed forms and no probes.
   experiment.specimens[0].end_of_iso = {};

@@ -145,7 +145,7 @@ TEST_CASE("flat contacts: G constant is claimed of dense specimens, and not of l
   CHECK(verdict(changing, "loose flat #1: G not constant").holds);
 }
 
-TEST_CASE("G_vh = G_hv is judged by probes up to 0.9 of the peak") {
+TEST_CASE("G_vh = G_hv is checked by probes up to 0.9 of the peak") {
   Experiment experiment = synthetic_experiment(one_kind());
   const auto judged = [&] { return verdict(experiment_verdicts(experiment), "G_vh = G_hv").holds; };
   CHECK(judged());
@@ -169,7 +169,7 @@ TEST_CASE("tables as text and CSV show ours, the error, the printed number, and 
   CHECK(table_text("x", {}) == "x\n  no measurements\n");
 }
 
-TEST_CASE("a cell whose standard error is larger than the reach decides nothing, near or far") {
+TEST_CASE("a cell whose standard error exceeds the tolerance is undecided, near or far") {
   Cell cell{.quantity = "s of G_hv", .ours = {0.5, 0.02}, .printed = 0.53, .reach = 0.04};
   CHECK(cell.agreement() == Agreement::within);
   cell.ours.value = 0.6;
@@ -187,7 +187,7 @@ TEST_CASE("a cell whose standard error is larger than the reach decides nothing,
   CHECK(cell.agreement() == Agreement::not_asked);
 }
 
-TEST_CASE("a claim of Table 5 does not hold where its exponents are too uncertain to tell") {
+TEST_CASE("a claim of Table 5 is not confirmed if its exponents are too uncertain") {
   Experiment experiment = synthetic_experiment(one_kind());
   const auto claim = [&] {
     return verdict(experiment_verdicts(experiment), "Table 5, dense: s within").holds;
@@ -205,7 +205,7 @@ TEST_CASE("a claim of Table 5 does not hold where its exponents are too uncertai
   CHECK_FALSE(claim());
 }
 
-TEST_CASE("CSV of states has a row for each frozen state and an empty cell for what was not measured") {
+TEST_CASE("CSV of states has a row for each frozen state and empty cells for missing measurements") {
   Experiment experiment = synthetic_experiment(one_kind());
   experiment.specimens[0].runs[0].points[0].probes.reset();
   std::size_t points = 0, curve = 0;

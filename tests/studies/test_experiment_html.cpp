@@ -89,7 +89,7 @@ TEST_CASE("the files of the first pictures are among the report's panels") {
   CHECK(panels[5].stem == "relaxation");
 }
 
-TEST_CASE("a finding that the paper sees otherwise differs, and a check of granum holds or fails") {
+TEST_CASE("a result that contradicts the paper differs, and a check of granum passes or fails") {
   Experiment experiment = synthetic::experiment();
   const std::vector<Verdict> verdicts = experiment_verdicts(experiment);
   CHECK(!differing_findings(verdicts).empty()); // C_n of the loose specimens
@@ -106,7 +106,7 @@ TEST_CASE("a finding that the paper sees otherwise differs, and a check of granu
   CHECK(report(experiment).find("FAILS: G_vh = G_hv") != std::string::npos);
 }
 
-TEST_CASE("a report sets ours with its error beside the printed number") {
+TEST_CASE("a report shows our number with its error next to the printed one") {
   const Experiment experiment = synthetic::experiment();
   const std::string html = report(experiment);
   // Dense cones: C_n = 6 +- 0.05, the paper has 5.90, which is within 0.4, as is asked for.
@@ -121,7 +121,7 @@ TEST_CASE("a report sets ours with its error beside the printed number") {
   CHECK(loose.find(">no<") != std::string::npos);
 }
 
-TEST_CASE("a report tells what was left out, with markup escaped") {
+TEST_CASE("a report lists omitted parts, with markup escaped") {
   Experiment experiment = synthetic::experiment();
   CHECK(report(experiment).find("Nothing: every path ran to its end") != std::string::npos);
   experiment.specimens[4].runs[1].failure = "stress < 0 & \"unstable\"";

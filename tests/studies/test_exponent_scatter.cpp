@@ -63,7 +63,7 @@ TEST_CASE("the scatter of s is that of the recorded seeds") {
       }
 }
 
-TEST_CASE("two stated errors of s hold 19 of 20 specimens that the scatter was not taken from") {
+TEST_CASE("two stated errors of s cover 19 of 20 specimens not used for the scatter") {
   int within_one = 0, within_two = 0, all = 0;
   for (const Shape contact : {Shape::cone, Shape::sphere, Shape::flat})
     for (const Density density : {Density::dense, Density::loose})

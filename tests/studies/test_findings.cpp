@@ -149,7 +149,7 @@ TEST_CASE("with f(e) the exponent is that at constant void ratio") {
   CHECK(row.network->value > 0.31); // densification counts as stress
 }
 
-TEST_CASE("one seed: what is known of the scatter, or the regression error where that is larger") {
+TEST_CASE("one seed: the known scatter, or the regression error if larger") {
   const double known =
       exponent_scatter(Shape::sphere, Density::dense, ExponentRoute::network, sphere_scene().study.grains)
           .deviation;
@@ -160,7 +160,7 @@ TEST_CASE("one seed: what is known of the scatter, or the regression error where
   CHECK(error() > 2 * known);
 }
 
-TEST_CASE("several seeds: the mean, and their scatter pooled with what is known") {
+TEST_CASE("several seeds: the mean, and their scatter pooled with the known scatter") {
   const std::vector<SpecimenResult> study{sphere(Density::dense, 0.30, 1), sphere(Density::dense, 0.34, 2),
                                           sphere(Density::dense, 0.38, 3)};
   const Measured s = exponents(sphere_scene(), study).front().network.value();
@@ -227,7 +227,7 @@ TEST_CASE("relaxation curve: a cubic is met, a deviation from it is measured") {
   CHECK_FALSE(relaxation_curve({}).has_value());
 }
 
-TEST_CASE("a sound study bears every claim out") {
+TEST_CASE("a correct study confirms every claim") {
   const std::vector<Verdict> all = verdicts(sphere_scene(), sound_study());
   CHECK(all.size() == 9);
   for (const Verdict& verdict : all) {
@@ -329,7 +329,7 @@ TEST_CASE(
       CHECK(verdict.measured.ends_with("; 1 stable by forces only, left out"));
 }
 
-TEST_CASE("verdict on what came to rest: three quarters, and the others by name") {
+TEST_CASE("verdict on specimens at rest: three quarters, and the others by name") {
   const char* claim = "three quarters of the states";
   std::vector<SpecimenResult> study = sound_study(); // 8 states with probes
   study[1].left_out = {"10 kPa: a probe did not come to rest"};
@@ -370,7 +370,7 @@ TEST_CASE("a specimen that ended early is a claim that fails, by its name and re
   CHECK_FALSE(last.finding);
 }
 
-TEST_CASE("what was stopped is not judged, nor is s of a part of a path") {
+TEST_CASE("stopped specimens have no verdict, nor has s of a partial path") {
   std::vector<SpecimenResult> study = sound_study();
   study[1].failure = "stopped on request";
   bool of_dense = false;

@@ -44,7 +44,7 @@ TEST_CASE("moduli of a stiffness are those of the nearest isotropic and transver
   CHECK(same.G == relative(m.G, 1e-14));
 }
 
-TEST_CASE("a stress is set beside the code's own, but for what that has as zero") {
+TEST_CASE("a stress is compared with that of the code, except for zero components") {
   FrameAnswer frame;
   CHECK_FALSE(largest_stress_difference(frame));
   frame.measured.packing.stress.emplace();

@@ -31,7 +31,7 @@ std::vector<MeasuredModulus> states(double m, double n, double step, int count =
 
 } // namespace
 
-TEST_CASE("frame series: states of one stress ratio give s alone, those of several m and n as well") {
+TEST_CASE("frame series: states of one stress ratio give only s, those of several also m and n") {
   const studies::SeriesFit iso = fit_series(states(0.2, 0.25, 0));
   REQUIRE(iso.sum);
   CHECK(iso.sum->exponent_sum.value == relative(0.45, 1e-10));
@@ -49,7 +49,7 @@ TEST_CASE("frame series: states of one stress ratio give s alone, those of sever
   CHECK(sheared.separate->exponent_j->value == relative(0.25, 1e-9));
 }
 
-TEST_CASE("frame series: what cannot be fitted says why") {
+TEST_CASE("frame series: the reason is reported if no fit is possible") {
   CHECK(fit_series({}).remark == "exponents need at least 3 states");
   CHECK(fit_series(states(0.2, 0.2, 0, 2)).remark == "exponents need at least 3 states");
   std::vector<MeasuredModulus> alike = states(0.2, 0.2, 0, 1);

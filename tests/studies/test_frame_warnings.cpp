@@ -55,7 +55,7 @@ TEST_CASE("frame warnings: a specimen at rest has none") {
   CHECK(studies::measure_frame(through_csv(specimen()), given_modulus, wanted()).warnings.empty());
 }
 
-TEST_CASE("frame warnings: few digits are judged by what they leave of the overlaps") {
+TEST_CASE("frame warnings: few digits are reported by their effect on the overlaps") {
   std::vector<double> overlaps;
   for (const packing::Contact& c : specimen().contacts)
     overlaps.push_back(c.overlap);
@@ -140,7 +140,7 @@ TEST_CASE("frame warnings: another law, another material") {
   CHECK(warns(through_dump(specimen()), "forces are 1.5 times those of the given law", soft));
 }
 
-TEST_CASE("frame warnings: walls that stand among the grains") {
+TEST_CASE("frame warnings: walls among the grains") {
   const auto large = changed([](packing::Assembly& a) {
     a.position.push_back({0, 0, 0});
     a.radius.push_back(0.1);
@@ -224,7 +224,7 @@ TEST_CASE("frame warnings: a network that was given too few iterations") {
               wanted(network::ResponseOptions{.iteration_limit = 1})));
 }
 
-TEST_CASE("frame warnings: forces that matter beside the stiffness of the contacts") {
+TEST_CASE("frame warnings: forces that matter compared with the stiffness of the contacts") {
   const char* words = "change a shear modulus by";
   CHECK_FALSE(warns(through_csv(specimen()), words, given_modulus, wanted(network::ResponseOptions{})));
   const Given soft{.grain_shear_modulus = specimen_grain.shear_modulus / 1000}; // for the same forces

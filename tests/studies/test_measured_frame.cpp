@@ -75,7 +75,7 @@ TEST_CASE("frame: granum's own specimen through CSV and through a dump is the sp
   check_same(measure_frame(through_dump(own), known).packing, own);
 }
 
-TEST_CASE("frame: a packing between walls bears the engine's stress, out of text and of VTK's XML") {
+TEST_CASE("frame: a packing between walls has the engine's stress, from text and from VTK's XML") {
   triaxial::SpecimenRecipe recipe = specimen_recipe(50e3, 60);
   recipe.wall_friction = 0.3;
   const dem::Specimen state = states_at({50e3}, recipe).front();
@@ -117,7 +117,7 @@ TEST_CASE("frame: G_g comes out of the forces where it is not given, and the clo
   CHECK(given.law_check->alpha->value == relative(2, 1e-8));
 }
 
-TEST_CASE("frame: the closed forms are asked what was measured") {
+TEST_CASE("frame: the closed forms use the measured inputs") {
   const MeasuredFrame frame = measure_frame(through_csv(specimen()), known);
   CHECK(frame.warnings.empty());
   const analysis::Measurement& a = frame.packing;
@@ -237,7 +237,7 @@ TEST_CASE("frame: without contacts, or without forces, the rest is still there")
       1e-8 * geometry.network->response.relaxed().matrix.norm());
 }
 
-TEST_CASE("frame: a table of contacts alone gives fabric and forces") {
+TEST_CASE("frame: a table with only contacts gives fabric and forces") {
   io::ContactTable table;
   table.normal = fabric::sample_normals(0.3, 20000, 1);
   CHECK(measure_frame(table).warnings.empty());

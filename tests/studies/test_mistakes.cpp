@@ -45,7 +45,7 @@ io::ImportedPacking rescaled(double lengths, double radii) {
 
 } // namespace
 
-TEST_CASE("mistakes: a good packing has none, whatever its unit of length") {
+TEST_CASE("mistakes: a good packing has none, in any unit of length") {
   CHECK(studies::measure_frame(rescaled(1, 1), {}, wanted_of_mistakes()).warnings.empty());
   CHECK(studies::measure_frame(rescaled(10, 1), {.grain_shear_modulus = 30e9}, wanted_of_mistakes())
             .warnings.size() == 1);

@@ -36,13 +36,13 @@ struct Refused {
 
 } // namespace
 
-TEST_CASE("the default scene is valid, and so is each contact alone") {
+TEST_CASE("the default scene is valid, and so is each single contact law") {
   CHECK(refusal([](Scene&) {}).empty());
   for (const Shape shape : {Shape::cone, Shape::sphere, Shape::flat, Shape::power_law})
     CHECK(refusal([&](Scene& s) { s.study.contacts = {shape}; }).empty());
 }
 
-TEST_CASE("the edges of what is allowed are allowed") {
+TEST_CASE("the ends of the allowed ranges are allowed") {
   CHECK(refusal([](Scene& s) { s.study.grains = 40; }).empty());
   CHECK(refusal([](Scene& s) { s.grain.poisson_ratio = 0.5; }).empty());
   CHECK(refusal([](Scene& s) { s.grain.friction_angle = 0; }).empty());
@@ -141,7 +141,7 @@ TEST_CASE("each value that no study can have is refused by its name") {
   }
 }
 
-TEST_CASE("the contact laws are those the scene says") {
+TEST_CASE("the contact laws are those of the scene") {
   Scene scene;
   scene.contact.numbers = {{"alpha", 3}, {"profile_constant", 5e6}};
   const contact::GrainMaterial grain{scene.grain.shear_modulus, scene.grain.poisson_ratio};

@@ -24,7 +24,7 @@ SceneBuilder builder(SceneCommand command = SceneCommand::verify) { return {comm
 
 } // namespace
 
-TEST_CASE("a scene holds its defaults and the keys that were set") {
+TEST_CASE("a scene contains its defaults and the given keys") {
   SceneBuilder scene = builder();
   scene.set("study.grains", "300");
   scene.set_listed("grain.radius", "0.25mm");
@@ -33,7 +33,7 @@ TEST_CASE("a scene holds its defaults and the keys that were set") {
   CHECK(scene.finished().study.seeds == Scene{}.study.seeds);
 }
 
-TEST_CASE("a key that the command would ignore is refused, in a list unless it stands at its default") {
+TEST_CASE("a key that the command would ignore is refused, in a list unless it has its default") {
   for (const SceneKey& key : scene_keys()) {
     if (key.taken_by(SceneCommand::verify))
       continue;
@@ -68,7 +68,7 @@ TEST_CASE("a key without effect is refused in the end") {
   CHECK(scene.finished().contact.numbers.at("cone_slope") == 0.3);
 }
 
-TEST_CASE("what had an effect within its list may lose it to a key that was set by itself") {
+TEST_CASE("a key with an effect in its list may lose it to a key given separately") {
   SceneBuilder scene = builder();
   scene.set_listed("contact.cone_slope", "0.3", 7);
   scene.end_list();

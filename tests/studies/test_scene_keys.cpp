@@ -71,7 +71,7 @@ TEST_CASE("keys have names, meanings and takers, each name once and in its secti
   CHECK_THROWS_AS((void)scene_key(""), InvalidArgument);
 }
 
-TEST_CASE("what a key gives, it takes, to the bit") {
+TEST_CASE("the text of a key is read back to the bit") {
   Scene changed;
   changed.grain.radius = 0.1e-3 * std::sqrt(2.0);
   changed.grain.friction_angle = 1.0 / 3;
@@ -147,7 +147,7 @@ TEST_CASE("each command takes the keys that it uses") {
   }
 }
 
-TEST_CASE("a key without effect names what it is missing") {
+TEST_CASE("a key without effect names the missing condition") {
   const auto missing = [](const char* key, const Scene& scene) { return scene_key(key).missing(scene); };
   Scene scene;
   CHECK(missing("contact.cone_slope", scene).empty());
@@ -165,7 +165,7 @@ TEST_CASE("a key without effect names what it is missing") {
   CHECK(missing("shear.eta_step", scene) == "a path in shear.paths");
 }
 
-TEST_CASE("examples/scene.toml is what the table says") {
+TEST_CASE("examples/scene.toml agrees with the table") {
   const std::string expected = commented_default_toml();
   std::ofstream(GRANUM_SCENE_OF_TABLE) << expected;
   INFO("copy " GRANUM_SCENE_OF_TABLE " to examples/scene.toml");

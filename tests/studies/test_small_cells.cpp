@@ -168,7 +168,7 @@ TEST_CASE("small cells: contacts of a pair through several images come out of fi
   CHECK_FALSE(through_csv(own).has(io::Finding::duplicated));
 }
 
-TEST_CASE("small cells: what is measured of the files is what the replica has") {
+TEST_CASE("small cells: the files and their replica have the same measurements") {
   const packing::Assembly own = two_grains();
   const analysis::Given known{.grain_shear_modulus = quartz.shear_modulus};
   const analysis::Measurement file = studies::measure_frame(through_csv(own), known).packing;
@@ -195,7 +195,7 @@ TEST_CASE("small cells: equal images are taken one after the other, and rows bey
   CHECK(repeated.has(io::Finding::duplicated));
 }
 
-TEST_CASE("small cells: rows that lead to no image, or say two forces of one, are refused") {
+TEST_CASE("small cells: rows without an image, or with two forces for one contact, are refused") {
   packing::Assembly own = upright();
   own.contacts[3].branch *= 1.1;
   CHECK_THROWS_WITH((void)through_dump(own), doctest::Contains("does not fit the positions"));

@@ -129,7 +129,7 @@ TEST_CASE("the same bits with any number of threads") {
   CHECK(bits_of(two) == bits_of(one));
 }
 
-TEST_CASE("another seed is another specimen, and the same one wherever it stands") {
+TEST_CASE("another seed is another specimen, at any place in the list") {
   Scene scene = smaller_scene();
   scene.study.densities = {Density::dense};
   scene.study.seeds = 2;
@@ -142,7 +142,7 @@ TEST_CASE("another seed is another specimen, and the same one wherever it stands
   CHECK(bits_of({run_study(scene).front()}) == bits_of({both[1]}));
 }
 
-TEST_CASE("a stop before the first state leaves specimens that say so") {
+TEST_CASE("a stop before the first state is reported by the specimens") {
   Scene scene = smaller_scene();
   scene.study.seeds = 2;
   std::atomic<bool> stop = false;
@@ -190,7 +190,7 @@ TEST_CASE("a stop after the last state spoils nothing") {
   CHECK(study.at(0).states.size() == 3);
 }
 
-TEST_CASE("a specimen that cannot be made fails alone, and throws nothing") {
+TEST_CASE("a specimen that cannot be made fails separately, and throws nothing") {
   Scene scene = smaller_scene();
   scene.specimen.unjamming_strain = 1e-9; // the loose one stays jammed
   scene.specimen.agitation = 0;

@@ -61,7 +61,7 @@ TEST_CASE("states_csv reads back to the same bits") {
     }
 }
 
-TEST_CASE("each figure stands in its own column") {
+TEST_CASE("each number is in its own column") {
   SpecimenResult specimen = test::power_law_specimen(Shape::cone, Density::dense, 1, 0.3, {100e3});
   CompressedState& s = specimen.states[0];
   // In the order of the headings after contact, density and seed.
@@ -103,7 +103,7 @@ TEST_CASE("each figure stands in its own column") {
   CHECK(contains(states_csv(scene_of_study(), {specimen}), ",20,,,,,25,"));
 }
 
-TEST_CASE("exponents_csv reads back, and what is missing is empty") {
+TEST_CASE("exponents_csv is read back, with empty cells for missing values") {
   const std::vector<ExponentRow> rows = exponents(scene_of_study(), study());
   const std::string csv = exponents_csv(rows);
   const io::CsvTable table("exponents.csv", csv);

@@ -126,7 +126,7 @@ void check_probes_and_walls() {
 
 } // namespace
 
-TEST_CASE("a trade study has every value of every varied quantity, whole, and knows what each cost") {
+TEST_CASE("a trade study contains every value of every varied quantity, complete, with its cost") {
   check_that_it_is_whole();
   // A default specimen is that of granum verify, to the bit, and the same at the default of every quantity.
   check_against_verify(small_trade().scene, of(Varied::grains, 100));
@@ -184,7 +184,7 @@ TEST_CASE("a trade study gives the same bits with any number of threads") {
   }
 }
 
-TEST_CASE("a stop keeps what is finished and marks the rest") {
+TEST_CASE("a stop keeps finished samples and marks the rest") {
   TradeScene trade = small_trade();
   trade.scene.study.threads = 1;
   std::atomic<bool> stop = false;
@@ -221,7 +221,7 @@ TEST_CASE("every size has about as many grains in all, and two specimens at leas
   CHECK(specimens_of(trade, 16000) == 2);
 }
 
-TEST_CASE("a budget cuts the largest sizes, and says what would be enough") {
+TEST_CASE("a budget cuts the largest sizes, and reports the sufficient budget") {
   TradeScene full = default_trade();
   full.grains = full_trade().grains;
   // Whatever this machine's speed is and whatever else it does: the speed is given.

@@ -141,7 +141,7 @@ TEST_CASE("failed samples are counted, and the first is named with its reason") 
         "3 of 4 samples failed and are left out; the first, grains 250, dense, seed 2: a third");
 }
 
-TEST_CASE("what a specimen is off by: bias and scatter where the packing changes, else the bias") {
+TEST_CASE("error of a specimen: bias and scatter if the packing changes, else the bias") {
   TradeRow row;
   row.shear_modulus = Deviation{.bias = -0.03, .scatter = 0.04};
   CHECK(error_of(row) == relative(0.05, 1e-15));

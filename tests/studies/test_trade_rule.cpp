@@ -131,7 +131,7 @@ TEST_CASE("errors add in squares, biases with their signs") {
   CHECK_THROWS_AS((void)expected_error(law, 100, 1, -1e-3), InvalidArgument);
 }
 
-TEST_CASE("a recipe keeps the error that it was asked for, and does not waste") {
+TEST_CASE("a recipe meets the required error without waste") {
   for (const ErrorLaw& law :
        {ErrorLaw{.size = {0.4, -3, 0.5}, .rate = {20, 1}}, ErrorLaw{.size = {1.5, 20, 2}, .rate = {-60, 9}}})
     for (const double error : {0.003, 0.01, 0.05})

@@ -97,7 +97,7 @@ TEST_CASE("window: depth counts from the highest grain with a contact") {
                        doctest::Contains("--depth needs contacts"), InvalidArgument);
 }
 
-TEST_CASE("window: what lies beyond the grains, or has no width, is refused") {
+TEST_CASE("window: a window beyond the grains, or without width, is refused") {
   const auto refused = [](double low, double high, std::size_t axis, const char* words) {
     WindowChoice choice;
     choice.low[axis] = low;

@@ -35,7 +35,7 @@ struct Recorded {
 
 } // namespace
 
-TEST_CASE("one thread takes jobs by the cost of what waits for them") {
+TEST_CASE("one thread takes jobs by the cost of the jobs that wait for them") {
   Recorded recorded;
   recorded.add(1);    // 0: 1 + 5 = 6
   recorded.add(2);    // 1: 2 + 7 + 4 = 13

@@ -183,7 +183,7 @@ TEST_CASE("freezing takes far fewer steps than drag alone, to the same stress an
   CHECK(G_hh(frozen.state()) == relative(G_hh(engine.state()), 1e-3));
 }
 
-TEST_CASE("a frozen state that is not at rest is there by its other name alone") {
+TEST_CASE("a frozen state that is not at rest is available only by its other name") {
   FrozenState frozen;
   frozen.force_tolerance = 1e-8;
   frozen.report.unbalanced_force_ratio = 1.1e-6;

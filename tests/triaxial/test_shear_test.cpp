@@ -120,7 +120,7 @@ TEST_CASE("snapshots come at each multiple of eta, in order, before the peak") {
   }
 }
 
-TEST_CASE("work: what the boundaries put in is stored or dissipated, and dissipation never falls") {
+TEST_CASE("work: the work of the boundaries is stored or dissipated, and dissipation never decreases") {
   for (const ShearPath path : {ShearPath::txc, ShearPath::txe}) {
     CAPTURE(name(path));
     const std::vector<Point> points = run(options_of(path));

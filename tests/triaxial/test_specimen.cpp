@@ -31,7 +31,7 @@ double coordination(const packing::Assembly& assembly) {
 
 } // namespace
 
-TEST_CASE("a frictionless specimen stands at its first pressure just above the isostatic coordination") {
+TEST_CASE("a frictionless specimen at its first pressure is just above the isostatic coordination") {
   const SpecimenRecipe recipe = small_recipe();
   const FrictionlessPacking preparation = frictionless_specimen(recipe);
   CHECK(preparation.last.converged);

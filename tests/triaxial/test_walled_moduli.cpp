@@ -173,7 +173,8 @@ TEST_CASE("between walls without tangential forces: the same but for the prestre
   }
 }
 
-TEST_CASE("normal stresses held by servos while walls tilt: the network's modulus at held stress") {
+TEST_CASE(
+    "normal stresses kept constant by servos while walls tilt: the network's modulus at constant stress") {
   for (const Density density : {Density::dense, Density::loose}) {
     CAPTURE(density == Density::dense);
     const dem::Specimen& state = specimen(density);

@@ -51,7 +51,7 @@ const dem::Specimen& specimen() {
 
 } // namespace
 
-TEST_CASE("a specimen between walls: the walls bear the pressure, and so does its interior") {
+TEST_CASE("a specimen between walls: the walls carry the pressure, and so does its interior") {
   const dem::Engine engine(specimen(), material);
   for (int axis = 0; axis < 3; ++axis) {
     CHECK(engine.figures().boundary_stress[axis] == relative(pressure, 2e-5));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings live in the address: whoever opens it sees the same sliders.  #step=3&... begins at a step; ?only=step3 shows
-// it alone, as in the frame of another page.
+// Settings are stored in the address: it opens with the same sliders.  #step=3&... opens at a step; ?only=step3 shows
+// only this step, as in the frame of another page.
 "use strict";
 
 const address = {
@@ -23,7 +23,7 @@ const address = {
     try {
       history.replaceState(null, "", hash);
     } catch {
-      // a frame without an address of its own
+      // a frame without its own address
     }
   },
   /// The address of this page with the values whose key begins with `start`, and with more.
@@ -33,10 +33,10 @@ const address = {
     return `${location.href.split("#")[0]}#${chosen}`;
   },
 };
-// Another address in the same tab is another setting; a place of this page is not.
+// Another address in the same tab is another setting; an anchor of this page is not.
 addEventListener("hashchange", () => document.getElementById(location.hash.slice(1)) ?? location.reload());
 
-/// A line of text with {names} filled in; a name without a value is a brace of a formula and stays.
+/// A line of text with {names} replaced by values; a name without a value is part of a formula and unchanged.
 const filled = (text, values) => text.replace(/\{(\w+)\}/g, (all, name) => values[name] ?? all);
 
 /// An element with attributes and children.
@@ -50,9 +50,9 @@ function element(tag, attributes = {}, ...children) {
   return made;
 }
 
-/// A slider with its name before it and its value, with the unit, behind.
-function slider({ id, name, min, max, step, value, unit, said = (number) => written(number), change }) {
-  const withUnit = (number) => `${said(number)}${unit ? ` ${unit}` : ""}`;
+/// A slider between its name and its value with the unit.
+function slider({ id, name, min, max, step, value, unit, format = (number) => written(number), change }) {
+  const withUnit = (number) => `${format(number)}${unit ? ` ${unit}` : ""}`;
   const shown = element("output", { for: id, "aria-live": "off" }, withUnit(value));
   const input = element("input", { type: "range", id, min, max, step, value, "aria-valuetext": withUnit(value), oninput: () => {
     const number = Number(input.value);
@@ -63,7 +63,7 @@ function slider({ id, name, min, max, step, value, unit, said = (number) => writ
   return element("div", { class: "control" }, element("label", { for: id }, ...worded(name)), shown, input);
 }
 
-/// A button that copies a text; where a page may not, it stands in the field that opens.
+/// A button that copies a text; if the page may not copy, the text is shown in a field.
 function copyButton(words, textOf) {
   const button = element("button", { onclick: async () => {
     const text = textOf();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The calculator: the best answer to what is known of a packing, with its range and the ladder below it; and the
-// contacts that a measurement implies, with what follows at another pressure.
+// The calculator: the best estimate for a packing, with its range and the ladder; and the contacts inferred from a
+// measurement, with predictions for another pressure.
 "use strict";
 
 const preparations = ["unknown", "dense", "loose"];
 
-/// Inputs: key, unit in SI, least, most, start; not a number where it is not given.
+/// Inputs: key, unit in SI, least, most, start; NaN if not given.
 const calculatorInputs = {
   voidRatio: [1, 0.2, 3, 0.6], pressure: [1e3, 0.001, 1e6, 100], stressRatio: [1, 0.2, 5, 1], anisotropy: [1, -0.6, 0.6, 0],
   grainModulus: [1e9, 1e-3, 1e4, 30], poissonRatio: [1, -0.9, 0.5, 0.15], radius: [1e-3, 1e-6, 1e4, 0.5], density: [1, 1, 3e4, 2650],
@@ -27,7 +27,7 @@ function answerOf(granum, known) {
   return { rows: rows.slice(0, -1), contacts: rows.at(-1), shares, notes: notes.slice(shares.length) };
 }
 
-/// What is more likely a slip of unit or symbol, as the program warns of it by the names of its options.
+/// Likely mistakes in unit or symbol, as reported by the program with the names of its options.
 function slipsOf(granum, known) {
   return granum.call("slips", ...grainNumbersOf(known), known.voidRatio, known.anisotropy, ...stressesOf(known), known.z, known.density).notes;
 }
@@ -39,7 +39,7 @@ function ladderOf(granum, known, answer) {
   return notes.map((label, k) => ({ label, value: numbers[2 * k], error: numbers[2 * k + 1] }));
 }
 
-/// What was measured, by the packing that inferenceOf found last, from a pressure to another: [{pressure, value, error}]
+/// The measured quantity of the last packing of inferenceOf, from one pressure to another: [{pressure, value, error}]
 function inferredPath(granum, { quantity }, low, high, points) {
   const { numbers } = granum.call("inferred_path", measurable[quantity].place, low, high, points);
   return Array.from({ length: points }, (_, k) => ({ pressure: numbers[3 * k], value: numbers[3 * k + 1], error: numbers[3 * k + 2] }));

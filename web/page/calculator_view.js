@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the calculator shows: fields, tables, pictures, and the lines that say the same elsewhere.
+// The view of the calculator: fields, tables, pictures, and equivalent lines for program, Python and C++.
 "use strict";
 
 /// A picture with its button.
@@ -34,7 +34,7 @@ function ladderChart(words, ladder, answer) {
   });
 }
 
-/// The measurement and what it says at the other pressure, in one picture of G or of a speed.
+/// The measurement and its prediction at the other pressure, in one picture of G or of a speed.
 function inferenceChart(granum, texts, known, found) {
   const words = texts.calculator, { unit } = measurable[known.quantity];
   const low = Math.min(known.pressure, known.otherPressure) / 1.5, high = 1.5 * Math.max(known.pressure, known.otherPressure);
@@ -56,7 +56,7 @@ function inferenceChart(granum, texts, known, found) {
   });
 }
 
-/// A choice of where to say the same, the lines, and a button that copies them.
+/// A choice of the language, the equivalent lines, and a button that copies them.
 function samePart(words, name, lines) {
   const shown = element("pre", { tabindex: 0, id: `${name}lines` });
   let chosen = address.choice(`${name}same`, "commandLine", Object.keys(lines));
@@ -72,7 +72,7 @@ function samePart(words, name, lines) {
       await navigator.clipboard.writeText(shown.textContent);
       copy.textContent = words.copied;
     } catch {
-      getSelection().selectAllChildren(shown); // for the reader's own copying
+      getSelection().selectAllChildren(shown); // for copying by hand
     }
   } }, words.copy);
   return {
@@ -85,7 +85,7 @@ function samePart(words, name, lines) {
   };
 }
 
-/// The page's own word for what granum calls by that name.
+/// The page's word for a name of granum.
 const term = (words, name) => words.terms[name] ?? name;
 const sharesText = (words, title, shares) => `${title}: ${shares.filter((s) => s.share >= 0.005).map((s) => `${Math.round(100 * s.share)} % ${term(words, s.input)}`).join(", ")}.`;
 const remarks = (words, notes) => (notes.length ? [element("p", { class: "remarks" }, `${words.notes}: ${notes.join("; ")}.`)] : []);
@@ -112,7 +112,7 @@ function inferenceParts(granum, texts, known) {
     savedPicture(texts, "inference", inferenceChart(granum, texts, known, found))), ...remarks(words, found.notes)];
 }
 
-/// What an inference asks for of the fields above it.
+/// Input of an inference from the fields above it.
 const sharedByBoth = ["voidRatio", "pressure", "grainModulus", "poissonRatio", "radius", "density"];
 
 function addCalculator(granum, texts) {
@@ -149,14 +149,14 @@ function addCalculator(granum, texts) {
     } });
     return element("label", {}, words[key], input);
   };
-  const choice = (key, label, names, said, change = () => {}) => {
+  const choice = (key, label, names, textOf, change = () => {}) => {
     known[key] = address.choice(`c${key}`, names[0], names);
     const select = element("select", { id: `c${key}`, onchange: () => {
       known[key] = select.value;
       address.put(`c${key}`, select.value);
       change();
       show();
-    } }, ...names.map((name) => element("option", { value: name, selected: name === known[key] }, said(name))));
+    } }, ...names.map((name) => element("option", { value: name, selected: name === known[key] }, textOf(name))));
     return element("label", {}, label, select);
   };
   const preparation = choice("preparation", words.preparation, preparations, (name) => words[name]);

@@ -2,7 +2,7 @@
 // Small charts as SVG text. Colours are those of the style sheet, so that they follow light and dark.
 "use strict";
 
-/// What each colour stands for is said by include/granum/plot/palette.hpp, from which the style sheet has it.
+/// Colours have the meanings of include/granum/plot/palette.hpp, the source of the style sheet.
 const colours = Object.fromEntries([..."<!--colours-->".split(" "), "grey"].map((name) => [name, `var(--${name})`]));
 /// A contact law without a colour of its own has that of power laws.
 const shapeColourName = (shape) => (shape in colours ? shape : "power_law");
@@ -14,7 +14,7 @@ let decimalSign = ".";
 const localised = (number) => number.replace(".", decimalSign);
 /// With so many decimals.
 const fixed = (value, decimals) => localised(value.toFixed(decimals));
-/// Numbers as people write them, at most `digits` of them.
+/// Numbers in usual notation, with at most `digits` digits.
 function written(value, digits = 3) {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
@@ -47,11 +47,11 @@ function ticks(axis) {
   return out;
 }
 
-/// Letters below the line: C_n.
+/// Subscripts: C_n.
 const svgWords = (text) => escapeText(text).replace(/_(\w+)/g, '<tspan dy="4" font-size="80%">$1</tspan><tspan dy="-4">\u200b</tspan>');
 
 const isNarrow = matchMedia("(max-width: 760px)");
-/// Draws now, and again where a turned screen asks for another size.
+/// Draws now, and again if a turned screen needs another size.
 function drawnToSize(draw) {
   draw();
   isNarrow.addEventListener("change", draw);
@@ -59,10 +59,10 @@ function drawnToSize(draw) {
 
 /// {title, finding, x: {label, min, max, log}, y: {...}, series: [{label, colour, points: [[x, y]], ranges: [[low, high]], line, dots, hollow, dash:
 ///  true or "dots", faint, name}], bands: [{label, colour, points: outline}], mark: [x, y], triangles: [{x0, x1, y, slope, text, colour}], note}
-/// An axis may have names at places in the place of round numbers: {names: [[value, text]]}. A series may have a name at its end.
-/// `finding` is what a reader sees in it, for those who cannot; a note stands in the corner at the bottom right.
+/// An axis may have names instead of round numbers: {names: [[value, text]]}. A series may have a name at its end.
+/// `finding` is a text with the content of the chart, for screen readers; a note is in the bottom right corner.
 function chart(what) {
-  // On a narrow screen the same letters in a smaller picture, so that they can be read.
+  // On a narrow screen the picture is smaller with letters of the same size, so that they are readable.
   const narrow = isNarrow.matches;
   const width = narrow ? 430 : 640, height = narrow ? 320 : 400, left = 72, right = 18, top = 16, bottom = 52;
   const place = (axis, value, from, to) => {
@@ -71,11 +71,11 @@ function chart(what) {
   };
   const X = (x) => place(what.x, x, left, width - right);
   const Y = (y) => place(what.y, y, height - bottom, top);
-  // Neither what is beyond the axes nor what is no number is drawn.
+  // Points beyond the axes and NaN are not drawn.
   const inside = ([x, y]) => x >= what.x.min * 0.9999 && x <= what.x.max * 1.0001 && y >= what.y.min * 0.9999 && y <= what.y.max * 1.0001;
   const parts = [];
   const named = new Map(what.x.names);
-  let free = -Infinity; // from where on a label does not lie upon the last one
+  let free = -Infinity; // from here on a label does not overlap the last one
   for (const value of ticks(what.x)) {
     const lines = (named.get(value) ?? written(value)).split(named.has(value) ? /[ -](?=[^\d])/ : /$/);
     const half = 4.5 * Math.max(...lines.map((line) => line.length));
@@ -89,7 +89,7 @@ function chart(what) {
       `<text class="tick" x="${left - 8}" y="${Y(value) + 5}" text-anchor="end">${written(value)}</text>`);
   if (!what.x.names) parts.push(`<text class="label" x="${(left + width - right) / 2}" y="${height - 8}" text-anchor="middle">${svgWords(what.x.label)}</text>`);
   parts.push(`<text class="label" transform="translate(16 ${(top + height - bottom) / 2}) rotate(-90)" text-anchor="middle">${svgWords(what.y.label)}</text>`);
-  // A picture within cuts off what is beyond the axes.
+  // An inner picture clips at the axes.
   for (const band of what.bands ?? [])
     parts.push(`<svg x="${left}" y="${top}" width="${width - left - right}" height="${height - top - bottom}"><polygon fill="${band.colour}" fill-opacity="0.16" stroke="none" ` +
       `points="${band.points.map(([x, y]) => `${(X(x) - left).toFixed(1)},${(Y(y) - top).toFixed(1)}`).join(" ")}"/></svg>`);
@@ -123,7 +123,7 @@ function chart(what) {
     `<rect class="frame" x="${left}" y="${top}" width="${width - left - right}" height="${height - top - bottom}"/>${parts.join("")}</svg>${legendOf(what)}`;
 }
 
-/// Nothing where there is one thing alone to be told.
+/// Empty for a single entry.
 function legendOf({ series, bands = [] }) {
   const listed = [...series, ...bands.map((band) => ({ ...band, band: true }))].filter(({ label }) => label);
   const kind = (one) => (one.band ? " band" : one.dots && one.line === false ? (one.hollow ? " dot hollow" : " dot") : one.dash ? (one.dash === "dots" ? " dotted" : " dashed") : "");
@@ -131,8 +131,8 @@ function legendOf({ series, bands = [] }) {
     `<li><span class="swatch${kind(one)}" style="--colour:${one.colour}"></span>${escapeText(one.label)}</li>`).join("")}</ul>`;
 }
 
-/// E(gamma; a) of contact normals around the vertical, as far from the centre as there are many; the circle has none preferred. With
-/// bars of a histogram of equal steps from 0 to 90 degrees, where they were counted.
+/// E(gamma; a) of contact normals around the vertical, as distance from the centre; the circle is isotropic. With bars of a histogram
+/// of equal steps from 0 to 90 degrees, if the directions were counted.
 function rose(density, title, finding, bars = []) {
   const size = 400, centre = size / 2, unit = Math.min(105, 170 / Math.max(...density, ...bars));
   const at = (angle, r) => `${(centre + unit * r * Math.sin(angle)).toFixed(1)},${(centre - unit * r * Math.cos(angle)).toFixed(1)}`;
@@ -154,8 +154,7 @@ function rose(density, title, finding, bars = []) {
 
 const styleKeys = ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "font-size", "font-family", "text-anchor", "paint-order"];
 
-/// The picture with its title above, its legend below and its paper, as a file of its own: colours resolved, so that it looks the same
-/// elsewhere.
+/// The picture with title, legend and background as a separate file, with resolved colours, so that it looks the same elsewhere.
 function standalone(picture, title) {
   const svg = picture.querySelector("svg"), copy = svg.cloneNode(true);
   const originals = [svg, ...svg.querySelectorAll("*")];
@@ -188,7 +187,7 @@ function standalone(picture, title) {
     `<title>${escapeText(title)}</title><desc>${escapeText(finding)}</desc><rect width="${width}" height="${all}" fill="${paper}"/>${word(20, 26, title, Math.min(17, (1.7 * width) / title.length))}${inner}${legend.join("")}</svg>`;
 }
 
-/// A button that saves what the place shows.
+/// A button that saves the picture in an element.
 const saveButton = (texts, picture, name) => element("button", { onclick: () =>
   saveFile(`granum-${name}.svg`, standalone(picture, picture.querySelector("svg title").textContent), "image/svg+xml") }, texts.save);
 

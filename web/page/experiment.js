@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The live experiment: a worker makes and compresses a packing, the page shows it and what was measured.
+// The live experiment: a worker makes and compresses a packing, the page shows it and its measurements.
 "use strict";
 
 /// Dense and loose of the paper's three shapes.
@@ -13,8 +13,8 @@ class ExperimentPanel {
     this.texts = texts;
     this.words = texts.experiment;
     this.version = granum.call("version").notes[0];
-    this.runs = []; // the last one is made or was made
-    this.queue = []; // setups that come next
+    this.runs = []; // the last one is the current one
+    this.queue = []; // next setups
     this.modulus = "G";
     this.worker = null;
     this.phase = "none"; // compression, compressed, shear
@@ -72,7 +72,7 @@ class ExperimentPanel {
       this.viewed({ slice: Number(slice.value) });
       slice.setAttribute("aria-valuetext", slice.value > 1 ? w.whole : `${Math.round(100 * slice.value)} %`);
     } });
-    const exaggerated = slider({ id: "xexaggerate", name: w.exaggerate, min: 1, max: 200, step: 1, value: 1, unit: "", said: (times) => `${times} ×`, change: (times) => this.viewed({ exaggeration: times }) });
+    const exaggerated = slider({ id: "xexaggerate", name: w.exaggerate, min: 1, max: 200, step: 1, value: 1, unit: "", format: (times) => `${times} ×`, change: (times) => this.viewed({ exaggeration: times }) });
     const choice = (name, legend, options, change) => element("fieldset", {}, element("legend", {}, legend), ...options.map(([value, text], k) =>
       element("label", {}, element("input", { type: "radio", name, checked: k === 0, onchange: () => change(value) }), ` ${text}`)));
     const show = choice("xshow", w.show, [[false, w.grainsView], [true, w.forcesView]], (forces) => this.viewed({ forces }));
@@ -98,7 +98,7 @@ class ExperimentPanel {
     if (this.view) Object.assign(this.view, change).ask();
   }
 
-  /// The number in a field, or nothing where it is not one of those that may be; the reader hears which.
+  /// The number in a field, or nothing if it is not allowed; the allowed range is then shown.
   asked(input) {
     const value = Number(input.value), right = input.checkValidity() && (input.value !== "" || input === this.inputs.guess);
     input.toggleAttribute("aria-invalid", !right);
@@ -141,7 +141,7 @@ class ExperimentPanel {
     this.enable();
     this.drawStates();
   }
-  /// The specimen stays with the worker after its compression, to be sheared once.
+  /// After its compression the worker keeps the specimen, which can be sheared once.
   shear(mode) {
     this.viewed({ reference: this.view?.data });
     this.worker.postMessage({ what: "shear", mode, largestStrain: largestShearStrain });
@@ -222,7 +222,7 @@ class ExperimentPanel {
     this.enter("compressed", "", filled(this.words.done, { s: fixed(state.s, 3), error: fixed(state.sError, 3), contact: written(state.contactExponent), z0: written(first.z), z1: written(state.z),
       from: written(first.pressure / 1e3), to: written(state.pressure / 1e3) }) + (Number.isFinite(run.guess) ? ` ${filled(this.words.guessed, { guess: written(run.guess) })}` : "") + this.notAtRest);
   }
-  /// The specimen as it is seen now, in small.
+  /// A small picture of the specimen in its current view.
   snapshot() {
     if (!this.view) return undefined;
     this.view.draw();
@@ -241,7 +241,7 @@ class ExperimentPanel {
   hearPoint({ point, paused }) {
     this.curves.add(point);
     if (point.event === 2) this.end(this.words.unstable);
-    else if (point.event === 1) this.end(this.curves.said(this.run.setup.grain.frictionAngle));
+    else if (point.event === 1) this.end(this.curves.peakText(this.run.setup.grain.frictionAngle));
     else if (paused) this.showPaused(true);
   }
 

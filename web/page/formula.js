@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Formulas in texts: between two $, in a small language.  x^2, x_n, x^{1/3}, {a}/{b} for a fraction; words stand as they are.
+// Formulas in texts: between two $, in a small language.  x^2, x_n, x^{1/3}, {a}/{b} for a fraction; words are unchanged.
 "use strict";
 
-/// The text without marks, for names and titles that can hold no formula.
+/// The text without marks, for names and titles that cannot contain formulas.
 const plain = (text) => text.replace(/\$([^$]*)\$/g, (_, formula) => formula.replaceAll("^*", "*").replace(/\{([^{}]*)\}/g, (_all, inner) => (inner.length > 1 ? `(${inner})` : inner)).replace(/([_^])\(([\w*]+)\)/g, "$1$2"));
 
 const mathNode = (tag, ...children) => {
@@ -38,7 +38,7 @@ function mathOf(formula) {
   return mathNode("math", ...row());
 }
 
-/// Letters below the line: C_n.
+/// Subscripts: C_n.
 const lowered = (text) => text.split(/_(\w+)/).map((part, k) => (k % 2 ? element("sub", {}, part) : part));
 /// Nodes of a text with its formulas.
 const worded = (text) => text.split("$").flatMap((part, k) => (k % 2 ? mathOf(part) : lowered(part)));

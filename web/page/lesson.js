@@ -7,9 +7,9 @@ const kPa = 1e3, MPa = 1e6;
 /// Values from low to high, with equal steps of the logarithm.
 const spread = (low, high, count) => Array.from({ length: count }, (_, k) => low * (high / low) ** (k / (count - 1)));
 const evenly = (low, high, count) => Array.from({ length: count }, (_, k) => low + ((high - low) * k) / (count - 1));
-/// Numbers that differ by rounding alone are the same to a reader.
+/// Numbers that differ only by rounding count as equal.
 const percentApart = (a, b) => (Math.abs(a / b - 1) < 1e-9 ? 0 : 100 * Math.abs(a / b - 1));
-/// An axis of logarithms that holds all of the values.
+/// A logarithmic axis that includes all values.
 const logAxis = (label, values) => ({ label, min: Math.min(...values) / 1.15, max: Math.max(...values) * 1.15, log: true });
 
 /// Force at which the contacts of the first step are equally stiff [N].
@@ -38,8 +38,8 @@ function sandBand(granum, texts, [x, y], low, high) {
   return { label: sandsNamed(texts, least, most), colour: colours.grey, points: [at(low, least), [x, y], at(high, least), at(high, most), [x, y], at(low, most)] };
 }
 
-/// Sliders of a step: {key: [min, max, step, start, unit]}; "shape" is a choice. A picture says {values, charts or rose}; `facts` are numbers
-/// of its text.
+/// Sliders of a step: {key: [min, max, step, start, unit]}; "shape" is a choice. A picture returns {values, charts or rose}; `facts` are
+/// numbers of its text.
 const lessonSteps = [
   {
     controls: { shape: "sphere", overlap: [0.02, 1, 0.02, 0.5, "µm"] },
@@ -185,9 +185,9 @@ function addStep(granum, texts, step, number) {
   const pictures = [element("div", { class: "picture" }), ...(words.second ? [element("div", { class: "picture" })] : [])];
   const draw = () => {
     const drawn = step.picture(granum, grain, at, texts, words);
-    const said = filled(words.finding, drawn.values);
-    finding.replaceChildren(...worded(said));
-    const shown = drawn.rose ? [`<div class="rose">${rose(drawn.rose, words.title, plain(said))}</div>`] : drawn.charts.map((what) => chart({ finding: plain(said), ...what, title: plain(what.title) }));
+    const sentence = filled(words.finding, drawn.values);
+    finding.replaceChildren(...worded(sentence));
+    const shown = drawn.rose ? [`<div class="rose">${rose(drawn.rose, words.title, plain(sentence))}</div>`] : drawn.charts.map((what) => chart({ finding: plain(sentence), ...what, title: plain(what.title) }));
     shown.forEach((html, k) => { pictures[k].innerHTML = html; });
   };
   const controls = Object.entries(step.controls).map(([key, range]) => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 "use strict";
 
-/// Grains of the page: the paper's, as granum's own scenes have them.
+/// Grains of the page: those of the paper, as in granum's scenes.
 const defaultGrain = {
   shape: "sphere", shearModulus: 30e9, poissonRatio: 0.15, radius: 0.5e-3,
   frictionAngle: (26.5 * Math.PI) / 180,
@@ -47,7 +47,7 @@ async function start() {
   if (!address.only) addHero(granum, texts);
 }
 
-/// The step that the address names: alone, or first on the screen.
+/// The step named by the address: alone, or first on the screen.
 function showPlace() {
   const alone = address.only && document.getElementById(address.only);
   const parts = [...document.querySelectorAll(".step, main > section")];

@@ -16,7 +16,7 @@ class Granum {
     return granum;
   }
 
-  /// A fresh instance: an error leaves the old one in the middle of its work.
+  /// A new instance: after an error the old one is in an undefined state.
   async restart() {
     this.exports = this.begin(await WebAssembly.instantiate(this.compiled, this.imports()));
   }
@@ -130,7 +130,7 @@ const shearPoint = (numbers) => Object.fromEntries(shearNames.map((name, k) => [
 /// granum's table of contact laws: [{name, plural, numbers: [{key, value}]}]
 let contactLaws = [];
 const lawNamed = (name) => contactLaws.find((law) => law.name === name);
-/// What granum's functions take of two grains; a law's numbers are those of the table unless the grain has them.
+/// Arguments of granum's functions for two grains; the numbers of a law are those of the table unless the grain has them.
 function grainNumbers(grain) {
   const law = lawNamed(grain.shape);
   const numbers = law.numbers.map(({ key, value }) => grain.numbers?.[key] ?? value);

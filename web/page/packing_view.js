@@ -200,7 +200,7 @@ class PackingView {
     this.instances(this.bars, data.contacts);
   }
 
-  /// Grains and cell, or how they would be had they moved that many times as far since the reference.
+  /// Grains and cell, with their displacement since the reference multiplied by a factor.
   seen() {
     const { data, reference, exaggeration } = this;
     if (exaggeration === 1 || !reference || this.forces || reference.grains.length !== data.grains.length) return data;
@@ -228,7 +228,7 @@ class PackingView {
     return [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16) / 255);
   }
 
-  /// Turning sends no row anew.
+  /// Turning does not transfer the rows again.
   instances(part, rows) {
     const gl = this.gl;
     if (part.held !== rows) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Specimens that were made, beside each other until they are cleared: one chart, one table, small pictures, one file.
+// Comparison of all specimens until they are cleared: one chart, one table, small pictures, one file.
 "use strict";
 
 const experimentPressures = [10, 13, 17, 22, 28, 36, 46, 60, 77, 100].map((p) => p * 1e3);
 const stateNames = ["pressure", "voidRatio", "contacts", "z", "rattlers", "overlap", "bulk", "network", "affine", "uniformStrain", "relaxed",
   "s", "sError", "bulkUniformStrain", "bulkRelaxed", "lineFirst", "lineLast", "sRelaxed", "atRest", "contactAlone", "contactExponent"];
-/// What G and K are called in a state.
+/// Names of G and K in a state.
 const moduli = { G: { network: "network", uniformStrain: "uniformStrain", relaxed: "relaxed" }, K: { network: "bulk", uniformStrain: "bulkUniformStrain", relaxed: "bulkRelaxed" } };
 
 /// {setup: {grain, loose, sigma, grains, seed}, guess, states, image, done}
@@ -17,7 +17,7 @@ const measuredS = (run) => `${fixed(lastOf(run).s, 3)} ± ${fixed(lastOf(run).sE
 const nameOf = (words, { setup }) => [lawNamed(setup.grain.shape).plural, ...(setup.grain.numbers ? [filled(words.isRough, { u: written(setup.grain.numbers.roughness * 1e9) })] : []), setup.loose ? words.isLoose : words.isDense, ...(setup.sigma ? [`σ ${setup.sigma}`] : []),
   filled(words.grainsSeed, setup)].join(", ");
 
-/// Chart of all runs: the network's modulus of each; of the last one also the closed forms, and what the contact alone would do.
+/// Chart of all runs: the modulus of the network of each; for the last one also the closed forms and the contact alone.
 function runsChart(granum, texts, runs, modulus) {
   const words = texts.experiment, legend = texts.legend, names = moduli[modulus];
   const shown = runs.filter((run) => run.states.length), last = shown.at(-1);
@@ -48,7 +48,7 @@ function runsChart(granum, texts, runs, modulus) {
   });
 }
 
-/// s of each run: guessed, measured, and of the contact alone.
+/// s of each run: guessed, measured, and for the contact alone.
 function runsTable(texts, runs) {
   const words = texts.experiment;
   return element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": words.runs }, element("table", { id: "xruns" },
@@ -61,7 +61,7 @@ function runsTable(texts, runs) {
 const runsGallery = (texts, runs) => element("div", { class: "gallery" }, ...runs.filter((run) => run.image).map((run) => element("figure", {},
   element("img", { src: run.image, alt: filled(texts.experiment.specimen, { name: nameOf(texts.experiment, run) }) }), element("figcaption", {}, `${runs.indexOf(run) + 1}: ${nameOf(texts.experiment, run)}`))));
 
-/// {name, text} of a file with all states; what was made, and by what, stands in both.
+/// {name, text} of a file with all states; both contain the setup and the version of granum.
 function runsFile(version, runs) {
   const names = ["p_Pa", "e", "C_n", "z_star", "rattler_fraction", "mean_overlap_over_d", "K_network_Pa", "G_network_Pa", "G_affine_Pa", "G_uniform_strain_Pa", "G_relaxed_Pa"];
   const of = ({ setup }) => [setup.grain.shape, setup.loose ? "loose" : "dense", setup.sigma, setup.grains, setup.seed, setup.grain.numbers?.roughness ?? ""];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one types to get the calculator's numbers elsewhere: on the command line, in Python, in C++.
+// Lines that give the calculator's numbers on the command line, in Python and in C++.
 "use strict";
 
-/// In a unit, without the last digit, which a division may leave wrong.
+/// In a unit, without the last digit, which may be wrong after a division.
 const inUnit = (value, unit) => Number((value / unit).toPrecision(13));
-/// The number to the last bit, as Python and C++ read it.
+/// The exact number, as read by Python and C++.
 const literal = (value) => (value !== 0 && (Math.abs(value) >= 1e5 || Math.abs(value) < 1e-2) ? value.toExponential().replace("e+", "e") : String(value));
 const isotropic = (known) => known.stressRatio === 1;
 const stressesOf = (known) => {
@@ -12,7 +12,7 @@ const stressesOf = (known) => {
   return [vertical, isotropic(known) ? vertical : known.stressRatio * vertical];
 };
 
-/// A name and a value for each thing that is known.
+/// A name and a value for each given input.
 const keywords = (pairs, before, between) => pairs.filter(([, value]) => value !== undefined).map(([name, value]) => `${before}${name}${between}${value}`);
 
 function commandLineGrains(known) {
@@ -58,7 +58,7 @@ const sameAnswer = {
   },
 };
 
-/// Quantities that may be measured: place in granum's list of them, unit, option, and names in Python and C++.
+/// Measurable quantities: index in granum's list, unit, option, and names in Python and C++.
 const measurable = {
   G: { place: 0, unit: 1e6, symbol: "MPa", option: "--shear-modulus", cpp: "G_vh" },
   V_s: { place: 3, unit: 1, symbol: "m/s", option: "--vs", cpp: "V_s" },

@@ -36,8 +36,8 @@ class ShearCurves {
     this.draw();
   }
 
-  /// The peak in words, once there are points.
-  said(grainFriction) {
+  /// The peak as text, if there are points.
+  peakText(grainFriction) {
     const last = this.points.at(-1);
     return filled(this.words.peak, { q: written(last.peakDeviator / 1e3), strain: written(100 * last.peakStrain, 2), angle: written((180 / Math.PI) * last.peakAngle),
       grain: written((180 / Math.PI) * grainFriction) });

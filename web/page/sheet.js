@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sheet to hand out, and its answers: two pages, and one, which only a printer sees. Numbers are those that are set.
+// The worksheet (two pages) and its answers (one page), visible only in print. Numbers follow the current settings.
 "use strict";
 
 const blank = (wide = "") => element("span", { class: `blank ${wide}` });

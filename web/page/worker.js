@@ -14,7 +14,7 @@ const view = (granum) => {
 };
 
 let granum, setup, pressures, next, mode; // run, step or pause
-let work = null; // what comes next: a function, or nothing
+let work = null; // the next step: a function, or nothing
 let strain, until; // axial strain now, and where a step of shear ends
 
 function goOn() {

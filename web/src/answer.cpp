@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The calculator's answer, the ladder below it, and the way back from what was measured.
+// The calculator's answer, the ladder below it, and the inference from a measurement.
 #include <cmath>
 #include <optional>
 #include <span>
@@ -19,7 +19,7 @@ using namespace granum;
 
 constexpr double none = effective::State::unset;
 
-/// What was inferred last, and where it was measured.
+/// The last inference, and the state of its measurement.
 struct Inferred {
   inverse::Inference packing;
   effective::State measured;
@@ -28,7 +28,7 @@ std::optional<Inferred> last_inferred;
 
 inverse::Quantity quantity_of(double place) {
   if (!(place >= 0) || !(place < static_cast<double>(inverse::quantities().size())))
-    throw InvalidArgument("quantity", place, "", "the place of one that can be measured");
+    throw InvalidArgument("quantity", place, "", "the index of a measurable quantity");
   return inverse::quantities()[static_cast<std::size_t>(place)].quantity;
 }
 
@@ -57,7 +57,7 @@ void add(const Measured& number) {
   web::numbers().insert(web::numbers().end(), {number.value, number.standard_error});
 }
 
-/// The state of a packing, but for its contacts.
+/// The state of a packing, without its contacts.
 effective::State state_of(const web::PageGrain& grain, double void_ratio, double anisotropy, double stress_v,
                           double stress_h) {
   return {.law = web::law_of(grain),
@@ -72,8 +72,8 @@ effective::State state_of(const web::PageGrain& grain, double void_ratio, double
 } // namespace
 
 /// Value, low and high of G_vh, G_hh, K, E_v, nu, V_s, V_p, z* and C_n; then the shares of the range, whose
-/// names are the first words. A mechanical coordination number that is not a number is not given; saturation
-/// is a share.
+/// names are the first words. NaN for the mechanical coordination number means not given; saturation is a
+/// share.
 GRANUM_EXPORT(answer)
 void answer(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
             double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
@@ -103,7 +103,7 @@ void answer(double shape, double shear_modulus, double poisson_ratio, double rad
   web::words() = names + web::words();
 }
 
-/// What of the calculator's numbers is more likely a slip of unit or symbol, in the words of the program.
+/// Numbers of the calculator that are probably mistakes in unit or symbol, in the words of the program.
 GRANUM_EXPORT(slips)
 void slips(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
            double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
@@ -128,8 +128,8 @@ void slips(double shape, double shear_modulus, double poisson_ratio, double radi
   web::say(validity);
 }
 
-/// G_vh and its relative error, or not a number where the rung states none, of every closed form, at the
-/// contacts that are said; the words are their labels.
+/// G_vh and its relative error (NaN if the rung states none) of every closed form, at the given contacts; the
+/// words are their labels.
 GRANUM_EXPORT(ladder)
 void ladder(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
             double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
@@ -147,10 +147,10 @@ void ladder(double shape, double shear_modulus, double poisson_ratio, double rad
   }
 }
 
-/// What one measured number says of the contacts of an isotropic packing: 1 where contacts explain it, else 0
-/// and no more numbers; z*, C_n and, at another pressure, z* again, e, G, V_s and V_p, each but e with its
-/// standard error; then the shares of the variance of z*, whose names are the first words. Quantities by
-/// their place in inverse::quantities.
+/// The contacts of an isotropic packing inferred from one measured number: 1 if contacts explain it, else 0
+/// and no further numbers; z*, C_n and, at another pressure, z*, e, G, V_s and V_p, each except e with its
+/// standard error; then the shares of the variance of z*, whose names are the first words. Quantities are
+/// given by their index in inverse::quantities.
 GRANUM_EXPORT(infer)
 void infer(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
            double second_number, double void_ratio, double pressure, double grain_density, double quantity,
@@ -186,9 +186,9 @@ void infer(double shape, double shear_modulus, double poisson_ratio, double radi
   web::words() = names + web::words();
 }
 
-/// A quantity and its standard error by what `infer` found last, at so many pressures from low to high, equal
-/// steps of their logarithm: pressure, value, error.
-/// \throws   Error where nothing was found
+/// A quantity and its standard error according to the last `infer`, at a number of pressures from low to
+/// high, in equal steps of the logarithm: pressure, value, error.
+/// \throws   Error without an inference
 GRANUM_EXPORT(inferred_path) void inferred_path(double quantity, double low, double high, double points) {
   if (!last_inferred)
     throw Error("nothing was inferred yet");

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What takes the place of throwing where nothing can be caught: the page is told the message, and throws its
-// own error through the frames of this module, which it then drops for a fresh one. All that granum and its
-// libraries throw is a std::exception by its first base, so that it begins where the thrown object does.
+// Replaces throwing where exceptions cannot be caught: the page receives the message, and throws its own
+// error through the frames of this module, which is then replaced by a new instance. Everything thrown by
+// granum and its libraries has std::exception as its first base, which therefore begins at the address of the
+// thrown object.
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>

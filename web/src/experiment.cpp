@@ -27,7 +27,7 @@ using web::View;
 
 std::unique_ptr<Experiment> running;
 
-/// The directions of the contacts that press.
+/// The directions of the contacts with f_n > 0.
 void look_at_fabric(const packing::Assembly& packing, View& view) {
   constexpr std::size_t bins = 18, fewest = 20;
   std::vector<Vec3> normals;
@@ -75,7 +75,7 @@ void look_at(const packing::Assembly& packing, double unit, View& view) {
     view.edge[axis] = static_cast<float>(packing.cell(axis, axis) / unit);
 }
 
-/// ln G against ln p; nothing before the second pressure.
+/// ln G against ln p; empty before the second pressure.
 std::optional<StraightLine> line_of(const Experiment& e, const std::vector<double>& ln_modulus) {
   if (e.ln_pressure.size() < 2)
     return std::nullopt;
@@ -85,9 +85,9 @@ std::optional<StraightLine> line_of(const Experiment& e, const std::vector<doubl
   return straight_line(points);
 }
 
-/// s of the network and its error; not numbers before the second pressure. One path does not know how much
-/// specimens differ, which is more than its own error where the specimen is loose: that was measured between
-/// 10 and 100 kPa, with equal grains and the friction that the page begins with.
+/// s of the network and its error; NaN before the second pressure. The scatter between specimens cannot be
+/// derived from one path, and exceeds its own error if the specimen is loose: it was measured between 10 and
+/// 100 kPa, with equal grains and the initial friction of the page.
 Measured exponent(const Experiment& e, const std::optional<StraightLine>& line) {
   if (!line)
     return {effective::State::unset, effective::State::unset};
@@ -97,7 +97,7 @@ Measured exponent(const Experiment& e, const std::optional<StraightLine>& line) 
   return {s.value, *s.standard_error};
 }
 
-/// G and K of a closed form; not numbers where it has none.
+/// G and K of a closed form; NaN if it has none.
 std::array<double, 2> closed_form(const analysis::Measurement& found, effective::RungName name) {
   const std::optional<effective::RungAnswer> answer = found.closed_form(name);
   if (!answer)
@@ -125,8 +125,8 @@ void draw(Experiment& e, const dem::Specimen& state) {
 using web::draw;
 using web::experiment;
 
-/// A new experiment in the place of the last. Sigma is that of lognormal sizes, 0 for equal grains. The
-/// random numbers follow from the seed.
+/// A new experiment; replaces the last one. Sigma is that of lognormal sizes, 0 for equal grains. The random
+/// numbers follow from the seed.
 GRANUM_EXPORT(experiment_begin)
 void experiment_begin(double shape, double shear_modulus, double poisson_ratio, double radius,
                       double first_number, double second_number, double friction_angle, double loose,
@@ -147,7 +147,7 @@ void experiment_begin(double shape, double shear_modulus, double poisson_ratio, 
   triaxial::require_valid(running->recipe);
 }
 
-/// Makes the specimen: rest without friction at the first pressure and, for a loose one, opened below it.
+/// Makes the specimen: at rest without friction at the first pressure; a loose one is then opened.
 GRANUM_EXPORT(experiment_prepare) void experiment_prepare() {
   Experiment& e = experiment();
   Clock clock;
@@ -160,9 +160,9 @@ GRANUM_EXPORT(experiment_prepare) void experiment_prepare() {
 /// Compresses to a pressure [Pa] and measures: pressure, e, C_n, z*, x_0, mean overlap over the mean
 /// diameter; K, G and the affine G of the network, G by uniform strain and relaxed (closed forms); s of the
 /// network over all pressures so far, and its error; K by uniform strain and relaxed; G of the network on the
-/// line of s at the first pressure and at this one; s of rung 3 at the contacts that were counted; 1 where
-/// the specimen came to rest; how many times as stiff as at the first pressure a contact is whose force grew
-/// as the pressure did, and the exponent of that, not a number at the first pressure.
+/// line of s at the first pressure and at this one; s of rung 3 with the counted contacts; 1 if the specimen
+/// came to rest; the stiffness of a contact relative to the first pressure, if its force is proportional to
+/// the pressure, and the exponent of this ratio, NaN at the first pressure.
 GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
   Experiment& e = experiment();
   Clock clock;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The specimen of the page's experiment, which one source makes and compresses and another one shears.
+// The specimen of the page's experiment, made and compressed in one source and sheared in another.
 #pragma once
 
 #include <chrono>
@@ -15,19 +15,19 @@
 #include "exports.hpp"
 
 extern "C" {
-/// The page shows what the view holds; called some times a second while the experiment runs.
+/// Lets the page show the view; called several times a second while the experiment runs.
 __attribute__((import_module("page"), import_name("frame"))) void page_frame();
 }
 
 namespace granum::web {
 
-/// What is seen: grains, and the contacts that press.
+/// The view: grains, and contacts with f_n > 0.
 struct View {
   std::vector<float> grains;   ///< x, y, z, radius, 1 for a rattler; lengths over the mean radius
   std::vector<float> contacts; ///< x, y, z of one centre, x, y, z of the other, force over the mean force
   float edge[3]{};             ///< of the cell
   /// a, then a histogram of the angle of contact normals to the vertical in equal steps from 0 to 90 degrees,
-  /// over that of no preferred direction; empty below 20 contacts
+  /// over that of an isotropic packing; empty below 20 contacts
   std::vector<float> rose;
 };
 
@@ -36,21 +36,21 @@ struct Experiment {
   triaxial::SpecimenRecipe recipe;
   triaxial::Density density = triaxial::Density::dense;
   dem::Specimen state;
-  double pressure = 0; ///< that it was compressed to last; 0 before [Pa]
+  double pressure = 0; ///< of the last compression; 0 before [Pa]
   View view;
   std::vector<double> ln_pressure, ln_network, ln_relaxed;
   double first_force = 0;                   ///< mean force of the contacts at the first pressure [N]
   std::optional<triaxial::ShearTest> shear; ///< once it has begun
 };
 
-/// The experiment that runs.
-/// \throws   Error where none has begun
+/// The running experiment.
+/// \throws   Error if none has begun
 Experiment& experiment();
 
 /// Fills the view, and lets the page show it.
 void draw(Experiment& experiment, const dem::Specimen& state);
 
-/// Lets the page hear of long work ten times a second. It never stops the work: the page does, by ending its
+/// Reports long work to the page ten times a second. It never stops the work: the page does, by ending its
 /// worker.
 class Clock {
  public:

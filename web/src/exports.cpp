@@ -28,7 +28,7 @@ void say(const Validity& validity) {
 
 contact::Shape shape_of(double place) {
   if (!(place >= 0 && place < static_cast<double>(contact::laws().size())))
-    throw InvalidArgument("shape", place, "", "the place of one in the table of contact laws");
+    throw InvalidArgument("shape", place, "", "an index in the table of contact laws");
   return contact::laws()[static_cast<std::size_t>(place)].shape;
 }
 
@@ -47,12 +47,13 @@ GRANUM_EXPORT(numbers_address) const double* numbers_address() { return web::num
 GRANUM_EXPORT(numbers_count) std::size_t numbers_count() { return web::numbers().size(); }
 GRANUM_EXPORT(words_address) const char* words_address() { return web::words().data(); }
 GRANUM_EXPORT(words_count) std::size_t words_count() { return web::words().size(); }
-/// Before a call, which may have no words or no numbers to say.
+/// Clears words and numbers before a call.
 GRANUM_EXPORT(forget) void forget() {
   web::numbers().clear();
   web::words().clear();
 }
-/// The table of contact laws, a line each: name, plural, and key and value of its numbers, with tabs between.
+/// The table of contact laws, one line each: name, plural, and key and value of its numbers, separated by
+/// tabs.
 GRANUM_EXPORT(laws) void laws() {
   for (const contact::LawRow& row : contact::laws()) {
     web::words() += std::string(name(row.shape)) + "\t" + row.plural;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page's scripts call. Numbers go in as arguments, in SI, and come out in one row of doubles; "not a
-// number" stands for "not given" and "there is none", as a row of numbers has no other word for it.
+// Functions called by the page's scripts. Numbers are passed as arguments, in SI, and returned in one row of
+// doubles, in which NaN means "not given" or "does not exist".
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@
 
 namespace granum::web {
 
-/// The answer of the last call.
+/// The result of the last call.
 std::vector<double>& numbers();
-/// The notes of the last call, a line each.
+/// The notes of the last call, one line each.
 std::string& words();
 void say(const Validity& validity);
 
@@ -25,8 +25,8 @@ struct PageGrain {
   double shear_modulus; ///< G_g [Pa]
   double poisson_ratio; ///< nu_g [1]
   double radius;        ///< R [m]
-  double first;         ///< of the numbers of the law, in the order of its row; not read where it has none
-  double second;        ///< likewise
+  double first;         ///< first number of the law, in the order of its row; not used if it has none
+  double second;        ///< second number of the law
 };
 /// \throws   InvalidArgument
 contact::Shape shape_of(double place);

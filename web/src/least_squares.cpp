@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What takes the place of GSL, which the page does not have: the one function that granum::inverse asks it
-// for, by Eigen's port of MINPACK. The contact model goes on from here to the minimum by a step of its own,
-// so that its numbers are those of the native program (web/tests/numbers.test.mjs).
+// Replacement of GSL, which the page does not have: the single function used by granum::inverse, implemented
+// with Eigen's port of MINPACK. The contact model then takes a further step to the minimum, so that its
+// numbers agree with those of the native program (web/tests/numbers.test.mjs).
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "hardin/nonlinear_fit.hpp"
@@ -10,7 +10,7 @@ namespace granum::hardin {
 
 namespace {
 
-/// The problem as Eigen asks for it; 0 says that a call succeeded.
+/// The problem in the form required by Eigen; 0 means that a call succeeded.
 struct Residuals {
   const NonlinearProblem& problem;
   Eigen::Index count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triaxial compression of the page's specimen: the lateral stress stays, the axial strain grows.
+// Triaxial compression of the page's specimen: constant lateral stress, growing axial strain.
 #include <memory>
 
 #include <granum/core/error.hpp>
@@ -10,18 +10,18 @@
 
 using namespace granum;
 
-/// A test of the specimen as it was compressed last, until the axial strain. Its rate and the distances of
-/// the points of its curve are those of `granum reproduce`.
+/// A test of the last compressed specimen, up to the axial strain. Its rate and the spacing of the points of
+/// its curve are those of `granum reproduce`.
 GRANUM_EXPORT(experiment_shear_begin) void experiment_shear_begin(double largest_strain) {
   web::Experiment& e = web::experiment();
   if (!(e.pressure > 0))
-    throw Error("the specimen is sheared after it was compressed");
+    throw Error("the specimen can be sheared only after its compression");
   constexpr double points_between_states = 5;
   triaxial::ShearOptions options{
       .path = stress::ShearPath::txc, .mean_stress = e.pressure, .largest_strain = largest_strain};
   options.eta_step /= points_between_states;
   options.strain_step /= points_between_states;
-  // Shared with the test, which keeps the function: it goes on where the last call ended.
+  // Shared with the test, which keeps the function: it continues where the last call ended.
   options.stop_requested = [&e, clock = std::make_shared<web::Clock>()] {
     return clock->tick([&e] {
       if (e.shear)
@@ -31,14 +31,14 @@ GRANUM_EXPORT(experiment_shear_begin) void experiment_shear_begin(double largest
   e.shear.emplace(e.state, e.recipe.material, options);
 }
 
-/// On to the next point of the curve: 0 where there are more, 1 at the last one, 2 where the motion became
+/// Moves to the next point of the curve: 0 if there are more, 1 at the last one, 2 if the motion became
 /// unstable; axial and volumetric strain; q, eta = q/p', sigma_v, sigma_h [Pa]; at the peak so far q, eta,
 /// axial strain and the friction angle that it mobilises [rad]; the largest error of sigma_h so far,
 /// relative; work done on the specimen [J/m3].
 GRANUM_EXPORT(experiment_shear) void experiment_shear() {
   web::Experiment& e = web::experiment();
   if (!e.shear)
-    throw Error("shear has not begun");
+    throw Error("the shear test has not begun");
   const triaxial::ShearEvent event = e.shear->advance();
   web::draw(e, e.shear->engine().state());
   const triaxial::PathPoint &now = e.shear->now(), &peak = e.shear->peak();

@@ -22,12 +22,12 @@ namespace {
 
 using namespace granum;
 
-/// Nothing for not a number.
+/// Empty for NaN.
 std::optional<double> given(double number) {
   return std::isnan(number) ? std::nullopt : std::optional<double>(number);
 }
 
-/// K, G_hh, G_vh, s of G_vh and the relative error of G_vh, or not a number.
+/// K, G_hh, G_vh, s of G_vh and the relative error of G_vh, or NaN.
 void add_answer(const effective::RungName name, const effective::State& packing, Validity& validity) {
   constexpr double none = effective::State::unset;
   std::vector<double>& row = web::numbers();
@@ -48,7 +48,7 @@ void add_answer(const effective::RungName name, const effective::State& packing,
 } // namespace
 
 /// alpha, the stiffness exponent at the largest overlap, k_t/k_n; then overlap, force, k_n and contact radius
-/// at `points` equal steps of the overlap. Not a number for what the power family alone has.
+/// at `points` equal steps of the overlap. NaN for properties of the power family only.
 GRANUM_EXPORT(contact_curve)
 void contact_curve(double shape, double shear_modulus, double poisson_ratio, double radius,
                    double first_number, double second_number, double largest_overlap, double points) {
@@ -67,8 +67,8 @@ void contact_curve(double shape, double shear_modulus, double poisson_ratio, dou
 }
 
 /// The numbers of a law whose contact is as stiff as that of spheres at a force [N]: its last number is
-/// sought, the one before stays. Rough spheres are softer whatever their roughness: they stay as given.
-/// \throws   Error where the law has no number of its own to seek
+/// determined, the one before is constant. Rough spheres are softer at any roughness: they are unchanged.
+/// \throws   Error if the law has no number of its own
 GRANUM_EXPORT(law_as_stiff)
 void law_as_stiff(double shape, double shear_modulus, double poisson_ratio, double radius,
                   double first_number, double second_number, double force) {
@@ -100,8 +100,7 @@ void law_as_stiff(double shape, double shear_modulus, double poisson_ratio, doub
   web::numbers() = two ? std::vector{first_number, found} : std::vector{found};
 }
 
-/// The exponents s of G ~ p^s that laboratories measure on sands, from uniform ones to the widest gradings
-/// that were tested.
+/// The exponents s of G ~ p^s measured on sands, from uniform ones to the widest tested gradings.
 GRANUM_EXPORT(sand_exponents) void sand_exponents() {
   for (const double uniformity : {1.0, sands::largest_tested_uniformity})
     web::numbers().push_back(sands::growth_exponent({.uniformity = uniformity}, 1e5).value);
@@ -114,7 +113,7 @@ GRANUM_EXPORT(fabric_curve) void fabric_curve(double anisotropy, double points) 
     row.push_back(fabric::density(std::numbers::pi / 2 * (k / points), anisotropy) / fabric::density(0, 0));
 }
 
-/// h of G and of K of z* at that k_t/k_n and stiffness exponent, with their relative errors.
+/// The relaxation factors h of G and of K at z*, k_t/k_n and stiffness exponent, with their relative errors.
 GRANUM_EXPORT(relaxation)
 void relaxation(double mechanical_coordination_number, double tangential_ratio, double stiffness_exponent) {
   const effective::Relaxation h =
@@ -124,8 +123,8 @@ void relaxation(double mechanical_coordination_number, double tangential_ratio, 
 }
 
 /// K, G_hh, G_vh, s and error by uniform strain (rung 2), by uniform stress, and relaxed (rung 3); then the
-/// mean contact force, and the pressure where roughness gives way to Hertz, not a number where the contacts
-/// are not rough. A mechanical coordination number that is not a number is not given.
+/// mean contact force, and the transition pressure of rough contacts, NaN for others. NaN for the mechanical
+/// coordination number means not given.
 GRANUM_EXPORT(closed_forms)
 void closed_forms(double shape, double shear_modulus, double poisson_ratio, double radius,
                   double first_number, double second_number, double void_ratio, double coordination_number,

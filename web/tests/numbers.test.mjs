@@ -49,7 +49,7 @@ const asked = [{}, { preparation: "dense" }, { preparation: "loose", saturation:
 const inferred = [{}, { quantity: "V_p", value: 560, error: 0.01 }, { quantity: "G", value: 1.7e8, error: 0.05, otherPressure: 5e4 }].map((change) => ({ ...asked[0], ...change }));
 const typed = (line) => line.split(" ").slice(1);
 
-test("the calculator's answers equal the native ones to 1e-12, by the command that it shows", async () => {
+test("the calculator's answers equal those of the shown command to 1e-12", async () => {
   const granum = await startModule();
   for (const known of asked) {
     const ours = answerOf(granum, known);
@@ -62,7 +62,7 @@ test("the calculator's answers equal the native ones to 1e-12, by the command th
   }
 });
 
-test("slips are warned of as the program does, and right numbers are not", async () => {
+test("likely mistakes give the warnings of the program, and correct numbers none", async () => {
   const granum = await startModule();
   for (const known of asked) assert.deepEqual(slipsOf(granum, known), [], JSON.stringify(known));
   const slips = [{ voidRatio: 0.38 }, { voidRatio: 0.05 }, { pressure: 50 }, { pressure: 5e8 }, { stressRatio: 0.5, pressure: 60 }, { radius: 0.3 }, { grainModulus: 26e3 }, { density: 2.48 }, { z: 9 }];
@@ -90,7 +90,7 @@ test("every rung of the ladder equals the native one to 1e-12", async () => {
   }
 });
 
-test("contacts that a measurement implies, and what follows elsewhere, equal the native ones to 1e-9", async () => {
+test("contacts inferred from a measurement, and predictions, equal the native ones to 1e-9", async () => {
   const granum = await startModule();
   for (const known of inferred) {
     const ours = inferenceOf(granum, known), native = granumJson(...typed(sameInference.commandLine(known)));
@@ -158,7 +158,7 @@ test("the lines in C++ compile, run, and print the page's numbers", async () => 
   }
 });
 
-test("errors are granum's own, and the module goes on", async () => {
+test("errors have granum's messages, and the module continues", async () => {
   const granum = await startModule();
   const packing = { voidRatio: 0.6, coordinationNumber: 5.7, stressV: 1e5 };
   const before = granum.closedForms(grain, packing);
@@ -209,7 +209,7 @@ function at(rows, strain) {
   return y0 + ((y1 - y0) * (strain - x0)) / (x1 - x0);
 }
 
-test("shear: the same bits twice, stresses as the path asks for, and work as stress times strain", async () => {
+test("shear: the same bits twice, stresses of the path, and work as stress times strain", async () => {
   for (const loose of [false, true]) {
     const points = await sheared(loose, 1, 0.01), last = points.at(-1);
     assert.deepEqual(await sheared(loose, 1, 0.01), points);

@@ -36,7 +36,7 @@ const findings = (page) => page.$$eval(".step .finding", (all) => all.map((one) 
 
 test("one file of at most 1.3 MB", () => assert.ok(pageText.length <= 1.3e6, `${pageText.length} bytes`));
 
-test("seven steps say what they find, and sliders change it by keyboard alone", async () => {
+test("seven steps show their findings, and sliders change them by keyboard only", async () => {
   const page = await opened();
   const first = await findings(page);
   assert.equal(first.length, 7);
@@ -58,7 +58,7 @@ test("seven steps say what they find, and sliders change it by keyboard alone", 
   await page.context().close();
 });
 
-test("the address holds the sliders", async () => {
+test("the address contains the sliders", async () => {
   const page = await opened();
   await page.locator("#step5 input").focus();
   for (let k = 0; k < 4; ++k) await page.keyboard.press("ArrowRight");
@@ -81,7 +81,7 @@ async function axesOf(page, chart) {
   return { x: axis(labels.filter(({ up }) => !up), ({ x }) => x), y: axis(labels.filter(({ up }) => up), ({ y }) => y) };
 }
 
-test("the calculator answers as one types, and says what is wrong", async () => {
+test("the calculator answers while typing, and reports errors", async () => {
   const page = await opened();
   const answer = () => page.textContent("#answer");
   const before = await answer();
@@ -115,7 +115,7 @@ test("the calculator answers as one types, and says what is wrong", async () => 
   await page.context().close();
 });
 
-test("a measurement says how many contacts there are, and what follows elsewhere", async () => {
+test("a measurement determines the contacts and predictions", async () => {
   const page = await opened();
   const said = () => page.textContent("#inference");
   const before = await said();
@@ -132,13 +132,13 @@ test("a measurement says how many contacts there are, and what follows elsewhere
   assert.equal(await other.textContent("#inference"), now, "the address does not hold the measurement");
   await page.fill("#cvalue", "90000");
   assert.match(await said(), /No number of contacts explains/);
-  assert.match(await said(), /with 12 contacts a grain/, "granum's own remark");
+  assert.match(await said(), /with 12 contacts per grain/, "granum's own remark");
   assert.deepEqual(page.complaints, []);
   await page.context().close();
   await other.context().close();
 });
 
-test("the page in German says its own words, and the same numbers", async () => {
+test("the page in German has German texts and the same numbers", async () => {
   const page = await opened({}, "", pageFile.replace(/html$/, "de.html")), english = await opened();
   assert.equal(await page.getAttribute("html", "lang"), "de");
   const numbers = (all, sign) => all.map((text) => text.match(new RegExp(`\\d+\\${sign}\\d+`, "g"))?.join(" ").replaceAll(sign, "."));
@@ -168,7 +168,7 @@ async function heard(page) {
     ...Object.fromEntries((node.properties ?? []).map(({ name, value }) => [name, value.value])), said: node.value?.value }));
 }
 
-test("a screen reader hears names, values with units, and findings; hands, eyes and odd input are met", async () => {
+test("screen readers get names, values with units, and findings; keyboard, contrast and odd input work", async () => {
   const page = await opened();
   const parts = await heard(page);
   const sliders = parts.filter(({ role }) => role === "slider");
@@ -218,7 +218,7 @@ test("a screen reader hears names, values with units, and findings; hands, eyes 
   await page.context().close();
 });
 
-test("print has values and what was chosen, and the sheet has its two pages", async () => {
+test("print has values and choices, and the sheet has its two pages", async () => {
   const page = await opened({}, "#xgrains=400&3shape=cone");
   const pages = async () => (await page.pdf({ format: "A4" })).toString("latin1").match(/\/Type \/Page\n/g).length;
   await page.emulateMedia({ media: "print" });
@@ -239,7 +239,7 @@ test("print has values and what was chosen, and the sheet has its two pages", as
   await page.context().close();
 });
 
-test("a link opens one step, a new address is taken, reset forgets; a sandboxed frame shows a step alone", async () => {
+test("a link opens one step, a new address is used, reset forgets; a sandboxed frame shows a single step", async () => {
   const page = await opened({}, "#step=5&5z=6");
   assert.ok(await page.$eval("#step5", (step) => Math.abs(step.getBoundingClientRect().top) < 200), "the step is not on the screen");
   const said = await page.textContent("#step5 .finding");

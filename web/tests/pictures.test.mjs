@@ -141,7 +141,7 @@ for (const [name] of commands)
     await check(...files);
   });
 
-test("lines of a fit are told apart by their dashes", () => {
+test("lines of a fit are distinguished by their dashes", () => {
   const dashes = fs.readFileSync(made("fit", ".svg")[0], "utf8").match(/stroke-dasharray="[^"]*"/g);
   assert.ok(new Set(dashes).size >= 2, dashes.join(", "));
 });

@@ -141,7 +141,7 @@ test("step 6 and the experiment agree, and the line of s goes through the points
   }
 });
 
-test("rough spheres fall from 1 to 1/3, and the pressure of the change goes as roughness and radius to the power 3/2", () => {
+test("s of rough spheres falls from 1 to 1/3, and the transition pressure grows as roughness over radius to the power 3/2", () => {
   let before = 1;
   for (let k = 0; k <= 100; ++k) {
     const s = sOf("rough", 10 ** (10 * (k / 100)), { roughness: 1e-7 });

@@ -21,7 +21,7 @@ class BatchInput {
   BatchInput(const std::vector<double>& values) : values_(std::span(values)) {} // NOLINT: meant to convert
 
   [[nodiscard]] bool varies() const { return values_.has_value(); }
-  /// Rows of a column that varies.
+  /// Number of rows of a column that varies.
   [[nodiscard]] std::size_t size() const { return values_ ? values_->size() : 0; }
   [[nodiscard]] double operator[](std::size_t row) const { return values_ ? (*values_)[row] : value_; }
   /// The values of a column that varies.
@@ -36,15 +36,15 @@ class BatchInput {
 struct PackingBatch {
   contact::NormalLaw law;            ///< normal contact of two grains, of the mean pair
   double tangential_ratio;           ///< k_t/k_n >= 0
-  double radius;                     ///< R > 0 of a grain, or that `contacts` refer to [m]
+  double radius;                     ///< R > 0 of a grain, or the radius that `contacts` refer to [m]
   BatchInput pressure;               ///< p in [0, 1e200] [Pa]
   BatchInput coordination_number;    ///< C_n in [0, 1e6], over all grains
   BatchInput porosity;               ///< voids in the volume, in (0, 1); e/(1+e)
-  sizes::ContactMeans contacts = {}; ///< those of equal grains where nothing is said
+  sizes::ContactMeans contacts = {}; ///< default: equal grains
 };
 
-/// Where a batch puts its results: one element a row. May be the memory of an input from its first row on,
-/// but not a shifted part of it.
+/// Memory for the results of a batch, one element per row. It may be the memory of an input, from its first
+/// row on, but no shifted part of it.
 struct ModuliColumns {
   std::span<double> bulk_modulus;  ///< K [Pa]
   std::span<double> shear_modulus; ///< G [Pa]
@@ -56,7 +56,7 @@ struct RowError {
   std::string message;
 };
 
-/// What became of a batch.
+/// Summary of a batch.
 struct [[nodiscard]] BatchReport {
   static constexpr std::size_t most_errors = 1000;
 
@@ -68,11 +68,11 @@ struct [[nodiscard]] BatchReport {
 
 /// K and G under uniform strain of isotropic packings at isotropic stress, as uniform_strain(State): K =
 /// C_n k_n/(6 pi R (1+e)) at the mean contact force (equal grains), G = 3 (2 + 3 k_t/k_n)/10 K. [Walton1987]
-/// A row whose numbers no packing can have is refused and reported; the others are worked out. Zero pressure
-/// gives 0 (the flat punch keeps its stiffness), as does a coordination number of 0.
-/// \param    packings   columns that vary have the length of the results
+/// A row with impossible numbers is refused and reported; the others are computed. Zero pressure gives 0
+/// (the flat punch keeps its stiffness), as does a coordination number of 0.
+/// \param    packings   columns that vary must have the length of the results
 /// \param    moduli     both of one length
-/// \throws   InvalidArgument for a length that differs, a ratio or radius out of range
+/// \throws   InvalidArgument for lengths that differ, and for a ratio or radius out of range
 /// Accuracy  relative 1e-14 of uniform_strain(State), from C_n (1 - porosity) = 1e-15 on. The vector level
 ///           (AVX-512, AVX2 with FMA, or none) is chosen when the program starts; all give the same bits.
 /// Checked by tests/effective/test_batch.cpp, tests/core/vector/test_cube_root.cpp and test_power.cpp; timed

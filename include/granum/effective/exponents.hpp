@@ -8,11 +8,12 @@
 
 namespace granum::effective {
 
-/// Moduli whose growth with stress is asked for. G_vh = G_hv = C44, G_hh = C66.
+/// Moduli whose growth with stress is computed. G_vh = G_hv = C44, G_hh = C66.
 enum class Modulus { K, G_hh, G_vh, E_v, E_h, C11, C33, C12, C13 };
 
 /// Local exponents of a modulus X at a state of constant C_n, e and a. Of G_ij = const sigma_i^m sigma_j^n
-/// the exponent m belongs to i: for G_hv, m = stress_h and n = stress_v; for G_vh the other way round.
+/// the exponent m belongs to i: for G_hv, m = stress_h and n = stress_v; for G_vh, m = stress_v and
+/// n = stress_h.
 struct StressExponents {
   double stress_v = 0; ///< d ln X/d ln stress_v
   double stress_h = 0; ///< d ln X/d ln stress_h
@@ -23,8 +24,7 @@ struct StressExponents {
 /// The modulus of that name [Pa].
 /// \throws   InvalidArgument for a Young's modulus of a stiffness that is not positive definite
 [[nodiscard]] double modulus(const elastic::TransverselyIsotropic& stiffness, Modulus which);
-/// The same for any stiffness: Young's moduli as elastic::young_modulus gives them, nothing where there is
-/// none.
+/// The same for any stiffness: Young's moduli according to elastic::young_modulus, empty where undefined.
 [[nodiscard]] std::optional<double> modulus_if_any(const elastic::TransverselyIsotropic& stiffness,
                                                    Modulus which);
 

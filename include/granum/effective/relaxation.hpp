@@ -5,13 +5,13 @@
 #include <granum/effective/state.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 
-/// Rung 3: by what factor uniform strain (rungs 0 to 2) is too stiff, because grains do not follow the mean
-/// strain. Calibrated on contact networks of granum's own specimens; validation/relaxation holds the data,
-/// the fit and the errors.
+/// Rung 3: the modulus relative to that of uniform strain (rungs 0 to 2), which is too stiff because grains
+/// do not follow the mean strain. Calibrated on contact networks of granum's own specimens; for the data, the
+/// fit and the errors see validation/relaxation.
 namespace granum::effective {
 
-/// A factor and its standard error: covariance of the coefficients, scatter of recipes and of specimens, for
-/// K of codes too.
+/// A factor and its standard error, from the covariance of the coefficients and the scatter between recipes
+/// and between specimens; for K also between DEM codes.
 struct RelaxationFactor {
   double value = 0;          ///< modulus over that of uniform strain with k_n at the mean force [1]
   double relative_error = 0; ///< standard error over value [1]; 0 where value is 0
@@ -24,8 +24,8 @@ struct Relaxation {
 };
 
 /// z* = C_n/(1 - x_0), coordination number without the rattlers.                          [AgnolinRoux2007a]
-/// Assumes   rattlers carry no contacts. Those that do, grains with one contact, make the true z* smaller by
-///           2 N_x/(N (1 - x_0)), N_x their contacts: less than 2 % for specimens at rest.
+/// Assumes   rattlers have no contacts. If N_x contacts belong to rattlers (grains with one contact), the
+///           true z* is smaller by 2 N_x/(N (1 - x_0)): less than 2 % for specimens at rest.
 /// \param    coordination_number   C_n >= 0 over all grains [1]
 /// \param    rattler_fraction      x_0 in [0, 1) [1]
 /// \throws   InvalidArgument if a value is out of its range
@@ -39,39 +39,40 @@ struct Relaxation {
 /// Accuracy  0.010, the standard error of the fit.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double isostatic_coordination_number(double tangential_ratio);
 
-/// Of the variance of G about its curve, far above the isostatic point, what all packings of one preparation
-/// share: how recipes scatter, beside the packings of one. 0.45. [validation/relaxation]
+/// Share of the variance of G about its curve, far above the isostatic point, that is common to all packings
+/// of one preparation (scatter between recipes, as opposed to within a recipe): 0.45. [validation/relaxation]
 /// Assumes   equal grains.
-/// Accuracy  not measured: the share that the fit says.  Checked by tests/effective/test_relaxation.cpp
+/// Accuracy  not measured; the value is that of the fit.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double scatter_share_of_preparation();
 
-/// How contacts come to stiffen as f^b. Up to b = 1/2 the factors do not ask, only their errors do.
+/// Why contacts stiffen as f^b. Up to b = 1/2 only the errors of the factors depend on it.
 enum class Stiffening {
-  power_law, ///< one b at every force; beyond 1/2 on packings that something else made
-  rough      ///< of rough spheres in their own packings, whose b falls as roughness is pressed flat
+  power_law, ///< one b at every force; beyond 1/2 in packings made with another law
+  rough      ///< rough spheres in their own packings; b decreases as the roughness is flattened
 };
 
-/// That of a law: rough where it has no b of its own.
+/// The stiffening of a law: rough where b depends on the force.
 [[nodiscard]] Stiffening stiffening_of(const contact::NormalLaw& law);
 
 /// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.95; 6 for
-/// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
-/// has a jump at the isostatic point and tends to 1 as well. Both are exactly 0 at that point and below, and
-/// depend weakly on the contact law, as the scatter of its stiffnesses does. Beyond b = 1/2 they go on from
-/// there: G's falls, K's rises to what tangential forces leave of it at b = 1.
+/// r = 0), the factor of G is 0 at x = 0, grows linearly in x, as sqrt(r) at z* = 6 and small r, and tends to
+/// 1 for large z*. The factor of K has a jump at the isostatic point and tends to 1 as well. Both are exactly
+/// 0 at that point and below. They depend weakly on the contact law, through the scatter of the contact
+/// stiffnesses. Beyond b = 1/2 the factor of G decreases; that of K rises to 1 less the effect of tangential
+/// forces at b = 1.
 /// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*.
 /// \param    mechanical_coordination_number   z* >= 0 [1]
 /// \param    tangential_ratio                 r = k_t/k_n >= 0 [1]
 /// \param    stiffness_exponent               b of k_n ~ f^b, contact_exponent(state), in [0, 1]
-/// \param    stiffening                       how the contacts come to it
+/// \param    stiffening                       the cause of this b
 /// \return   notes where z* is at or below the isostatic point or beyond the calibrated range (4.1 to 8.7),
 ///           where r exceeds 1 or lies between 0 and 0.1
 /// \throws   InvalidArgument if a value is out of its range
 /// Accuracy  of recipes left out of the fit, r >= 0.5: G 3 % rms and 10 % at worst; K 2 % rms, worse for
-///           z* < 4.3. The stated errors hold the scatter of recipes and of specimens: for z* >= 4.3 they
-///           cover 64 % of G and 74 % of K, twice as large 94 and 99 %. K of loose packings that other codes
-///           made is 3 to 8 % larger: its stated error holds a scatter between codes besides, 18 % over
-///           (1 + 2x)^2, taken from packings of LAMMPS and tested on YADE's. Grains compressed from a gas
+///           z* < 4.3. The stated errors include the scatter of recipes and of specimens: for z* >= 4.3 they
+///           cover 64 % of G and 74 % of K, twice as large 94 and 99 %. K of loose packings made by other
+///           codes is 3 to 8 % larger: its stated error also includes a scatter between codes, 18 % over
+///           (1 + 2x)^2, derived from packings of LAMMPS and tested on YADE's. Grains compressed from a gas
 ///           with much friction are up to 6 % stiffer than the curve. At r = 0.1: G 4 %, K 6 %; at r = 0:
 ///           8 % both. Beyond b = 1/2, networks of k_n ~ f^b on packings never fitted: G 5, 6 and 8 % rms at
 ///           b = 2/3, 0.8 and 1, K 2 %; rough packings: G 5 % and K 3 % rms, opened ones 10 to 20 %; the
@@ -87,29 +88,30 @@ struct ModulusErrors {
   double G_vh = 0;
 };
 
-/// A relaxed stiffness, the standard errors of its moduli and the remarks that go with it.
+/// A relaxed stiffness, the standard errors of its moduli and its validity notes.
 struct RelaxedEstimate {
   elastic::TransverselyIsotropic stiffness;
   ModulusErrors relative_error;
   Validity validity;
 };
 
-/// uniform_strain(state), relaxed: its volumetric and its deviatoric part by the two factors; then, where
-/// fabric or stresses are anisotropic, C33/C11 by exp((1 - h)(A ln(F33/F11) + B b ln(stress_v/stress_h))) at
-/// constant volume, h the factor of G, because directions of many or stiff contacts relax less. Far beyond
-/// the calibration that could raise K above that of uniform strain, its upper bound: then all constants are
-/// scaled down to it, with a note. Transversely
-/// isotropic, positive definite where uniform_strain is, and exactly isotropic where that is isotropic.
-/// Unequal grains have G's factor of equal ones of a larger z*, by 1.6 v/(1 + 2x)^2 with v = <l^2>/<l>^2 - 1
-/// of state.contacts, K's over 1 + 0.60 v/(z* - 3.46 + 0.96 b), and errors that grow with v: 6 % of G
-/// for C_u = 2, more beyond. b is contact_exponent(state), and contacts are rough where their law
-/// has no b of its own; those state larger errors below b = 1/2 too. The exponent of the stretch has b up to
-/// 1/2 alone, as no sheared packings beyond are known.
-/// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
+/// uniform_strain(state), relaxed. Its volumetric and its deviatoric part are reduced by the two factors.
+/// Where fabric or stresses are anisotropic, C33/C11 is then multiplied by
+/// exp((1 - h)(A ln(F33/F11) + B b ln(stress_v/stress_h))) at constant volume, h the factor of G, because
+/// directions with many or stiff contacts relax less. Far beyond the calibration this could raise K above
+/// that of uniform strain, its upper bound: then all constants are scaled down to it, with a note. The result
+/// is transversely isotropic, positive definite where uniform_strain is, and exactly isotropic where that is
+/// isotropic.
+/// Unequal grains, with v = <l^2>/<l>^2 - 1 of state.contacts: the factor of G is that of equal grains at a
+/// z* larger by 1.6 v/(1 + 2x)^2, the factor of K is divided by 1 + 0.60 v/(z* - 3.46 + 0.96 b), and the
+/// errors grow with v: 6 % of G for C_u = 2, more beyond. b is contact_exponent(state). Contacts count as
+/// rough where b depends on the force; rough contacts have larger stated errors below b = 1/2 too. In the
+/// exponent above, b is limited to 1/2, because no sheared packings beyond it were available.
+/// Assumes   as relaxation and uniform_strain; moduli of a packing at rest, not during shear.
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]
-/// \return   a zero stiffness where G's factor is 0, as a packing that is not rigid has none; a note where
-///           sqrt(v) exceeds 0.51, beyond C_u of about 4
+/// \return   zero stiffness where the factor of G is 0 (the packing is not rigid); a note where sqrt(v)
+///           exceeds 0.51, a C_u of about 4
 /// \throws   InvalidArgument as require_valid(State) and relaxation
 /// Accuracy  see relaxation; C33/C11 2 % rms for stress ratios from 0.5 to 2.1 and a from 0 to 0.3.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation

@@ -4,18 +4,18 @@
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/state.hpp>
 
-/// Why G of loose packings grows faster with stress than contacts stiffen: contacts form, and the network
-/// leaves its isostatic point.
+/// Exponents of relaxed moduli. G of loose packings grows faster with stress than the contacts stiffen,
+/// because new contacts form and move the network away from the isostatic point.
 namespace granum::effective {
 
-/// How a packing changes along a path, by ln p.
+/// Change of a packing along a path, per ln p.
 struct Growth {
   double coordination_number = 0;            ///< d ln C_n/d ln p [1]
   double mechanical_coordination_number = 0; ///< d z*/d ln p [1]
   double void_ratio = 0;                     ///< d e/d ln p [1], negative under compression
 };
 
-/// A packing as it was found at one mean stress.
+/// A packing at one mean stress.
 struct MeasuredPacking {
   double pressure = State::unset;                       ///< p > 0 [Pa]
   double coordination_number = State::unset;            ///< C_n > 0 [1]
@@ -30,24 +30,26 @@ struct MeasuredPacking {
 
 /// Exponents of a modulus of relaxed(state, z*) while the packing grows with the mean stress; fabric stays.
 /// Isotropic: s = b + (1-b) (d ln C_n/d ln p - d ln(1+e)/d ln p) + d ln h/dz* d z*/d ln p, b = 1/(1+alpha).
-/// Under anisotropic stress d ln p = (stress_v d ln stress_v + 2 stress_h d ln stress_h)/(3p) shares the
+/// Under anisotropic stress d ln p = (stress_v d ln stress_v + 2 stress_h d ln stress_h)/(3p) splits the
 /// growth between m and n. A Growth of zeros gives the exponents at frozen contacts.
 /// \param    mechanical_coordination_number   z* [1]
 /// \param    growth   at this state
-/// Constants of uniform strain that vanish, as C12 and C13 at k_t = k_n, stay zero and grow with nothing.
-/// \throws   InvalidArgument as relaxed, if the stresses are zero or there are no contacts, if growth is not
-///           finite, if z* is not above the isostatic point, where the moduli vanish, or if this one does
+/// Vanishing constants of uniform strain, such as C12 and C13 at k_t = k_n, stay zero at every stress.
+/// \throws   InvalidArgument as relaxed, without stress or contacts, for a growth that is not finite, for a
+///           z* at or below the isostatic point, and for a modulus that vanishes
 /// Accuracy  against s fitted to networks of granum's specimens, 10 to 100 kPa, growth given: 0.03. Where
-///           forces even out, as after friction was switched on, s between two states is up to 0.04 more.
+///           forces become more even, as after friction was switched on, s between two states is up to 0.04
+///           larger.
 ///           Rounding: absolute 1e-10.
 /// Checked by tests/effective/test_relaxed_exponents.cpp, validation/relaxation
 [[nodiscard]] StressExponents relaxed_exponents(const State& state, double mechanical_coordination_number,
                                                 const Growth& growth, Modulus which);
 
-/// How z* grows as compression closes gaps: z* = z_0 + A (1 - s b) w^q, w the overlap of the mean force over
-/// the diameter, b of k_n ~ f^b; rattlers become fewer as x_0 = c exp(-k (z* - 4)).
-/// What a recipe alone says of s, without any packing: validation/relaxation sets it beside networks. Of one
-/// packing whose contacts are known at a pressure carried_contacts says more, for every recipe.
+/// Growth of z* as compression closes gaps: z* = z_0 + A (1 - s b) w^q, w the overlap at the mean force over
+/// the diameter, b of k_n ~ f^b; the fraction of rattlers decreases as x_0 = c exp(-k (z* - 4)).
+/// It predicts s from the recipe alone, without a packing; validation/relaxation compares it with networks.
+/// For a packing with known contacts at one pressure, carried_contacts is more accurate and covers every
+/// recipe.
 struct ClosingGapLaw {
   double initial = 0;       ///< z_0
   double amplitude = 0;     ///< A
@@ -65,15 +67,15 @@ struct ClosingGapLaw {
 /// [validation/relaxation]
 [[nodiscard]] const ClosingGapLaw& loose_closing_gaps();
 
-/// What such a law makes of a packing at one pressure.
+/// Prediction of such a law at one pressure.
 struct PredictedPacking {
   double coordination_number = 0;
   double mechanical_coordination_number = 0;
   Growth growth;
 };
 
-/// C_n, z* and their growth at isotropic stress: C_n and the mean force, f = 4 pi R^2 (1+e) p/C_n, depend on
-/// each other and are solved for together; e stays constant.
+/// C_n, z* and their growth at isotropic stress. C_n and the mean force, f = 4 pi R^2 (1+e) p/C_n, depend on
+/// each other and are solved together; e is constant.
 /// \param    state   law, radius, void_ratio; its coordination number and stresses are not used
 /// \param    pressure   p > 0 [Pa]
 /// \throws   InvalidArgument if pressure, radius or void_ratio are not positive

@@ -11,17 +11,16 @@
 /// Effective stiffness of a packing from the average over its contacts.
 namespace granum::effective {
 
-/// What is known of a packing of nearly spherical grains. The fabric and the sizes have a default, no
-/// preferred direction and equal grains. Contacts may be unknown: a closed form that needs them refuses a
-/// state without them. Any other number that is left out stays NaN and is refused by name. Of unequal grains
-/// the law is that of the mean pair, for spheres contact::PowerLaw::sphere(grain, radius *
-/// contacts.pair_radius).
+/// The state of a packing of nearly spherical grains. By default the fabric has no preferred direction and
+/// the grains are equal. Contacts may be unknown: a closed form that needs them refuses a state without them.
+/// Any other number that is left out stays NaN and is refused by name. For unequal grains the law is that of
+/// the mean pair, for spheres contact::PowerLaw::sphere(grain, radius * contacts.pair_radius).
 struct State {
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
   contact::NormalLaw law;          ///< normal contact of two grains, of the mean pair
   double tangential_ratio = unset; ///< k_t/k_n in [0, 100], e.g. contact::mindlin_stiffness_ratio(nu_g)
-  double radius = unset;           ///< R > 0 of a grain, or that `contacts` refer to [m]
+  double radius = unset;           ///< R > 0 of a grain, or the radius that `contacts` refer to [m]
   double void_ratio = unset;       ///< e > 0
   std::optional<double> coordination_number = std::nullopt; ///< C_n = 2 N_c/N over all grains, >= 0
   std::optional<double> mechanical_coordination_number = std::nullopt; ///< z*, without rattlers, >= 0
@@ -38,34 +37,35 @@ struct State {
 /// Checks every member of a state. Contacts may be unknown; prefactor, forces and stiffnesses of such a state
 /// are refused.
 /// Stresses are both zero or both positive: grains without bonds carry no tension, and a zero stress across
-/// loaded contacts asks for unlimited friction. Forces of the static field may differ by a factor of 1e4.
-/// k_t/k_n is at most 4/3 in elastic grains (nu_g = -1); beyond 100 the bulk modulus would drown in the
-/// rounding of the five constants. C_n = 0 is taken as a limit: forces grow as 1/C_n, k_n no faster than
-/// C_n^(-1/2), so that every modulus falls to 0 with the number of contacts.
-/// \throws   InvalidArgument naming the first member that no packing can have, or "force" where the contact
-///           force is beyond what a double holds
+/// loaded contacts would need unlimited friction. Forces of the static field may differ by a factor of 1e4.
+/// k_t/k_n is at most 4/3 in elastic grains (nu_g = -1); beyond 100 the bulk modulus would be lost in the
+/// rounding of the five constants. C_n = 0 is treated as a limit: forces grow as 1/C_n, k_n no faster than
+/// C_n^(-1/2), so that every modulus tends to 0 with the number of contacts.
+/// \throws   InvalidArgument naming the first member that is impossible, or "force" where the contact force
+///           exceeds the range of a double
 /// \return   notes if |a| > 1, if C_n = 0 (nothing carries the stress), if C_n > 12 (equal spheres touch at
 ///           most 12), or if the largest contact radius exceeds a tenth of the grain radius, where contact
-///           laws of the half-space no longer hold
+///           laws of the half-space are no longer valid
 /// Checked by tests/effective/test_state.cpp
 Validity require_valid(const State& state);
 
-/// P = N_c <l^2>/V, of equal grains 3 C_n/(2 pi R (1+e)), the factor of every modulus [1/m].
+/// P = N_c <l^2>/V, for equal grains 3 C_n/(2 pi R (1+e)), the factor of every modulus [1/m].
 /// [Walton1987]
 /// Assumes   spheres that touch, branch length l = R_i + R_j.
 /// \throws   InvalidArgument as require_valid
 /// Accuracy  4 ulp.  Checked by tests/effective/test_state.cpp
 [[nodiscard]] double prefactor(const State& state);
 
-/// Mean normal contact force 3 p V/(N_c <l>), of equal grains 4 pi R^2 (1+e) p/C_n, at the mean stress
-/// p = (stress_v + 2 stress_h)/3 [N]. Exact for equal spheres in static equilibrium, whatever the fabric. In
-/// unequal ones long branches bear more: the mean of all is smaller, by 4 to 6 % for C_u of 1.5 and 1.7.
+/// Mean normal contact force 3 p V/(N_c <l>), for equal grains 4 pi R^2 (1+e) p/C_n, at the mean stress
+/// p = (stress_v + 2 stress_h)/3 [N]. Exact for equal spheres in static equilibrium and any fabric. In
+/// unequal spheres longer branches carry more force: the true mean is smaller, by 4 to 6 % for C_u of 1.5 and
+/// 1.7.
 /// \throws   InvalidArgument as require_valid, and if C_n = 0
 /// Accuracy  6 ulp.  Checked by tests/effective/test_state.cpp
 [[nodiscard]] double mean_contact_force(const State& state);
 
-/// b = d ln k_n/d ln f of the state's law at the mean contact force, which is b at any force for laws of one
-/// b; without contacts that at no force.
+/// b = d ln k_n/d ln f of the state's law at the mean contact force (laws of one b have it at any force);
+/// without contacts, b at zero force.
 /// \throws   InvalidArgument as require_valid
 /// Accuracy  that of the law.  Checked by tests/effective/test_kernels.cpp
 [[nodiscard]] double contact_exponent(const State& state);
@@ -82,13 +82,13 @@ struct StaticForceField {
   }
   /// f_t along growing gamma at n3 = cos gamma >= 0, (horizontal - vertical) sin gamma cos gamma [N].
   [[nodiscard]] double tangential_force(double n3) const;
-  /// Largest |f_t|/f_n over all directions, the friction coefficient that the field needs:
+  /// Largest |f_t|/f_n over all directions, the friction coefficient required by the field:
   /// |vertical - horizontal|/(2 sqrt(vertical horizontal)), 0 without load.
   [[nodiscard]] double mobilised_friction() const;
 };
 
 /// Forces of the static hypothesis at this state; their mean normal part is mean_contact_force. They
-/// balance the stress, but not every single grain.                                            [ChangLiao1994]
+/// balance the stress on average, but not on each grain.                                      [ChangLiao1994]
 /// \throws   InvalidArgument as require_valid, and if C_n = 0
 /// Accuracy  8 ulp.  Checked by tests/effective/test_state.cpp
 [[nodiscard]] StaticForceField static_force_field(const State& state);

@@ -7,7 +7,7 @@
 
 namespace granum::effective {
 
-/// Contacts that all have the same stiffness, whatever their direction.
+/// Contacts of equal stiffness in all directions.
 struct UniformContacts {
   double prefactor = State::unset;            ///< P = N_c <l^2>/V > 0 [1/m]
   double normal_stiffness = State::unset;     ///< k_n >= 0 [N/m]
@@ -16,13 +16,13 @@ struct UniformContacts {
   double branch_evenness = 1; ///< <l>^2/<l^2> in (0, 1]: P of uniform stress over that of uniform strain
 };
 
-/// A stiffness and the remarks that go with it.
+/// A stiffness and its validity notes.
 struct Estimate {
   elastic::TransverselyIsotropic stiffness;
   Validity validity;
 };
 
-/// Stiffness if every contact follows the mean strain and no grain spins, contacts of uniform stiffness:
+/// Stiffness if every contact follows the mean strain and no grain spins; all contacts equally stiff:
 /// C_ijkl = P <(k_n-k_t) n_i n_j n_k n_l
 ///             + k_t/4 (n_i n_k d_jl + n_i n_l d_jk + n_j n_k d_il + n_j n_l d_ik)>,
 /// an upper bound of the true stiffness.                                             [Walton1987; Chang1995]
@@ -31,19 +31,19 @@ struct Estimate {
 /// Checked by validation/accuracy, tests/effective/test_uniform_field.cpp
 [[nodiscard]] elastic::TransverselyIsotropic uniform_strain_stiffness(const UniformContacts& contacts);
 
-/// The same if all grains may spin alike, as their energy likes best: a tighter upper bound. In a plane ij
+/// The same if all grains share one spin, the one of least energy: a tighter upper bound. In a plane ij
 ///   C_ijij = P [<(k_n-k_t) n_i^2 n_j^2> + A_i A_j/(A_i+A_j)],  A_i = <k_t n_i^2>,
-/// where uniform strain has (A_i+A_j)/4 for the last term. Only C44 differs, and only if A_1 != A_3: by
-/// fabric, or by stiffness that depends on direction.
+/// where uniform strain has (A_i+A_j)/4 for the last term. Only C44 differs, and only if A_1 != A_3 because
+/// of fabric or of a stiffness that depends on direction.
 /// \throws   InvalidArgument if a member is out of its range
 /// Accuracy  8 ulp (C12 and C13 of the larger C11 and C33).
 /// Checked by validation/accuracy, tests/effective/test_free_spin.cpp
 [[nodiscard]] elastic::TransverselyIsotropic free_spin_stiffness(const UniformContacts& contacts);
 
-/// Stiffness if the contact forces are df = V/(N_c <l>) dstress F^-1 n, whatever the length of the branch,
-/// contacts of uniform stiffness: from the complementary energy (1/2V) sum (df_n^2/k_n + df_t^2/k_t). Its
-/// shear moduli vanish with k_t. The sources call it the lower estimate; a lower bound it is not, since its
-/// forces do not balance grain by grain.
+/// Stiffness if the contact forces are df = V/(N_c <l>) dstress F^-1 n, for any length of the branch,
+/// all contacts equally stiff: from the complementary energy (1/2V) sum (df_n^2/k_n + df_t^2/k_t). Its
+/// shear moduli vanish with k_t. The sources call it the lower estimate. It is no lower bound, because its
+/// forces do not balance on each grain.
 /// [ChangLiao1994] for isotropic fabric, [Chang1995] with fabric; [YimsiriSoga2000].
 /// \throws   InvalidArgument if a member is out of its range
 /// Accuracy  8 ulp (C12 and C13 of the larger C11 and C33). G_hh, E_v and E_h, differences of the five
@@ -51,44 +51,44 @@ struct Estimate {
 /// Checked by validation/accuracy, tests/effective/test_uniform_field.cpp
 [[nodiscard]] elastic::TransverselyIsotropic uniform_stress_stiffness(const UniformContacts& contacts);
 
-/// The state with all contacts at the stiffness of the mean force: rungs 0 and 1 of the ladder. Equal to what
-/// uniform_strain and uniform_stress use only where the static forces do not depend on direction (a = 0 and
-/// stress_v = stress_h) or the law is linear; else they go further and take k_n(f_n(gamma)).
+/// The contacts of a state, all with the stiffness at the mean force: rungs 0 and 1 of the ladder.
+/// uniform_strain and uniform_stress use k_n(f_n(gamma)) instead. The two are equal only where the static
+/// forces do not depend on direction (a = 0 and stress_v = stress_h) or the law is linear.
 /// \throws   InvalidArgument as require_valid(State), and if C_n = 0
 /// Accuracy  relative 1e-14.  Checked by tests/effective/test_uniform_field.cpp
 [[nodiscard]] UniformContacts uniform_contacts(const State& state);
 
 /// Stiffness under uniform strain with k_n(gamma) = k_n(f_n(gamma)) of the static force field and
-/// k_t = tangential_ratio k_n. Fabric alone makes the forces depend on direction: with a != 0 the sparse
-/// directions carry more force a contact, also at stress_v = stress_h. Unloaded (both stresses 0): exactly
-/// 0, or the constant of a flat punch. Without contacts (C_n = 0): 0.                  [Chung2014; Chang1995]
-/// Assumes   grains do not spin on average; C_n and a are those of this very state.
+/// k_t = tangential_ratio k_n. Fabric alone makes the forces depend on direction: with a != 0, contacts in
+/// sparse directions carry more force, even at stress_v = stress_h. Unloaded (both stresses 0): exactly 0, or
+/// the constant of a flat punch. Without contacts (C_n = 0): 0.                        [Chung2014; Chang1995]
+/// Assumes   grains do not spin on average; C_n and a were determined in this state.
 /// \throws   InvalidArgument as require_valid(State)
 /// Accuracy  relative 1e-12.  Checked by tests/effective/test_directional.cpp
 [[nodiscard]] Estimate uniform_strain(const State& state);
 
-/// The same with a free mean spin, see free_spin_stiffness: not above uniform_strain in any direction.
+/// The same with a free mean spin (see free_spin_stiffness): nowhere stiffer than uniform_strain.
 /// \throws   InvalidArgument as require_valid(State)
 /// Accuracy  relative 1e-12.  Checked by tests/effective/test_free_spin.cpp
 [[nodiscard]] Estimate free_spin(const State& state);
 
 /// Stiffness under the static hypothesis with the same k_n(f_n(gamma)); see uniform_strain and
-/// uniform_stress_stiffness. Adds a note if k_t = 0, where its shear moduli vanish by construction.
+/// uniform_stress_stiffness. Adds a note if k_t = 0, where the shear moduli vanish by construction.
 ///                                                                           [ChangLiao1994; YimsiriSoga2000]
 /// \throws   InvalidArgument as require_valid(State)
 /// Accuracy  relative 1e-12; G_hh, E_v and E_h, which vanish with r = k_t/k_n, relative 1e-12 (1 + 1/r).
 ///            Checked by tests/effective/test_directional.cpp
 [[nodiscard]] Estimate uniform_stress(const State& state);
 
-/// A packing that has no directions: State with one stress and no fabric.
+/// An isotropic packing: a State with one stress and no fabric.
 struct IsotropicPacking {
   contact::NormalLaw law;                    ///< normal contact of two grains
   double tangential_ratio = State::unset;    ///< k_t/k_n >= 0
-  double radius = State::unset;              ///< R > 0 of a grain, or that `contacts` refer to [m]
+  double radius = State::unset;              ///< R > 0 of a grain, or the radius that `contacts` refer to [m]
   double void_ratio = State::unset;          ///< e > 0
   double coordination_number = State::unset; ///< C_n >= 0
   double pressure = State::unset;            ///< p >= 0 [Pa]
-  sizes::ContactMeans contacts = {};         ///< those of equal grains where nothing is said
+  sizes::ContactMeans contacts = {};         ///< default: equal grains
 };
 
 struct IsotropicModuli {
@@ -96,8 +96,9 @@ struct IsotropicModuli {
   double shear_modulus = 0; ///< G [Pa]
 };
 
-/// K = P k_n/9 and G = P (2 k_n + 3 k_t)/30 alone, for the many calls of a fit or a table; the same as
-/// uniform_strain, without notes on validity. K has no cancellation at any k_t/k_n. [Walton1987; Digby1981]
+/// K = P k_n/9 and G = P (2 k_n + 3 k_t)/30 only: fast, for the many calls of a fit or a table. The same
+/// values as uniform_strain, without validity notes. K has no cancellation at any k_t/k_n.
+/// [Walton1987; Digby1981]
 /// \throws   InvalidArgument if a member is out of its range
 /// Accuracy  8 ulp.  Checked by tests/effective/test_uniform_field.cpp
 [[nodiscard]] IsotropicModuli uniform_strain_moduli(const IsotropicPacking& packing);

@@ -11,25 +11,26 @@
 #include <granum/estimate/fields.hpp>
 #include <granum/estimate/question.hpp>
 
-/// From what is known of a packing to its stiffness: the one route that every command, Python and the page
-/// take. Each number has a range that covers what is not known.
+/// From the known properties of a packing to its stiffness: the one function that every command, Python and
+/// the page use. The range of each number covers the unknown properties.
 namespace granum::estimate {
 
-/// A number and the range that its inputs leave open.
+/// A number and its range due to uncertain inputs.
 struct Range {
   double value = 0;
   double low = 0;
   double high = 0;
 
   bool operator==(const Range&) const = default;
-  /// Half of the width over the value: a standard error, if the range is that of one deviation [1].
+  /// Half of the width over the value: a relative standard error, if the range is one deviation to each side
+  /// [1].
   [[nodiscard]] double relative_error() const { return (high - low) / (2 * value); }
 };
 
-/// Numbers in the order of fields(). Those that a packing does not have are 0 there.
+/// Numbers in the order of fields(); 0 for those that do not exist for the packing.
 using Values = std::array<double, field_count>;
 
-/// What one input makes of all numbers when it moves by one standard deviation to each side.
+/// All numbers, with one input changed by one standard deviation to each side.
 struct Effect {
   std::string input; ///< "contacts", "rung 3", or the name of a Spread
   bool assumed = false;
@@ -46,28 +47,28 @@ struct Share {
 class Answer {
  public:
   /// A number with its range.
-  /// \throws   InvalidArgument if the packing does not have it: a wave speed without the density of the
+  /// \throws   InvalidArgument if it does not exist for the packing: a wave speed without the density of the
   ///           grains, an exponent without stiffness
   [[nodiscard]] const Range& operator[](Field field) const;
-  /// The same; nothing where the packing does not have it.
+  /// The same; empty if it does not exist for the packing.
   [[nodiscard]] const std::optional<Range>& find(Field field) const {
     return ranges_[static_cast<std::size_t>(field)];
   }
-  /// The range that would be left if an input were exact.
+  /// The remaining range if an input were exact.
   /// \throws   as operator[]
   [[nodiscard]] Range without(Field field, std::string_view input) const;
 
-  /// The packing with the contacts that the answer takes, C_n and z*: for the rungs of effective/rungs.hpp.
+  /// The packing with the C_n and z* used by the answer, as input of the rungs of effective/rungs.hpp.
   [[nodiscard]] const effective::State& state() const { return state_; }
-  /// What the grains were taken to be.
+  /// The assumed kind of grains.
   [[nodiscard]] GrainShape grain_shape() const { return grain_shape_; }
-  /// Which inputs make the range of G_vh, largest first; empty where nothing is open.
+  /// Shares of the inputs in the range of G_vh, largest first; empty if all inputs are exact.
   [[nodiscard]] std::vector<Share> shares() const;
-  /// What each input makes of the numbers, one after the other.
+  /// The effects of all inputs.
   [[nodiscard]] const std::vector<Effect>& effects() const { return effects_; }
   /// Whether an input of that name is an assumption.
   [[nodiscard]] bool assumes(std::string_view input) const;
-  /// Notes on inputs outside of what formulas are made for.
+  /// Notes on inputs outside the range of the formulas.
   [[nodiscard]] const Validity& validity() const { return validity_; }
 
  private:
@@ -83,36 +84,35 @@ class Answer {
   Validity validity_;
 };
 
-/// Rung 3 at the contacts that are known, or else in the middle of those that the packing may have.
-/// The range covers, each input by itself and added in quadrature, to each side as far as it goes there: the
-/// contacts from the loosest to the densest of the preparation with the scatter of z*, one standard error of
-/// rung 3, and one deviation of each uncertain input. Of z* alone, C_n follows with the rattlers of
-/// effective::contact_prior; of C_n alone z* does; of rattlers alone z* does, within the prior's range.
+/// Rung 3 with the given contacts, or else with the middle of the possible contacts.
+/// The range adds the effects of the inputs in quadrature, separately for each side: the contacts from the
+/// loosest to the densest of the preparation with the scatter of z*, one standard error of rung 3, and one
+/// deviation of each uncertain input. If only one of z*, C_n and x_0 is given, the others follow from
+/// effective::contact_prior; z* from x_0 alone stays within the range of the prior.
 /// The range of a stiffness begins at 0 where z* may be at the isostatic point.
-/// m, n and s are those of G_vh = C44 at this void ratio. Where nothing is known of the contacts they grow
-/// with the mean stress as the prior has them, and s is the slope of this answer along p'; known contacts
-/// stay.
-/// Assumes   as relaxed, contact_prior and saturated; air in the pores of a saturation below 1 makes them
-///           nearly as soft as dry ones.
-/// Below e = 0.5 and above 0.75 no sphere packing was calibrated: the range of a stiffness there reaches what
-/// is measured on sands.
-/// Of a sand (grain_shape) the same fields come from what was measured: G by sands::pooled_shear_modulus at
-/// the mean stress, and as n and m share its exponent where stresses differ; Poisson's ratio by
-/// sands::poisson_ratio, and with it K, E, V_p; the range is that of sands::stated_factor and of the other
-/// deviations there. z* and the softness of contacts are inferred: those at which rung 3 has this ratio and
-/// this G; neither is known by itself, and no other contact number is stated.
+/// m, n and s apply to G_vh = C44 at this void ratio. Unknown contacts grow with the mean stress according to
+/// the prior, and s is then the slope of this answer along p'; given contacts do not grow.
+/// Assumes   as relaxed, contact_prior and saturated; at a saturation below 1, air makes the pore fluid
+///           nearly as soft as in dry pores.
+/// Below e = 0.5 and above 0.75 there are no calibrated sphere packings: there the range of a stiffness
+/// extends to the values measured on sands.
+/// For sand (grain_shape) the same fields follow from laws measured on sands: G from
+/// sands::pooled_shear_modulus at the mean stress (under anisotropic stress its exponent is split into n and
+/// m); K, E and V_p with sands::poisson_ratio; the range from sands::stated_factor and the other deviations
+/// there. z* and the softness of contacts are inferred: with them rung 3 gives this Poisson's ratio and this
+/// G. Neither is known independently, and no other contact number is stated.
 /// \throws   InvalidArgument as relaxed and contact_prior, for a saturation or density out of its range,
 ///           for a shear strain of spheres, for spheres of C_u above sphere_uniformity_limit, if C_n, z* and
-///           x_0 are all given, and if the moduli are beyond what a double holds
-/// Accuracy  of the middle as relaxed at its z*; of s where contacts grow 1e-7. No number is NaN, and each
-///           lies in its range. Checked by tests/estimate/test_answer.cpp, tests/attack
+///           x_0 are all given, and if the moduli exceed the range of a double
+/// Accuracy  the middle as relaxed at its z*; s of growing contacts 1e-7. No number is NaN, and each lies in
+///           its range. Checked by tests/estimate/test_answer.cpp, tests/attack
 [[nodiscard]] Answer answer(const Question& question, std::span<const Spread> spreads = {});
 
-/// Largest C_u of spheres that the answer stands for.
+/// Largest C_u of spheres for which the answer is valid.
 inline constexpr double sphere_uniformity_limit = 4;
 
-/// The same with inputs that functions move. A side that no packing can have is moved by a half, a quarter
-/// and so on, down to 1/32 of the deviation, and else not at all.
+/// The same with inputs changed by functions. If no packing is possible at a full deviation to one side, a
+/// half, a quarter and so on down to 1/32 of it is used, and else none.
 /// \throws   InvalidArgument as answer, for the question itself
 /// Checked by tests/estimate/test_answer.cpp
 [[nodiscard]] Answer answer(const Question& question, std::span<const UncertainInput> inputs);

@@ -7,10 +7,11 @@
 
 #include <granum/core/units.hpp>
 
-/// The numbers of an answer, a row each: screen, JSON, CSV, Python and the page are written from this table.
+/// The numbers of an answer, one row each; screen, JSON, CSV, Python and the page are written from this
+/// table.
 namespace granum::estimate {
 
-/// A number of an answer. Vertical quantities are those of isotropic packings too.
+/// A number of an answer. Vertical quantities also represent isotropic packings.
 enum class Field : std::size_t {
   shear_modulus,
   shear_wave_speed,
@@ -37,37 +38,37 @@ enum class Field : std::size_t {
 };
 inline constexpr std::size_t field_count = 22;
 
-/// Which packings a number is shown of.
+/// For which packings a number is shown.
 enum class Shown {
   always,
-  by_direction, ///< of those whose vertical and horizontal differ
-  in_full       ///< where everything is asked for
+  by_direction, ///< if vertical and horizontal values differ
+  in_full       ///< if all numbers are requested
 };
 
-/// How a number's range adds up, and where it ends.
+/// How the contributions to a number's range are added.
 enum class Spreading {
-  logarithmic, ///< positive numbers, by their logarithm
+  logarithmic, ///< positive numbers, on a logarithmic scale
   difference   ///< numbers that may be 0 or negative
 };
 
 struct FieldRow {
   Field field;
   const char* key;              ///< in JSON and in Python
-  const char* symbol;           ///< of an isotropic packing, on a screen
+  const char* symbol;           ///< for an isotropic packing, on a screen
   const char* directed_symbol;  ///< where vertical and horizontal differ
   const char* column;           ///< in the heading of a CSV file
   Dimension dimension;          ///< of the number in SI
-  const char* meaning;          ///< of an isotropic packing
+  const char* meaning;          ///< for an isotropic packing
   const char* directed_meaning; ///< where vertical and horizontal differ
-  const char* in_water;         ///< what is added to the meaning where there is water in the pores
+  const char* in_water;         ///< appended to the meaning if there is water in the pores
   Shown shown;
   bool needs_density;  ///< only with the density of the grains
   Spreading spreading; ///< of its range
-  double least;        ///< no packing has less; its range ends there
-  double most;         ///< no isotropic packing has more; its range ends there
+  double least;        ///< lower limit of any packing, and of the range
+  double most;         ///< upper limit of isotropic packings, and of the range
 };
 
-/// All of them, in the order in which they are shown.
+/// All rows, in the order in which they are shown.
 [[nodiscard]] std::span<const FieldRow, field_count> fields();
 /// The row of one.
 [[nodiscard]] const FieldRow& row_of(Field field);

@@ -11,13 +11,13 @@
 #include <granum/effective/state.hpp>
 #include <granum/sands/pooled_law.hpp>
 
-/// What is known of a packing whose stiffness is asked for.
+/// The known properties of a packing whose stiffness is wanted.
 namespace granum::estimate {
 
-/// What the grains are: the model is spheres, and sands are none.
+/// The kind of grains: spheres as in the model, or sand.
 enum class GrainShape {
   sphere, ///< rung 3 of the model
-  sand    ///< what was measured on sands, with mechanics beside
+  sand    ///< laws measured on sands, supplemented by mechanics
 };
 inline constexpr std::array all_grain_shapes{GrainShape::sphere, GrainShape::sand};
 /// The name of the enumerator.
@@ -25,17 +25,17 @@ inline constexpr std::array all_grain_shapes{GrainShape::sphere, GrainShape::san
 /// \throws   InvalidArgument with all names for another text
 [[nodiscard]] GrainShape grain_shape_of(std::string_view text);
 
-/// A packing at one stress. Its contacts may be unknown, or known by one or two of C_n, z* and the share of
-/// rattlers.
+/// A packing at one stress. Its contacts may be unknown, or given by one or two of C_n, z* and the fraction
+/// of rattlers.
 struct Question {
-  effective::State state; ///< law, k_t/k_n, grains, e, a, stresses; C_n and z* where they are known
-  effective::Preparation preparation = {};               ///< how the grains came together
-  std::optional<double> rattler_fraction = std::nullopt; ///< x_0 in [0, 1), where it is known [1]
+  effective::State state;                  ///< law, k_t/k_n, grains, e, a, stresses; C_n and z* if known
+  effective::Preparation preparation = {}; ///< how the grains were brought together
+  std::optional<double> rattler_fraction = std::nullopt; ///< x_0 in [0, 1), if known [1]
   std::optional<double> grain_density = std::nullopt;    ///< [kg/m3] > 0; without it no wave speeds
-  double saturation = 0; ///< share of the pores' volume that is water, in [0, 1] [1]
+  double saturation = 0;                                 ///< degree of saturation, in [0, 1] [1]
   GrainShape grain_shape = GrainShape::sphere;
-  sands::Sand sand = {}; ///< of sands: what is known besides the state
-  /// Amplitude of a shear strain at which G is asked for as well, of sands, in (0, 0.05] [1].
+  sands::Sand sand = {}; ///< for sands: properties besides the state
+  /// For sands: amplitude of a shear strain at which G is wanted as well, in (0, 0.05] [1].
   std::optional<double> shear_strain = std::nullopt;
 
   /// Whether a number of contacts or of rattlers is known.
@@ -44,15 +44,15 @@ struct Question {
   }
 };
 
-/// An input that is not exact: how far one standard deviation moves the question to each side.
+/// An uncertain input: the question with the input changed by one standard deviation to each side.
 struct Spread {
   std::string input;    ///< its name
-  bool assumed = false; ///< nobody measured the input: its value and its deviation are assumptions
-  Question less;        ///< the question with one deviation less of it
-  Question more;        ///< and with one more
+  bool assumed = false; ///< the input is not measured: its value and its deviation are assumptions
+  Question less;        ///< the input decreased by one deviation
+  Question more;        ///< the input increased by one deviation
 };
 
-/// The same, by a function that moves the question.
+/// The same, with a function that changes the question.
 struct UncertainInput {
   std::string input;
   double deviation = 0; ///< one standard deviation >= 0 [unit of the input]
@@ -60,20 +60,20 @@ struct UncertainInput {
   std::function<Question(double change)> moved; ///< the question with the input changed by so much
 };
 
-/// The name of the fabric a as an input: a rung that needs it does without an assumption.
+/// The name of the fabric a as an input. A rung that needs it is not evaluated with an assumed fabric.
 inline constexpr std::string_view fabric_input = "fabric";
 
-/// Standard deviations of inputs that nobody measured.
+/// Standard deviations of inputs that are not measured.
 struct AssumedDeviations {
-  double grain_shear_modulus = 0.3;  ///< over itself: minerals from glass to quartz [1]
+  double grain_shear_modulus = 0.3;  ///< relative: minerals from glass to quartz [1]
   double grain_poisson_ratio = 0.07; ///< of the same minerals [1]
   double grain_density = 50;         ///< of the minerals of sands [kg/m3]
 };
 inline constexpr AssumedDeviations assumed_deviations{};
 
-/// Standard deviation of a fabric that nobody measured: of grains that were poured, and, where stresses
-/// differ, of what shear makes of it: the root mean square of granum's specimens, which were made without a
-/// preferred direction, is hypot(0.012, 0.2 ln(stress_v/stress_h)).
+/// Standard deviation of a fabric that is not measured: due to pouring and, under anisotropic stress, to
+/// shear. For comparison, the root mean square of granum's specimens, which were made without a preferred
+/// direction, is hypot(0.012, 0.2 ln(stress_v/stress_h)).
 /// \return   hypot(0.05, 0.2 ln(stress_v/stress_h)); 0.05 without stress [1]
 /// Checked by tests/estimate/test_ladder.cpp
 [[nodiscard]] double assumed_fabric_deviation(double stress_v, double stress_h);

@@ -4,23 +4,23 @@
 #include <array>
 #include <string_view>
 
-/// What is taken for the packing at states other than those of its measurements, with the names that programs
-/// give it. Checked by tests/inverse/test_growth.cpp
+/// Assumptions on the packing at states other than the measured ones, and their names in programs.
+/// Checked by tests/inverse/test_growth.cpp
 namespace granum::inverse {
 
-/// How z* follows the mean stress p from state to state of one packing.
+/// How z* depends on the mean stress p between states of one packing.
 enum class GrowthRule {
-  packings, ///< as effective::carried_contacts, which own packings taught
+  packings, ///< as effective::carried_contacts, calibrated on granum's packings
   fixed,    ///< the same at every stress
-  fitted    ///< (z* - isostatic point) ~ p^g, g fitted; asks for two stresses
+  fitted    ///< (z* - isostatic point) ~ p^g, g fitted; needs two stresses
 };
 inline constexpr std::array all_growth_rules{GrowthRule::packings, GrowthRule::fixed, GrowthRule::fitted};
 
-/// Whose state it is that is asked about.
+/// The packing of a predicted state.
 enum class AskedPacking {
-  same, ///< the one that was measured
-  /// Another of the same grains at the void ratio of the state asked about: as far between the loosest and
-  /// the densest that effective::contact_prior knows there.
+  same, ///< the measured one
+  /// Another packing of the same grains at the void ratio of the predicted state: its z* has the same
+  /// relative position between the loosest and the densest of effective::contact_prior.
   prepared_alike
 };
 inline constexpr std::array all_asked_packings{AskedPacking::same, AskedPacking::prepared_alike};
@@ -30,7 +30,7 @@ inline constexpr std::array all_asked_packings{AskedPacking::same, AskedPacking:
 [[nodiscard]] std::string_view name(GrowthRule growth);
 [[nodiscard]] std::string_view name(AskedPacking specimen);
 
-/// What `text` names exactly.
+/// The enumerator with exactly the name `text`.
 /// \throws   InvalidArgument with all names for another text
 [[nodiscard]] GrowthRule growth_rule_of(std::string_view text);
 [[nodiscard]] AskedPacking asked_packing_of(std::string_view text);

@@ -18,41 +18,41 @@
 #include <granum/inverse/growth.hpp>
 #include <granum/inverse/quantity.hpp>
 
-/// Calibrate once, predict elsewhere: the contact number that measured moduli or wave speeds imply through
-/// rung 3, with its standard error, and what follows of it at another stress, void ratio or direction.
+/// Calibrate once, predict elsewhere: infers the contact number from measured moduli or wave speeds by rung
+/// 3, with its standard error, and predicts quantities at another stress, void ratio or direction.
 /// Checked by tests/inverse/test_inference.cpp, validation/infer
 namespace granum::inverse {
 
-/// A measured value and the state it was measured at; the state's coordination number is not used.
+/// A measured value and its state; the coordination number of the state is not used.
 struct Observation {
   Quantity quantity = Quantity::G_vh;
   Measured value; ///< > 0 [Pa or m/s]; errors below 0.01 % count as 0.01 %
   effective::State state;
 };
 
-/// Inputs that all measurements share and whose errors they share.
+/// Uncertain inputs common to all measurements.
 struct SharedInputs {
-  std::vector<std::string> keys; ///< one a number
-  /// Moves all of them at once, each by so many of its standard deviations, in a state and in the density of
-  /// the grains [kg/m3].
+  std::vector<std::string> keys; ///< one per input
+  /// Changes all inputs together, each by a number of its standard deviations, in a state and in the density
+  /// of the grains [kg/m3].
   std::function<void(effective::State& state, double& grain_density, std::span<const double> deviations)>
       move;
 };
 
 struct InferenceOptions {
-  std::optional<double> grain_density = std::nullopt; ///< of the solid; speeds ask for it [kg/m3]
-  /// Of what fills the pores, 0: dry [kg/m3]. In wet ones no compression wave is asked for: it is that of the
-  /// water above all.
+  std::optional<double> grain_density = std::nullopt; ///< of the solid; needed for speeds [kg/m3]
+  /// Density of the pore fluid, 0 for dry [kg/m3]. In wet pores compression waves are refused: they travel
+  /// mainly in the water.
   double pore_density = 0;
-  /// At the first measurement, where it is known; else that of effective::expected_rattlers.
+  /// At the first measurement, if known; else that of effective::expected_rattlers.
   std::optional<double> rattler_fraction = std::nullopt;
   GrowthRule growth = GrowthRule::packings;
   SharedInputs inputs = {};
-  UnknownContacts contacts = {}; ///< numbers of the contact law that are asked for as well
+  UnknownContacts contacts = {}; ///< parameters of the contact law to be inferred as well
   std::size_t iteration_limit = 100;
 };
 
-/// Of the variance of z*, 0 to 1, what one source makes.
+/// Share of one source in the variance of z*, 0 to 1.
 struct ErrorShare {
   std::string source; ///< "measurement", "rung 3", "rattlers", "growth", or the key of an input
   double share = 0;
@@ -65,7 +65,7 @@ struct InferredPacking {
   Measured coordination_number;            ///< C_n = z* (1 - x_0)
 };
 
-/// A measurement beside what all of them together say of it.
+/// A measurement compared with the fit of all measurements.
 struct FittedObservation {
   Measured value;       ///< as fitted [Pa or m/s]
   double deviation = 0; ///< ln of measured over fitted, in standard errors of measurement and rung 3
@@ -75,38 +75,38 @@ namespace detail {
 class ContactModel;
 }
 
-/// What the measurements together say of the packing, and of every other state of it.
+/// The packing as determined by all measurements, and predictions for its other states.
 class Inference {
  public:
-  /// The stress that z*() belongs to: that of the first measurement [Pa].
+  /// The stress at which z*() applies: that of the first measurement [Pa].
   [[nodiscard]] double reference_stress() const { return reference_stress_; }
   /// Contacts at a state.
   [[nodiscard]] InferredPacking packing(const effective::State& at,
                                         AskedPacking specimen = AskedPacking::same) const;
-  /// A quantity at another state of the same packing. What measurement and prediction have in common, as the
-  /// error of the grains' modulus or of the preparation, cancels as far as they have it in common.
+  /// A quantity at another state of the same packing. Errors common to measurement and prediction, such as
+  /// those of the grains' modulus or of the preparation, cancel.
   /// \throws   InvalidArgument as relaxed(), for a speed without grain density, and for a compression wave in
   ///           wet pores
   [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at,
                                  AskedPacking specimen = AskedPacking::same) const;
-  /// What makes a prediction at that state doubtful: the remarks of estimate::answer on the packing with its
-  /// contacts there.
+  /// The notes of estimate::answer on the packing, with its contacts, at that state: why a prediction there is
+  /// doubtful.
   /// \throws   InvalidArgument as estimate::answer
   [[nodiscard]] Validity doubts(const effective::State& at, AskedPacking specimen = AskedPacking::same) const;
-  /// The packing at a state, with its contacts, to ask any rung.
+  /// The packing at a state, with its contacts, as input of any rung.
   [[nodiscard]] effective::State state(effective::State at, AskedPacking specimen = AskedPacking::same) const;
-  /// Void ratio of the packing at another mean stress [Pa]: overlaps change it under GrowthRule::packings;
-  /// else it stays that of the first measurement.
+  /// Void ratio of the packing at another mean stress [Pa]: changed by the overlaps under
+  /// GrowthRule::packings; else that of the first measurement.
   [[nodiscard]] double void_ratio_at(double mean_stress) const;
 
   [[nodiscard]] const std::vector<FittedObservation>& measurements() const { return fitted_; }
   [[nodiscard]] const std::vector<ErrorShare>& error_shares() const { return shares_; }
   /// g of GrowthRule::fitted.
   [[nodiscard]] const std::optional<Measured>& growth_exponent() const { return growth_; }
-  /// Where numbers of the contact law were asked for.
+  /// Present if parameters of the contact law were inferred.
   [[nodiscard]] const std::optional<ImpliedContacts>& contacts() const { return contacts_; }
-  /// Sum of squared deviations, how many of them are free, and the probability that errors as stated make
-  /// it so large; 1 where none is free.
+  /// Sum of squared deviations, its degrees of freedom, and the probability of a sum at least as large if the
+  /// errors are as stated; 1 without degrees of freedom.
   [[nodiscard]] double chi_square() const { return chi_square_; }
   [[nodiscard]] std::size_t degrees_of_freedom() const { return degrees_of_freedom_; }
   [[nodiscard]] double probability() const { return probability_; }
@@ -128,24 +128,24 @@ class Inference {
   double probability_ = 1;
 };
 
-/// What one measurement says by itself.
+/// The result of one measurement by itself.
 struct AloneAnswer {
   effective::ImpliedCoordination implied;                 ///< bounds in Pa, also for a speed
-  std::optional<Measured> mechanical_coordination_number; ///< z* with its error, where there is one
+  std::optional<Measured> mechanical_coordination_number; ///< z* with its error, if one exists
 };
 
 struct InferenceAnswer {
-  std::vector<AloneAnswer> alone;    ///< one a measurement
-  std::optional<Inference> together; ///< nothing where no measurement can be explained by any contact number
-  Validity validity;                 ///< what cannot be explained, or contradicts, in words
+  std::vector<AloneAnswer> alone;    ///< one per measurement
+  std::optional<Inference> together; ///< empty if no contact number fits any of the measurements
+  Validity validity;                 ///< notes on measurements that cannot be fitted, and on contradictions
 };
 
-/// z* by weighted least squares in ln of the measured values. Unknown besides z* are, each within its error,
-/// the share of rattlers, how z* grows, how much the packing differs from the calibration of rung 3 (the part
-/// that packings of one preparation share; the rest differs from state to state), the inputs named as
-/// uncertain, and the numbers of the contact law that are asked for.
-/// Assumes   independent, normal errors of ln values; one packing, whose contact law is the same everywhere.
-///           `alone` is what a measurement says with the law of its state.
+/// z* by weighted least squares in ln of the measured values. Further unknowns, each within its error: the
+/// fraction of rattlers; the growth of z*; the deviation of the packing from the calibration of rung 3 (the
+/// part common to packings of one preparation; the rest differs from state to state); the uncertain inputs;
+/// and the parameters of the contact law to be inferred.
+/// Assumes   independent, normal errors of ln values; one packing with one contact law.
+///           `alone` uses the contact law of the state of each measurement.
 /// \throws   InvalidArgument without measurements, for values or states out of range, for a speed without
 ///           grain density, for a compression wave in wet pores, and for GrowthRule::fitted at one stress;
 ///           NotConverged if least squares fail

@@ -8,18 +8,18 @@
 
 namespace granum::inverse {
 
-/// What is measured of a packing at small strain: a modulus [Pa], or the speed of a wave [m/s].
+/// Measured quantities at small strain: a modulus [Pa], or a wave speed [m/s].
 enum class Quantity {
-  G_vh,   ///< shear modulus of a vertical plane, that of an isotropic packing
+  G_vh,   ///< shear modulus of a vertical plane; G of an isotropic packing
   G_hh,   ///< shear modulus of the horizontal plane
   K,      ///< bulk modulus
-  V_s,    ///< shear wave that travels or swings vertically
-  V_s_hh, ///< shear wave that travels and swings horizontally
+  V_s,    ///< shear wave with vertical propagation or polarisation
+  V_s_hh, ///< shear wave with horizontal propagation and polarisation
   V_p,    ///< compression wave that travels vertically
   V_p_h   ///< compression wave that travels horizontally
 };
 
-/// A quantity and the modulus X behind it: it is X itself, or sqrt(X/density).
+/// A quantity and its modulus X: the quantity is X itself, or sqrt(X/density).
 struct QuantityRow {
   Quantity quantity;
   const char* key; ///< in tables and JSON

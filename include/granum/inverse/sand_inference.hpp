@@ -9,48 +9,48 @@
 #include <granum/estimate/answer.hpp>
 #include <granum/inverse/inference.hpp>
 
-/// Forecasts for a sand of which something is measured: its level, and as far as measurements tell them how
-/// it grows with stress and its Poisson's ratio. Every forecast is an answer of estimate::answer.
+/// Forecasts for a sand with measurements. They determine the level of G and, if sufficient, its exponent of
+/// stress and Poisson's ratio. Every forecast is computed by estimate::answer.
 /// Checked by tests/inverse/test_sand_inference.cpp, validation/sands
 namespace granum::inverse {
 
 enum class SandGrowth {
   measured, ///< s of measured sands within its deviation, moved by measurements at several pressures
-  fitted    ///< s by the measurements alone; asks for two pressures
+  fitted    ///< s from the measurements alone; needs two pressures
 };
 
-/// What the measurements together say of the sand.
+/// The sand as determined by all measurements.
 class SandInference {
  public:
   /// A quantity at another state of the same sand. One standard deviation of ln G from one measurement is
-  /// sqrt(0.05^2 + (0.05 ln(p/p_0))^2 + measurement^2), half of that for a speed; where the measurements
-  /// contradict one another it is as much larger as they do.
+  /// sqrt(0.05^2 + (0.05 ln(p/p_0))^2 + measurement^2), half of that for a speed; it is multiplied by
+  /// widening() where the measurements contradict each other.
   /// \throws   InvalidArgument as estimate::answer, for a speed without the density of the grains, and for a
   ///           compression wave in wet pores
   [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at) const;
-  /// What makes a forecast at that state doubtful: the remarks of estimate::answer on the sand there.
+  /// The notes of estimate::answer on the sand at that state: why a forecast there is doubtful.
   /// \throws   InvalidArgument as estimate::answer
   [[nodiscard]] Validity doubts(const effective::State& at) const;
-  /// The question of the sand at a state, with what was measured in it.
+  /// The question for estimate::answer at a state, including the measured properties.
   [[nodiscard]] estimate::Question question(const effective::State& at) const;
-  /// z* and the softness of contacts that the measured Poisson's ratio and G imply at a state.
+  /// z* and contact stiffness at a state, implied by the measured Poisson's ratio and G.
   [[nodiscard]] estimate::Range contacts(estimate::Field field, const effective::State& at) const;
 
-  /// G of this sand over that of the pooled law.
+  /// G of this sand over G of the pooled law.
   [[nodiscard]] const Measured& level() const { return level_; }
-  /// s from 50 kPa on.
+  /// s above 50 kPa.
   [[nodiscard]] const Measured& exponent() const { return exponent_; }
   /// At the first measurement.
   [[nodiscard]] const Measured& poisson_ratio() const { return poisson_ratio_; }
-  /// Whether measurements tell Poisson's ratio, and with it contacts: V_p beside V_s, K beside G.
+  /// Whether the measurements determine Poisson's ratio, and with it the contacts: V_p and V_s, or K and G.
   [[nodiscard]] bool tells_contacts() const { return tells_contacts_; }
   [[nodiscard]] const std::vector<FittedObservation>& measurements() const { return fitted_; }
   [[nodiscard]] double chi_square() const { return chi_square_; }
   [[nodiscard]] std::size_t degrees_of_freedom() const { return degrees_of_freedom_; }
   [[nodiscard]] double probability() const { return probability_; }
-  /// By how much errors are larger than stated: 1, or sqrt(chi^2/degrees of freedom) of a contradiction.
+  /// Factor on the errors: 1, or sqrt(chi^2/degrees of freedom) if the measurements contradict each other.
   [[nodiscard]] double widening() const { return widening_; }
-  /// What contradicts, and what it may be, in words.
+  /// Notes on contradictions and their possible causes.
   [[nodiscard]] const Validity& validity() const { return validity_; }
 
  private:
@@ -69,14 +69,14 @@ class SandInference {
   Validity validity_;
 };
 
-/// Level, exponent and Poisson's ratio by least squares in ln of the measured values; the last two have those
-/// of measured sands with their deviations as measurements of their own.
-/// Assumes   dry or drained sand; values of one ground, whose scatter from test to test is 5 % of G
-/// \param    sand   what is known of it besides its states; its own state is not used
+/// Level, exponent and Poisson's ratio by least squares in ln of the measured values. The values of the
+/// tested sands for the last two, with their deviations, enter as additional measurements.
+/// Assumes   dry or drained sand; values from one ground, with a scatter from test to test of 5 % of G
+/// \param    sand   its properties; the state in it is not used
 /// \throws   InvalidArgument without measurements, for values not positive, for a speed without the density
 ///           of the grains, for a compression wave or K in wet pores, and for SandGrowth::fitted at one
 ///           stress
-/// Accuracy  a modulus of the pooled law gives level 1 back to 1e-9.
+/// Accuracy  a modulus of the pooled law gives level 1 to 1e-9.
 [[nodiscard]] SandInference infer_sand(std::span<const Observation> measurements,
                                        const estimate::Question& sand,
                                        SandGrowth growth = SandGrowth::measured);

@@ -6,10 +6,10 @@
 #include <span>
 #include <string_view>
 
-/// Sands that laboratories test again and again.
+/// Sands that are often used in laboratories.
 namespace granum::sands {
 
-/// What tests of one sand say of it: G = level F^power at 100 kPa, F = (2.17-e)^2/(1+e), and its exponent.
+/// Fit to the tests of one sand: G = level F^power at 100 kPa, F = (2.17-e)^2/(1+e), and its exponent.
 struct SandTests {
   double level = 0;      ///< [Pa]
   double power = 0;      ///< of F [1]
@@ -20,7 +20,7 @@ struct SandTests {
   bool operator==(const SandTests&) const = default;
 };
 
-/// A sand as far as a source says. Batches of one name differ.
+/// Properties of a sand, as far as its sources state them. Batches of one name differ.
 struct KnownSand {
   const char* key;                               ///< on a command line
   const char* name;                              ///< for people
@@ -33,18 +33,18 @@ struct KnownSand {
   std::optional<SandTests> tests = {};           ///< of resonant columns and bender elements
 };
 
-/// Toyoura, Ottawa F-65, Ottawa 20-30, Hostun, Ticino, Nevada and Longstone sand. Tests are those of [Lo2021]
-/// whose limits of the void ratio are theirs: the table names no sands.
+/// Toyoura, Ottawa F-65, Ottawa 20-30, Hostun, Ticino, Nevada and Longstone sand. The tests are taken from
+/// [Lo2021], whose table names no sands: they are identified by their limits of the void ratio.
 /// [CubrinovskiIshihara2002; YangSze2011; CareyStoneKutter2020; Azeiteiro2017; Fioravante2015]
 /// [Arulmoli1992; Tsomokos2010; Lo2021]
 [[nodiscard]] std::span<const KnownSand> known_sands();
 /// The one of that key.
-/// \throws   InvalidArgument for an unknown key; the text lists the known ones
+/// \throws   InvalidArgument for an unknown key; the message lists the known ones
 /// Checked by tests/sands/test_known_sands.cpp
 [[nodiscard]] const KnownSand& known_sand(std::string_view key);
 
 /// e of a relative density D_r, e_max - D_r (e_max - e_min).
-/// \param    relative_density     D_r, in [0, 1.2]: more than 1 is found where e_min was not the least [1]
+/// \param    relative_density     D_r, in [0, 1.2]; above 1 if the sand is denser than at e_min [1]
 /// \param    least_void_ratio     e_min > 0 [1]
 /// \param    largest_void_ratio   e_max > e_min [1]
 /// \throws   InvalidArgument outside of these ranges

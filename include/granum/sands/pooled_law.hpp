@@ -7,38 +7,38 @@
 #include <granum/core/validity.hpp>
 #include <granum/sands/known_sands.hpp>
 
-/// One estimate for a sand from what many sands had: G at small strain, how it grows with stress, Poisson's
-/// ratio, anisotropy, and how far each is off. Fitted to 789 tests of 38 clean sands [Lo2021]; what the fits
-/// miss, also of sands that were left out, is repeated by validation/sands.
+/// Estimates for a sand from the measurements of many sands: G at small strain, its exponent of stress,
+/// Poisson's ratio, anisotropy, and the error of each. Fitted to 789 tests of 38 clean sands [Lo2021];
+/// validation/sands repeats the errors of the fits, including those for sands left out of the fit.
 namespace granum::sands {
 
-/// C_u where none is told.
+/// C_u if none is given.
 inline constexpr double uniform_sand = 1.5;
-/// Largest C_u of the sands that were tested.
+/// Largest C_u of the tested sands.
 inline constexpr double largest_tested_uniformity = 8;
 /// Mean stresses of the tests [Pa].
 inline constexpr double least_tested_stress = 25e3, largest_tested_stress = 500e3;
 
-/// What is known of a sand besides its void ratio.
+/// Known properties of a sand besides its void ratio.
 struct Sand {
   std::optional<double> uniformity = {};         ///< C_u = d60/d10 >= 1 [1]
   std::optional<double> d50 = {};                ///< [m]
   std::optional<double> least_void_ratio = {};   ///< e_min [1]
   std::optional<double> largest_void_ratio = {}; ///< e_max > e_min [1]
-  std::optional<double> relative_density = {};   ///< D_r, used where the limits are not both known [1]
-  std::optional<SandTests> tests = {};           ///< of this very sand
-  double level_factor = 1;   ///< of this ground over the fit, > 0: 1 until it is measured [1]
-  double exponent_shift = 0; ///< of s, at every stress
-  double poisson_shift = 0;  ///< of Poisson's ratio, at every stress
+  std::optional<double> relative_density = {};   ///< D_r, used unless both limits are known [1]
+  std::optional<SandTests> tests = {};           ///< tests of this sand
+  double level_factor = 1;   ///< G of this ground over the fit, > 0; 1 if not measured [1]
+  double exponent_shift = 0; ///< added to s, at every stress
+  double poisson_shift = 0;  ///< added to Poisson's ratio, at every stress
   bool quartz = true; ///< grains of quartz or feldspar; shells and the like are softer and scatter more
 
   bool operator==(const Sand&) const = default;
 };
 
-/// What is known of a sand by its name.
+/// Known properties of a sand by its name.
 [[nodiscard]] Sand sand_of(const KnownSand& known);
 
-/// Which fit answers: the best of those whose inputs are known, in this order.
+/// The fit that is used: the first in this order, from best to worst, whose inputs are known.
 enum class PooledForm {
   own_tests,          ///< level, power and exponent of the sand's own tests
   density_and_limits, ///< 92.7 MPa 10^(0.294 D_r - 0.287 e_min) (p/p_a)^s
@@ -47,7 +47,7 @@ enum class PooledForm {
   void_ratio          ///< 33.6 MPa (2.97-e)^2/(1+e) (p/p_a)^s, of uniform sands
 };
 [[nodiscard]] PooledForm form_of(const Sand& sand);
-/// Its formula in words, p_a = 100 kPa.
+/// Its formula as text, p_a = 100 kPa.
 [[nodiscard]] const char* formula(PooledForm fit);
 
 /// Exponent s of G ~ p^s and its standard deviation.
@@ -55,47 +55,47 @@ struct GrowthExponent {
   double value = 0;
   double deviation = 0;
 };
-/// From 50 kPa on 0.40 C_u^0.18 with C_u = 1.5 where it is not known, or that of the sand's own tests, +-
-/// 0.05; below 50 kPa 0.50 +- 0.07, as sands soften faster there.
+/// Above 50 kPa 0.40 C_u^0.18 (C_u = 1.5 if not known), or the value of the sand's own tests, +- 0.05; below
+/// 50 kPa 0.50 +- 0.07, as sands soften faster there.
 /// \param    mean_stress   p >= 0 [Pa]
 /// Accuracy  of 33 sands: mean residual 0.001, s.d. 0.053. Checked by tests/sands/test_pooled_law.cpp
 [[nodiscard]] GrowthExponent growth_exponent(const Sand& sand, double mean_stress);
 
-/// G(p) over G(100 kPa): one law for an answer, a path and a forecast, without a jump.
+/// G(p) over G(100 kPa), continuous; the same law for an answer, a path and a forecast.
 /// \param    mean_stress   p >= 0 [Pa]
 [[nodiscard]] double growth_factor(const Sand& sand, double mean_stress);
 
-/// Variance of ln G of a forecast from one mean stress to another of one sand, 0.05^2 of how a sand keeps to
-/// one law, and s's deviation times the ln of the ratio, part by part below and above 50 kPa; the
-/// measurement's own error comes to it. Of pairs of tests at one void ratio the root mean square miss is 0.9
-/// to 1.3 of it.
+/// Variance of ln G of a forecast from one mean stress to another of one sand: 0.05^2 for deviations of the
+/// sand from one law, plus (deviation of s times ln of the stress ratio)^2, separately below and above 50
+/// kPa. The error of the measurement is not included. For pairs of tests at one void ratio, the root mean
+/// square error is 0.9 to 1.3 times the predicted standard deviation.
 /// [validation/sands]
 [[nodiscard]] double forecast_variance(const Sand& sand, double from, double to);
 
-/// G of the vertical plane under isotropic stress, by the fit of form_of().
+/// G of the vertical plane under isotropic stress, from the fit of form_of().
 /// \return   [Pa], 0 without stress
 /// \throws   InvalidArgument if a member of the sand is out of its range, or the void ratio is not in
 ///           (0, 2.97), or (0, 2.17) for a sand's own tests
 /// Accuracy  stated_factor(). Checked by tests/sands/test_pooled_law.cpp
 [[nodiscard]] double pooled_shear_modulus(const Sand& sand, double void_ratio, double mean_stress);
 
-/// One standard deviation of G as a factor: 1.15 for a sand with tests of its own, 1.25 where e_min and e_max
-/// are known, 1.3 of any clean quartz sand, 1.6 beyond (C_u above 8, gravel, shells); more outside of the
-/// stresses and void ratios that were tested, at most 1.6.
+/// One standard deviation of G as a factor: 1.15 for a sand with tests of its own, 1.25 if e_min and e_max
+/// are known, 1.3 for any clean quartz sand, 1.6 for other ground (C_u above 8, gravel, shells); larger
+/// outside of the tested stresses and void ratios, at most 1.6.
 [[nodiscard]] double stated_factor(const Sand& sand, double void_ratio, double mean_stress);
 
-/// What a measured G says that is farther than a factor of 2.5 from that of sands of the same density and
-/// stress, in words: bonds, or a slip; else empty.
-/// \param    level   of the measured one over that of the sand, > 0 [1]
+/// A note on a measured G that differs by more than a factor of 2.5 from sands of the same density and stress
+/// (cementation, or an error in a value or unit); else empty.
+/// \param    level   measured G over G of the sand, > 0 [1]
 /// Checked by tests/sands/test_pooled_law.cpp
 [[nodiscard]] std::string level_remark(double level);
 
-/// What of a sand lies outside of the tests, in words; the values hold with a wider range. Stresses below the
-/// tests are in every piece of ground and are not named: the range alone is wider.
+/// Notes on the properties of a sand outside of the tests; the results then have a wider range. Stresses
+/// below those of the tests occur in every ground: they widen the range without a note.
 [[nodiscard]] Validity outside_of_tests(const Sand& sand, double void_ratio, double mean_stress);
 
 /// Poisson's ratio of dry or drained sand at small strain: 0.20 - 0.05 log10(p/100 kPa) +- 0.06 from 10 kPa
-/// to 10 MPa, held at its ends beyond, within [0.08, 0.35]; 0.05 more and +- 0.08 for C_u above 3.
+/// to 10 MPa, constant beyond, within [0.08, 0.35]; 0.05 more and +- 0.08 for C_u above 3.
 /// Young's modulus hardly depends on it, V_p by some 10 %, the bulk modulus by a factor of 1.5.
 /// [Domenico1977; own readings of laboratory signals]
 struct PoissonRatio {
@@ -104,17 +104,19 @@ struct PoissonRatio {
 };
 [[nodiscard]] PoissonRatio poisson_ratio(const Sand& sand, double mean_stress);
 
-/// How well a sand keeps to one law from test to test, of ln G.
+/// Standard deviation of ln G from test to test of one sand about one law.
 inline constexpr double scatter_within_a_sand = 0.05;
 
-/// How the exponent of G_vh is shared: m of sigma_h, n of sigma_v, over s, +- 0.05; none of the third axis.
+/// How the exponent of G_vh is split: m of sigma_h and n of sigma_v over s, +- 0.05; the stress along the
+/// third axis has no effect.
 inline constexpr double horizontal_share = 0.55, vertical_share = 0.45, share_deviation = 0.05;
 /// G_hh over G_vh, and E_h over E_v, under isotropic stress; laboratories differ.
 inline constexpr double shear_anisotropy = 1.1, shear_anisotropy_deviation = 0.1;
 inline constexpr double young_anisotropy = 1.0, young_anisotropy_deviation = 0.15;
 
-/// The void ratio of a relative density where no limits are known: that between the mean limits of the sands
-/// that were tested, e_max 0.91 and e_min 0.58, whose s.d. is 0.11.
+/// The void ratio at a relative density if no limits are known: from the mean limits of the tested sands,
+/// e_max
+/// 0.91 and e_min 0.58, with a standard deviation of 0.11.
 inline constexpr double usual_least_void_ratio = 0.58, usual_largest_void_ratio = 0.91,
                         usual_void_ratio_deviation = 0.11;
 

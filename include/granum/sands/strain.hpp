@@ -5,7 +5,7 @@
 
 #include <granum/sands/pooled_law.hpp>
 
-/// What shear strain does to a sand: published laws of G over G at small strain.
+/// Effect of shear strain on a sand: published laws of G over G at small strain.
 namespace granum::sands {
 
 /// A sand under shear.
@@ -16,8 +16,8 @@ struct StrainedSand {
   Sand sand = {};
 };
 
-/// A published law of clean sand. Its constants are those that public codes carry; nobody checked them
-/// against the printed pages.
+/// A published law of clean sand. Its constants are taken from public codes; they were not checked against
+/// the printed pages.
 struct StrainLaw {
   const char* key;
   const char* source; ///< entry of validation/references.bib
@@ -27,28 +27,27 @@ struct StrainLaw {
 /// [WangStokoe2022; Darendeli2001; Menq2003; IshibashiZhang1993]
 [[nodiscard]] std::span<const StrainLaw> strain_laws();
 
-/// G over G at small strain, and the damping that goes with it.
+/// G over G at small strain, and the corresponding damping.
 struct StrainAnswer {
-  double ratio = 1;         ///< G/G0 by Wang and Stokoe, of e and C_u where that is known [1]
+  double ratio = 1;         ///< G/G0 by Wang and Stokoe, from e and, if known, C_u [1]
   double log_deviation = 0; ///< one standard deviation of ln(G/G0): the larger of a factor of 1.13 and the
                             ///< spread between the laws, but no more than the whole loss [1]
-  double damping = 0;       ///< ratio of the critical one, by Ishibashi and Zhang from G/G0 [1]
-  Validity validity;        ///< notes beyond 0.5 %, and where cycles compact the sand
+  double damping = 0;       ///< damping ratio, by Ishibashi and Zhang from G/G0 [1]
+  Validity validity;        ///< notes beyond 0.5 %, and if cycles compact the sand
 };
 /// \throws   InvalidArgument unless 0 < strain <= 0.05, and as pooled_shear_modulus
 /// Accuracy  within 0.04 of the median of eight curves from 0.001 % to 0.1 %, 50 to 400 kPa.
 ///           Checked by tests/sands/test_strain.cpp
 [[nodiscard]] StrainAnswer strained(const StrainedSand& sand);
 
-/// Damping ratio of a sand whose G is a share `ratio` of that at small strain, 0.333 (0.586 r^2 - 1.547 r +
-/// 1).
+/// Damping ratio at G/G0 = `ratio`, 0.333 (0.586 r^2 - 1.547 r + 1).
 /// [IshibashiZhang1993]
 [[nodiscard]] double damping_ratio(double ratio);
 
-/// Friction coefficient of quartz grains, where slip at contacts is asked for.
+/// Friction coefficient of quartz grains, used for slip at contacts.
 inline constexpr double grain_friction = 0.5;
 
-/// Below this strain a modulus is that of small strain to 5 %.
+/// Below this strain a modulus equals the small-strain modulus within 5 %.
 inline constexpr double small_strain = 1e-5;
 
 } // namespace granum::sands

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Frames for ParaView: grains and contacts of each, and a file that names them all by their times.
+/// Frames for ParaView: grains and contacts of each, and an index file with their times.
 class ParaviewFrames {
  public:
   ParaviewFrames(fs::path folder, io::Existing existing) : folder_(std::move(folder)), existing_(existing) {}
@@ -53,7 +53,7 @@ class ParaviewFrames {
 /// Largest number of frames of one run; all results are in memory until they are written.
 constexpr std::size_t most_frames = 10'000;
 
-/// `seen` is called with each frame that is taken and its number.
+/// `seen` is called with each selected frame and its number.
 template <class Seen>
 std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoice& choice,
                                         const studies::MeasureOptions& options, Seen seen) {
@@ -150,11 +150,10 @@ std::string frames_text(const std::vector<std::size_t>& frames, std::size_t all)
                      frames.size() > most ? ", ..." : "");
 }
 
-/// The warnings of all frames, each once, with the frame if there are several.
+/// The warnings of all frames, each once, with the numbers of their frames if there are several.
 Validity warnings_of(const AnalyseAnswer& answer) {
   Validity out;
-  std::vector<std::pair<std::string, std::vector<std::size_t>>>
-      found; // each sentence, and the frames it is of
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> found; // each warning, and its frames
   for (const FrameAnswer& frame : answer.frames) {
     Validity own{frame.measured.warnings};
     own.merge(frame.validity);
@@ -228,7 +227,8 @@ Command make_analyse() {
   auto options = std::make_shared<AnalyseOptions>();
   Command command{
       .name = "analyse",
-      .meaning = "Packings of other codes: contacts, fabric, stress, contact law, stiffness by every rung",
+      .meaning =
+          "Packings of DEM codes: contacts, fabric, stress, contact law, and stiffness by each estimate",
       .run = [options] { return run(*options); }};
   add_analyse_options(command, *options);
   return command;

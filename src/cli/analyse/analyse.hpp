@@ -46,7 +46,7 @@ inline constexpr const char* analysis_files[] = {"frames.csv",  "stiffness.csv",
 void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer,
                     const std::string& table, io::Existing existing);
 
-/// Whether a note of a reader is about missing data, not about a finding.
+/// Whether a note of a reader reports missing data, as opposed to a problem in the data.
 [[nodiscard]] bool says_what_is_missing(io::Finding finding);
 
 } // namespace granum::cli

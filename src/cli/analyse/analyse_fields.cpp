@@ -44,7 +44,7 @@ ShownColumn column(std::string heading, int width, int digits, std::string meani
           .meaning = std::move(meaning)};
 }
 
-/// A member of a part that not every whole has.
+/// A member of an optional part.
 template <class Whole, class Part, class Of>
 auto of_part(std::optional<Part> Whole::*part, Of of) {
   return [part, of](const Whole& whole) {

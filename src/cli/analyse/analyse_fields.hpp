@@ -20,11 +20,11 @@ namespace granum::cli {
 [[nodiscard]] const io::Columns<packing::ContactStress>& stress_fields();
 [[nodiscard]] const io::Columns<analysis::Forces>& force_fields();
 [[nodiscard]] const io::Columns<analysis::LawCheck>& law_fields();
-/// Headings are beginnings, which the name of a rung ends.
+/// Headings are prefixes, completed by the name of a rung.
 [[nodiscard]] const io::Columns<RungResult>& rung_fields();
 [[nodiscard]] const io::Columns<analysis::Network>& network_fields();
 
-/// A matrix of the network, and how it is called in tables, files and JSON.
+/// A matrix of the network, and its name in tables, files and JSON.
 struct NamedMatrix {
   const char* name;
   const analysis::NetworkMatrix* matrix;
@@ -40,7 +40,7 @@ inline constexpr const char* voigt_names[] = {"11", "22", "33", "23", "13", "12"
 [[nodiscard]] const io::Columns<RungSeries>& sum_fields();
 [[nodiscard]] const io::Columns<RungSeries>& separate_fields();
 
-/// All that a frame has, of which these are parts: a frame of the JSON, a row of frames.csv, and a line of
+/// All columns of a frame, including the parts above: a frame of the JSON, a row of frames.csv, and a line of
 /// the table of frames on the screen.
 /// \param    like   has the requested rungs and matrices
 [[nodiscard]] io::Columns<FrameAnswer> frame_fields(const FrameAnswer& like);

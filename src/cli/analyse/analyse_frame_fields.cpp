@@ -14,7 +14,7 @@ using io::ShownColumn;
 
 using FrameFields = io::Columns<FrameAnswer>;
 
-/// Where a frame has a part that not every measurement has.
+/// Access to an optional part of a frame.
 template <class Part>
 auto optional_part(std::optional<Part> Measurement::*member) {
   return [member](const FrameAnswer& frame) {
@@ -104,7 +104,7 @@ void add_rungs(FrameFields& to, const std::vector<RungResult>& rungs) {
   }
 }
 
-/// "probes/G_vh/value" and so on, of moduli that were probed.
+/// "probes/G_vh/value" and so on, for the probed moduli.
 void add_probes(FrameFields& to) {
   for (const Probing& modulus : probings()) {
     const std::string name = modulus.name;

@@ -280,7 +280,7 @@ void add_grain_options(Command& command, AnalyseOptions& o) {
        {.name = "--friction-angle",
         .value = number_without_default(o.friction_angle),
         .group = grains_group,
-        .meaning = "Between grains, to find the contacts that slide; by default from the forces",
+        .meaning = "Friction angle between grains, to find sliding contacts; by default from the forces",
         .synonyms = {{"phi mu friction frictioncoefficient"}}},
        {.name = "--material",
         .value = texts(o.materials, "TYPE:MATERIAL"),
@@ -334,7 +334,7 @@ void add_file_options(Command& command, AnalyseOptions& o) {
        {.name = "--box",
         .value = spaced(text(o.box, "LENGTHS"), Dimension::length),
         .group = group,
-        .meaning = "Edges of the periodic box, LX,LY,LZ, for CSV files, which contain none"},
+        .meaning = "Edges of the periodic box, LX,LY,LZ, for CSV files (other formats contain them)"},
        {.name = "--frames",
         .value = text(o.frames),
         .group = group,
@@ -343,7 +343,7 @@ void add_file_options(Command& command, AnalyseOptions& o) {
         .value = choice({"name", "all"}, o.series),
         .group = group,
         .meaning =
-            "Frames that share a fit of exponents: name, those of files whose names differ in numbers only "
+            "Frames fitted together for exponents: name, frames of files whose names differ only in numbers "
             "(dense_p50, dense_p100); or all"}});
 }
 
@@ -353,7 +353,7 @@ void add_measuring_options(Command& command, AnalyseOptions& o) {
       {{.name = "--stiffness-from",
         .value = choice({"overlap", "force", "force-over-overlap"}, o.stiffness_from),
         .group = group,
-        .meaning = "Source of k_n of the network; by default the overlaps, unless rounded; "
+        .meaning = "Source of k_n of the network; by default the overlaps, unless they are rounded; "
                    "force-over-overlap: 1.5 f/d, Hertz without a material"},
        {.name = "--window",
         .value = text(o.window, "RANGES"),
@@ -363,16 +363,18 @@ void add_measuring_options(Command& command, AnalyseOptions& o) {
        {.name = "--depth",
         .value = text(o.depth, "RANGE"),
         .group = group,
-        .meaning = "The same by depth below the highest grain: 2mm..6mm",
+        .meaning = "The same part, given by depth below the highest grain: 2mm..6mm",
         .synonyms = {{"z"}}},
        {.name = "--no-network",
         .value = flag(o.no_network),
         .group = group,
-        .meaning = "Leave out rung 4 and its 6x6, which take most of the time"},
+        .meaning =
+            "Leave out the contact network (rung 4) and its 6x6 stiffness, which take most of the time"},
        {.name = "--threads",
         .value = count(o.threads),
         .group = group,
-        .meaning = "Threads for the 6x6, by default one for each core; the results do not depend on it",
+        .meaning =
+            "Threads for the 6x6 stiffness, by default one for each core; the results do not depend on it",
         .synonyms = {{"j jobs nthreads cores"}}}});
 }
 
@@ -382,7 +384,7 @@ void add_analyse_options(Command& command, AnalyseOptions& o) {
   command.notes = formats_help();
   command.add({.name = "files",
                .value = texts(o.files, "FILE"),
-               .meaning = "Grains, and contacts if there are any, of one format",
+               .meaning = "Files with grains and, if available, contacts; all of one format",
                .required = true});
   command.options.back().value.several = true;
   add_law_options(command, o.packing, "--law,--contact");

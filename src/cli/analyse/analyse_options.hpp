@@ -28,10 +28,10 @@ struct AnalyseOptions {
   std::string box;
   std::string frames = "all";
   std::string series = "name";     ///< or all
-  std::vector<std::string> stress; ///< one a frame, or the name of a file of them
+  std::vector<std::string> stress; ///< one per frame, or the name of a file with them
   std::string probes;              ///< name of a file of moduli
   std::string stiffness_from;
-  std::vector<std::string> materials; ///< one a type
+  std::vector<std::string> materials; ///< one per type
   std::optional<std::size_t> threads;
   std::string window = "auto";
   std::string depth;
@@ -61,7 +61,7 @@ struct FrameChoice {
 /// \throws   InvalidArgument for other text, or for a range without a frame
 [[nodiscard]] FrameChoice parse_frames(const std::string& text);
 
-/// "4mm,4mm,4mm": a periodic box; nothing for no text.
+/// "4mm,4mm,4mm": a periodic box; empty for an empty text.
 /// \throws   InvalidArgument
 [[nodiscard]] std::optional<io::CsvBox> parse_box(const std::string& text);
 
@@ -69,7 +69,7 @@ struct FrameChoice {
 /// \throws   InvalidArgument
 [[nodiscard]] studies::PrintedStress parse_stress(const std::string& text);
 
-/// "x0..x1,y0..y1,z0..z1", each end a length or nothing, and "d0..d1" below the top; nothing for no text.
+/// "x0..x1,y0..y1,z0..z1", each end a length or empty, and "d0..d1" below the top; empty for an empty text.
 /// \throws   InvalidArgument
 [[nodiscard]] std::optional<studies::WindowChoice> parse_window(const std::string& window,
                                                                 const std::string& depth);
@@ -78,12 +78,12 @@ struct FrameChoice {
 /// \throws   InvalidArgument
 [[nodiscard]] studies::MaterialsByType parse_materials(const std::vector<std::string>& texts);
 
-/// "2e4N/m", "1e-3Nm", "0.1" or "marshall"; nothing for no text.
+/// "2e4N/m", "1e-3Nm", "0.1" or "marshall"; empty for an empty text.
 /// \throws   InvalidArgument
 [[nodiscard]] std::optional<packing::TurningSpring> parse_turning(const std::string& name,
                                                                   const std::string& text);
 
-/// \throws   InvalidArgument for options that contradict one another
+/// \throws   InvalidArgument for options that contradict each other
 [[nodiscard]] studies::MeasureOptions measure_options(const AnalyseOptions& options);
 
 } // namespace granum::cli

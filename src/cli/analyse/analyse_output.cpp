@@ -27,7 +27,7 @@ std::vector<std::pair<std::string, std::string>> notes(const AnalyseAnswer& answ
 
 std::string frames_csv(const AnalyseAnswer& answer) {
   io::Columns<FrameAnswer> columns = frame_fields(answer.frames.front());
-  std::map<std::size_t, std::string> names; // of the series that a frame is of, by its number
+  std::map<std::size_t, std::string> names; // of the series of each frame, by its number
   for (const StateSeries& series : answer.series)
     for (const std::size_t k : series.frames)
       names[answer.frames[k].number] = series.name;
@@ -37,7 +37,7 @@ std::string frames_csv(const AnalyseAnswer& answer) {
   return io::csv_text(columns, answer.frames, notes(answer));
 }
 
-/// A table with a row for each of a list that frames have, headed by the number of the frame.
+/// A table with a row for each item of a list in the frames, beginning with the number of the frame.
 template <class Row, class RowsOf>
 std::string csv_of_frames(const AnalyseAnswer& answer, const io::Columns<Row>& columns,
                           const RowsOf& rows_of) {
@@ -113,7 +113,7 @@ std::string stiffness_csv(const AnalyseAnswer& answer) {
 
 void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer,
                     const std::string& table, io::Existing existing) {
-  std::vector<std::pair<const char*, std::string>> files; // all made before the first is written
+  std::vector<std::pair<const char*, std::string>> files; // all composed before the first is written
   const auto add = [&](const char* name, std::string text) { files.emplace_back(name, std::move(text)); };
   const FrameAnswer& last = answer.frames.back();
   add("frames.csv", frames_csv(answer));

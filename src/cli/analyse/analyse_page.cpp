@@ -68,8 +68,8 @@ std::string contacts_sentence(const FrameAnswer& frame) {
     return fmt::format("Its contacts are unknown; the {} grains have a void ratio of {:.3f}.",
                        m.counts.grains, m.void_ratio);
   std::string text = fmt::format(
-      "A grain has {:.2f} contacts (C_n), and {:.2f} of those that bear load (z*): {} % of {} grains are "
-      "rattlers, at a void ratio of {:.3f}",
+      "A grain has {:.2f} contacts on average (C_n), or {:.2f} without rattlers (z*): {} % of {} grains are "
+      "rattlers, which carry no load. The void ratio is {:.3f}",
       m.counts.coordination_number, m.counts.mechanical.coordination_number,
       short_text(100 * m.counts.mechanical.rattler_fraction, 2), m.counts.grains, m.void_ratio);
   if (m.fabric) {
@@ -90,14 +90,14 @@ std::string rungs_sentence(const FrameAnswer& frame) {
                    *network = find_rung(frame, network_name());
   if (relaxed == nullptr)
     return "The closed forms lack inputs; the table below lists them.";
-  std::string text = "The closed form with relaxation, rung 3, gives G = " + megapascal(relaxed->moduli->G);
+  std::string text = "The relaxed closed form (rung 3) gives G = " + megapascal(relaxed->moduli->G);
   if (network == nullptr)
     return text + ".";
   text += fmt::format(", {:+.1f} % from the network", 100 * (relaxed->moduli->G / network->moduli->G - 1));
   if (uniform != nullptr)
-    text +=
-        fmt::format("; if all grains moved with the mean strain, rung 0, it would be {} times the network's",
-                    short_text(uniform->moduli->G / network->moduli->G, 2));
+    text += fmt::format(
+        "; if all grains moved with the mean strain (rung 0), it would be {} times that of the network",
+        short_text(uniform->moduli->G / network->moduli->G, 2));
   return text + ".";
 }
 
@@ -110,7 +110,7 @@ const RungSeries* shown_rung(const StateSeries& series) {
   return nullptr;
 }
 
-/// A quantity of the states over their mean stress, by rising stress.
+/// A quantity of the states over their mean stress, in order of increasing stress.
 template <class Value>
 plot::Series points(const AnalyseAnswer& answer, const StateSeries& series, const Value& value) {
   std::vector<std::pair<double, double>> list;
@@ -137,7 +137,7 @@ std::optional<double> modulus(const FrameAnswer& frame, const std::string& rung,
   return (*found->moduli).*of;
 }
 
-/// The name of a series in a legend, with a word behind it; the word alone where there is one series.
+/// The name of a series in a legend, followed by a word; only the word if there is one series.
 std::string legend(const AnalyseAnswer& answer, const StateSeries& series, const std::string& word) {
   return answer.series.size() < 2 ? word : series.name + (word.empty() ? "" : ", " + word);
 }
@@ -152,7 +152,7 @@ plot::Chart chart(const std::string& y, plot::Scale scale, double unit) {
           .legend_below = true};
 }
 
-/// G or K of the network as points with their law, and of rung 3 as hollow ones.
+/// G or K of the network as points with the fitted law, and of rung 3 as hollow points.
 plot::Chart modulus_chart(const AnalyseAnswer& answer, const char* name, double studies::Moduli::*of,
                           bool with_law) {
   plot::Chart out = chart(std::string(name) + " [MPa]", plot::Scale::logarithmic, 1e6);
@@ -230,7 +230,7 @@ bool stress_varies(const AnalyseAnswer& answer) {
   return low > 0 && high >= by_a_tenth * low;
 }
 
-/// "G grows as p^0.36 +- 0.01 (dense), ..."; empty where no exponent was found.
+/// "G grows as p^0.36 +- 0.01 (dense), ..."; empty if no exponent was found.
 std::string series_sentence(const AnalyseAnswer& answer) {
   std::string text;
   for (const StateSeries& series : answer.series)
@@ -239,8 +239,7 @@ std::string series_sentence(const AnalyseAnswer& answer) {
       text += fmt::format("{} s = {:.3f} \u00b1 {:.3f}{}", text.empty() ? "" : ",", s.value, s.standard_error,
                           answer.series.size() > 1 ? " (" + series.name + ")" : "");
     }
-  return text.empty() ? ""
-                      : "Over the states that were given, G grows with the mean stress as p^s:" + text + ".";
+  return text.empty() ? "" : "Over the given states, G grows with the mean stress as p^s:" + text + ".";
 }
 
 std::vector<std::string> first_sentences(const AnalyseAnswer& answer) {
@@ -265,28 +264,29 @@ std::string pictures(const AnalyseAnswer& answer) {
   const FrameAnswer& last = answer.frames.back();
   std::string out;
   if (last.measured.packing.fabric)
-    out += plot::html_figure(
-        {.caption =
-             "Directions of the contacts: bars as long as there are contacts per solid angle around the "
-             "vertical, with their counting error; as many bars as leave 25 contacts for the one around the "
-             "vertical, 3 to 18. rose.csv has all 18.",
-         .pictures = {{.svg = plot::svg_in_page(rose_chart(last))}},
-         .files = {{"rose.csv", "rose.csv"}}});
+    out += plot::html_figure({.caption = "Directions of the contacts. The length of a bar is the number of "
+                                         "contacts per solid angle at that "
+                                         "angle from the vertical, with its counting error. The number of "
+                                         "bars, 3 to 18, leaves at least 25 "
+                                         "contacts in the bar at the vertical; rose.csv has all 18.",
+                              .pictures = {{.svg = plot::svg_in_page(rose_chart(last))}},
+                              .files = {{"rose.csv", "rose.csv"}}});
   if (answer.chains)
-    out += plot::html_figure({.caption = answer.chains->finding +
-                                         " Lines are as wide as the force; in colour those above the mean. "
-                                         "Seen along y, z upwards.",
-                              .pictures = {{.svg = answer.chains->in_page}},
-                              .files = {}});
+    out += plot::html_figure(
+        {.caption = answer.chains->finding +
+                    " The width of a line shows the force; forces above the mean are coloured. "
+                    "Seen along y, z upwards.",
+         .pictures = {{.svg = answer.chains->in_page}},
+         .files = {}});
   if (last.measured.packing.forces)
     out += plot::html_figure(
-        {.caption = "How unequal the forces are: the share of contacts by their force over the mean, with "
+        {.caption = "Distribution of the contact forces: share of contacts by force over mean force, with "
                     "counting errors.",
          .pictures = {{.svg = plot::svg_in_page(force_chart(last))}},
          .files = {{"forces.csv", "forces.csv"}}});
   return out.empty()
              ? ""
-             : plot::html_section("packing", "What it is made of", plot::html_element("div", out, "trio"));
+             : plot::html_section("packing", "Contacts and forces", plot::html_element("div", out, "trio"));
 }
 
 std::string states_section(const AnalyseAnswer& answer) {
@@ -295,9 +295,9 @@ std::string states_section(const AnalyseAnswer& answer) {
     out += plot::html_figure({.caption = picture.caption,
                               .pictures = {{.svg = plot::svg_in_page(picture.chart)}},
                               .files = {{"frames.csv", "frames.csv"}, {"states.svg", "states.svg"}}});
-  return out.empty() ? ""
-                     : plot::html_section("states", "How it changes with stress",
-                                          plot::html_element("div", out, "trio"));
+  return out.empty()
+             ? ""
+             : plot::html_section("states", "Dependence on stress", plot::html_element("div", out, "trio"));
 }
 
 std::string warnings(const AnalyseAnswer& answer) {
@@ -307,7 +307,7 @@ std::string warnings(const AnalyseAnswer& answer) {
       for (const std::string& text : *list)
         if (std::find(all.begin(), all.end(), text) == all.end())
           all.push_back(text);
-  return all.empty() ? "" : plot::html_section("warnings", "What to be careful about", plot::html_list(all));
+  return all.empty() ? "" : plot::html_section("warnings", "Warnings", plot::html_list(all));
 }
 
 } // namespace
@@ -322,8 +322,8 @@ std::vector<SeriesPicture> series_pictures(const AnalyseAnswer& answer) {
       {modulus_chart(answer, "G", &studies::Moduli::G, true),
        "Shear modulus over mean stress, with the fitted G ~ p^s."},
       {modulus_chart(answer, "K", &studies::Moduli::K, false), "Bulk modulus over mean stress."},
-      {count_chart(answer, "z*", mechanical_coordination), "Contacts of a grain that carries load."},
-      {count_chart(answer, "C_n", coordination), "Contacts of a grain, rattlers counted."},
+      {count_chart(answer, "z*", mechanical_coordination), "Contacts per grain without rattlers."},
+      {count_chart(answer, "C_n", coordination), "Contacts per grain, rattlers included."},
       {count_chart(answer, "e", void_ratio), "Void ratio."}};
   std::erase_if(all, [](const SeriesPicture& one) { return one.chart.series.empty(); });
   return all;
@@ -387,7 +387,7 @@ plot::Chart force_chart(const FrameAnswer& frame) {
 
 plot::Chart rung_chart(const FrameAnswer& frame) {
   plot::Chart chart{.title = "",
-                    .x = {.title = "rung: a higher one assumes less"},
+                    .x = {.title = "rung (higher rungs assume less)"},
                     .y = {.title = "G [MPa]", .unit = 1e6},
                     .series = {},
                     .width = 360,
@@ -438,20 +438,20 @@ plot::Chart rung_chart(const FrameAnswer& frame) {
 
 std::string analyse_page(const AnalyseAnswer& answer, const std::string& table) {
   const FrameAnswer& last = answer.frames.back();
-  plot::PageFigure first{.caption = "The shear modulus of this packing by each rung of closed forms, "
-                                    "and of its network of contacts."};
+  plot::PageFigure first{.caption = "The shear modulus of this packing by each closed form (rungs 0 to 3) "
+                                    "and of its contact network (rung 4)."};
   const plot::Chart rungs = rung_chart(last);
   if (!rungs.series.empty())
     first.pictures = {{.svg = plot::svg_in_page(rungs)}};
   else
-    first.caption = "No stiffness was found; the table below gives the reasons.";
+    first.caption = "No stiffness could be computed; the table below gives the reasons.";
   const std::string body =
-      plot::html_first_screen("How stiff is this packing, and how near do the closed forms come?",
+      plot::html_first_screen("How stiff is this packing, and how accurate are the closed forms?",
                               first_sentences(answer), first) +
       states_section(answer) + pictures(answer) + warnings(answer) +
       plot::html_section("rungs", "Every rung", rungs_table(last.rungs)) +
-      plot::html_section("all", "All that was found",
-                         plot::html_folded("As the terminal shows it", plot::html_preformatted(table)));
+      plot::html_section("all", "All results",
+                         plot::html_folded("Output of the terminal", plot::html_preformatted(table)));
   return plot::html_page("granum analyse: how stiff is this packing", body);
 }
 

@@ -45,7 +45,7 @@ std::string counts_text(const studies::MeasuredFrame& frame) {
 
 std::string window_text(const analysis::Window& window, const analysis::InteriorMeasures& inside) {
   std::string text =
-      "\nwindow, used for the closed forms; the network is that of the whole, because the stiffness of a "
+      "\nwindow, used for the closed forms; the network covers the whole packing, because the stiffness of a "
       "part depends on the support of the grains at its faces\n";
   for (int k = 0; k < 3; ++k)
     text += line(std::string(1, "xyz"[k]), pretty(window.low[k], Dimension::length) + " to " +
@@ -133,7 +133,7 @@ std::string stiffness_text(const FrameAnswer& frame) {
          waves_text(matrices, frame.measured.packing.bulk_density);
 }
 
-/// A part under its title, where there is one.
+/// A part under its title, if it exists.
 template <class Part>
 std::string titled(const char* title, const io::Columns<Part>& fields, const std::optional<Part>& part) {
   return part ? "\n" + std::string(title) + "\n" + io::list_text(fields, *part) : "";
@@ -193,11 +193,11 @@ std::string series_text(const AnalyseAnswer& answer) {
   return text;
 }
 
-/// The files, one a line; of many the first and the last of each kind.
+/// The files, one per line; of many files only the first and the last of each kind.
 std::string files_text(const AnalyseAnswer& answer) {
   constexpr std::size_t many = 8;
   std::string text;
-  std::size_t alike = 0; // files before this one of its kind, behind one another
+  std::size_t alike = 0; // consecutive files of the same kind before this one
   for (std::size_t k = 0; k < answer.files.size(); ++k) {
     alike = k > 0 && answer.kinds[k] == answer.kinds[k - 1] ? alike + 1 : 0;
     const bool last = k + 1 == answer.files.size() || !(answer.kinds[k + 1] == answer.kinds[k]);
@@ -214,7 +214,7 @@ std::string files_text(const AnalyseAnswer& answer) {
 
 std::string analyse_table(const AnalyseAnswer& answer) {
   std::string text = files_text(answer);
-  constexpr std::size_t whole = 2; // frames that are shown with all that is known
+  constexpr std::size_t whole = 2; // frames that are shown with all results
   if (answer.frames.size() > whole)
     text += fmt::format("\nthe last of {} frames:\n", answer.frames.size());
   for (std::size_t k = answer.frames.size() > whole ? answer.frames.size() - 1 : 0; k < answer.frames.size();

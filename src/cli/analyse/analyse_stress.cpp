@@ -19,7 +19,7 @@ namespace granum::cli {
 
 namespace {
 
-/// Which row of a table belongs to each frame.
+/// The row of a table for each frame.
 std::vector<std::size_t> rows_of(const io::CsvTable& table, const std::string& path,
                                  const std::vector<FrameAnswer>& frames) {
   std::vector<std::size_t> rows;
@@ -52,7 +52,7 @@ void take_from_file(const std::string& path, std::vector<FrameAnswer>& frames) {
     frame.code_stress.emplace();
   for (std::size_t k = 0; k < std::size(studies::stress_names); ++k) {
     const std::string sigma =
-        std::string("sigma_") + studies::stress_names[k]; // as the decks of granum export have it
+        std::string("sigma_") + studies::stress_names[k]; // as in the decks of granum export
     const std::vector<double> column =
         table.numbers(table.has(sigma) ? sigma : studies::stress_names[k], Dimension::pressure);
     for (std::size_t f = 0; f < frames.size(); ++f)
@@ -79,19 +79,20 @@ void take_code_stress(const std::vector<std::string>& given, std::vector<FrameAn
 void judge_code_stress(const FrameAnswer& frame, Validity& out) {
   constexpr double agrees = 1e-6;
   if (const auto apart = studies::largest_stress_difference(frame); apart && *apart > agrees)
-    out.add(fmt::format("the stress by contacts differs from the code's own by {} of its largest component",
+    out.add(fmt::format("the stress computed from contacts differs from that reported by the code by {} of "
+                        "its largest component",
                         short_text(*apart, 2)));
 }
 
 namespace {
 
-/// Whether `part` stands between points, or at an end, in the name of a file.
+/// Whether `part` is a part of a file's name between points, or at an end.
 bool names_state(const std::string& file, const std::string& state) {
   const std::string name = "." + file.substr(file.find_last_of('/') + 1) + ".";
   return name.find("." + state + ".") != std::string::npos;
 }
 
-/// The columns of a table of probes, which are words.
+/// The text columns of a table of probes.
 std::size_t place_of(const io::CsvTable& table, std::string_view heading) {
   const auto& headings = table.headings();
   return static_cast<std::size_t>(std::find(headings.begin(), headings.end(), heading) - headings.begin());
@@ -128,16 +129,16 @@ const Probing& probing_of(const io::CsvTable& table, std::size_t row, const std:
   std::string names;
   for (const Probing& of : probing_table)
     names += std::string(names.empty() ? "" : ", ") + of.name;
-  throw FileError(table.name(), table.line(row), "modulus '" + name + "' is none of " + names);
+  throw FileError(table.name(), table.line(row), "modulus '" + name + "' is not one of " + names);
 }
 
-/// That of the network; null if it was not solved, or there is none.
+/// The stiffness of the network; null if it was not solved, or there is none.
 const elastic::VoigtStiffness* network_stiffness(const FrameAnswer& frame) {
   const auto& network = frame.measured.packing.network;
   return network && network->response.converged() ? &network->relaxed.stiffness : nullptr;
 }
 
-/// Whose row it is, in words for an error, and whether a frame is that one.
+/// The frame of a row, in words for an error, and whether a given frame is that one.
 struct ProbedState {
   std::string words;
   std::function<bool(const FrameAnswer&)> is;
@@ -152,7 +153,8 @@ ProbedState state_of(const io::CsvTable& table, std::size_t row, std::span<const
     const std::string& state = table.fields(row)[place];
     return {"state " + state, [state](const FrameAnswer& frame) { return names_state(frame.file, state); }};
   }
-  return {"one frame alone, as no column step or state tells which", [](const FrameAnswer&) { return true; }};
+  return {"a single frame, because there is no column step or state",
+          [](const FrameAnswer&) { return true; }};
 }
 
 } // namespace
@@ -180,7 +182,7 @@ void take_probes(const std::string& path, std::vector<FrameAnswer>& frames) {
     if (std::any_of(frame->probes.begin(), frame->probes.end(), known))
       throw FileError(path, table.line(row), fmt::format("a second {} of {}", modulus.name, state.words));
     if (!(values[row] > 0))
-      throw FileError(path, table.line(row), "the value of a modulus is more than 0 Pa");
+      throw FileError(path, table.line(row), "the value of a modulus must be more than 0 Pa");
     studies::ProbedModulus probe{.modulus = modulus.name, .value = values[row]};
     if (const elastic::VoigtStiffness* const network = network_stiffness(*frame))
       probe.network_over_probe = modulus.of(*network) / probe.value;

@@ -35,7 +35,7 @@ void apply_relative_density(PackingOptions& packing, AnswerOptions& o) {
   if (!o.relative_density.given())
     return;
   if (packing.void_ratio.given() || packing.porosity.given() || packing.solid_fraction.given())
-    throw InvalidArgument(said_twice::density);
+    throw InvalidArgument(given_twice::density);
   const double D_r = require_share(o.relative_density, 1.2);
   if (o.least_void_ratio.given() != o.largest_void_ratio.given())
     throw InvalidArgument("--least-void-ratio and --largest-void-ratio go together: give both, or neither");
@@ -49,7 +49,7 @@ void apply_relative_density(PackingOptions& packing, AnswerOptions& o) {
                                                                           o.largest_void_ratio.value));
 }
 
-/// sigma_h of sigma_v and K_0.
+/// sigma_h from sigma_v and K_0.
 void apply_earth_pressure(PackingOptions& packing, const AnswerOptions& o) {
   const Number& k0 = o.earth_pressure_at_rest;
   if (!k0.given())
@@ -57,8 +57,8 @@ void apply_earth_pressure(PackingOptions& packing, const AnswerOptions& o) {
   require_positive(k0.name, k0.value);
   if (packing.stress_h.given()) {
     if (k0.in_table || packing.stress_h.preset)
-      return; // a row that says both, or made of it already
-    throw InvalidArgument("--k0 makes --stress-h of --stress-v: give one of the two");
+      return; // a row with both, or already computed
+    throw InvalidArgument("--k0 sets --stress-h from --stress-v: give one of the two");
   }
   if (!packing.stress_v.given())
     throw InvalidArgument("--k0 needs --stress-v");
@@ -73,7 +73,7 @@ double assumed_fabric(const PackingOptions& packing) {
   return estimate::assumed_fabric_deviation(stress.v, stress.h);
 }
 
-/// What granum takes for the deviation of a number that is not given, or that a mineral's name gives.
+/// The assumed deviation of a number that is not given, or that is set by the name of a mineral.
 double assumed_deviation(const PackingOptions& packing, const AnswerOptions& o, const Number& number) {
   const estimate::AssumedDeviations& assumed = estimate::assumed_deviations;
   if (&number == &packing.void_ratio && o.usual_limits)
@@ -89,7 +89,7 @@ double assumed_deviation(const PackingOptions& packing, const AnswerOptions& o, 
                                                    : 0;
 }
 
-/// Whether the question is made of this number: it is given, or its default is taken.
+/// Whether the question depends on this number: it is given, or its default is used.
 bool in_use(const PackingOptions& o, const AnswerOptions& answer, const Number& n) {
   const Number* const defaults[] = {&o.grain_shear_modulus, &o.grain_poisson_ratio, &o.radius, &o.fabric,
                                     &answer.grain_density};
@@ -114,7 +114,7 @@ double deviation_of(const std::string& name, const std::string& text, const Numb
   return share * std::abs(n.value);
 }
 
-/// A setting of --uncertainty, taken apart.
+/// A parsed setting of --uncertainty.
 struct Setting {
   std::string key, deviation;
 };
@@ -128,7 +128,7 @@ std::vector<Setting> settings_of(const std::vector<std::string>& texts,
       throw InvalidArgument("--uncertainty " + text + ": write key=sd, as in void-ratio=0.02");
     const std::string key(trimmed(std::string_view(text).substr(0, split)));
     if (std::find(known.begin(), known.end(), key) == known.end())
-      throw InvalidArgument(fmt::format("--uncertainty {}: not an input of this packing, which is made of {}",
+      throw InvalidArgument(fmt::format("--uncertainty {}: not an input of this packing; its inputs are {}",
                                         key, fmt::join(known, ", ")));
     for (const Setting& other : settings)
       if (other.key == key)
@@ -204,7 +204,7 @@ void add_answer_options(Command& command, AnswerOptions& o) {
             std::vector<std::string>{"dense", "loose", "friction:NUMBER"}),
         .group = contacts_group,
         .meaning =
-            "How the grains came together, as it decides their contacts: dense, loose (friction 0.3 to 0.5), "
+            "How the packing was made, which determines its contacts: dense, loose (friction 0.3 to 0.5), "
             "friction:0.3",
         .synonyms = {{"mu friction frictioncoefficient"}}},
        {.name = "--grain",
@@ -212,7 +212,7 @@ void add_answer_options(Command& command, AnswerOptions& o) {
             read_by([&o](const std::string& text) { o.mineral = &contact::mineral(in_small_letters(text)); },
                     keys_of(contact::minerals())),
         .group = grains_group,
-        .meaning = "Solid of the grains: sets G_g, nu_g and density where they are not given",
+        .meaning = "Mineral of the grains: sets G_g, nu_g and density unless they are given",
         .synonyms = {{"mineral material solid"}}},
        {.name = "--sand",
         .value =
@@ -220,8 +220,8 @@ void add_answer_options(Command& command, AnswerOptions& o) {
                     keys_of(sands::known_sands())),
         .group = grains_group,
         .meaning =
-            "Sand: sets --grain, d50, C_u of the measured laws, and the limits of its void ratio, as far "
-            "as a source says"},
+            "Sand by name: sets --grain, d50, C_u for laws measured on sands, and e_min and e_max, as far "
+            "as published"},
        {.name = "--grain-shape",
         .value = read_by(
             [&o](const std::string& text) {
@@ -229,12 +229,12 @@ void add_answer_options(Command& command, AnswerOptions& o) {
             },
             std::vector<std::string>{"sphere", "sand"}),
         .group = grains_group,
-        .meaning = "What the grains are: sand, by what was measured on sands, or sphere, by the model; by "
-                   "default what other options imply, and else both"},
+        .meaning = "sand: result from laws measured on sands; sphere: result from the model of spheres; by "
+                   "default as implied by other options, else both results"},
        {.name = "--relative-density",
         .value = number_without_default(o.relative_density),
         .group = state_group,
-        .meaning = "D_r instead of --void-ratio, 60%; better with its limits or --sand",
+        .meaning = "D_r instead of --void-ratio, 60%; more accurate with e_min and e_max, or --sand",
         .synonyms = {{"dr id rd densityindex"}}},
        {.name = "--least-void-ratio",
         .value = number_without_default(o.least_void_ratio),
@@ -249,13 +249,13 @@ void add_answer_options(Command& command, AnswerOptions& o) {
        {.name = "--grain-density",
         .value = number(o.grain_density),
         .group = grains_group,
-        .meaning = "rho_s of the grains' solid, for wave speeds",
+        .meaning = "Density rho_s of the grain mineral, for wave speeds",
         .synonyms = grain_density_synonyms()},
        {.name = "--saturation",
         .value = number(o.saturation),
         .group = state_group,
-        .meaning =
-            "Share of the pores that is water: V_p of 100% by Gassmann, below that air makes them soft",
+        .meaning = "Degree of saturation S_r; at 100% V_p follows Gassmann, below it V_p is nearly that of "
+                   "dry pores",
         .synonyms = {{"s sr"}}}});
 }
 
@@ -263,7 +263,7 @@ void add_state_options(Command& command, AnswerOptions& o) {
   command.add({.name = "--k0",
                .value = number_without_default(o.earth_pressure_at_rest),
                .group = state_group,
-               .meaning = "K_0, makes --stress-h of --stress-v",
+               .meaning = "K_0 = sigma_h/sigma_v, instead of --stress-h",
                .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}}});
   command.add(strain_row(o));
 }
@@ -272,7 +272,7 @@ OptionRow strain_row(AnswerOptions& o) {
   return {.name = "--strain",
           .value = number_without_default(o.strain),
           .group = state_group,
-          .meaning = "Shear strain at which a sand's G is asked for as well, 0.01%; small strain is 0.001% "
+          .meaning = "For sands: also G at this shear strain, 0.01%; small strain is 0.001% "
                      "and less",
           .synonyms = {{"shearstrain"}}};
 }
@@ -315,7 +315,7 @@ OptionRow uncertainty_row(std::vector<std::string>& settings) {
 
 estimate::Question question_of(const PackingOptions& packing, const AnswerOptions& o) {
   require_density_or_stress(packing);
-  // A row of a table may hold all three numbers of contacts: C_n and z* are enough.
+  // A row of a table may contain all three numbers of contacts: C_n and z* are enough.
   const bool enough = packing.coordination_number.in_table && packing.mechanical_coordination_number.in_table;
   return {.state = resolve_state(packing, resolve_stresses(packing)),
           .preparation = o.preparation,
@@ -343,11 +343,11 @@ std::vector<estimate::UncertainInput> uncertain_inputs_of(const PackingOptions& 
   std::vector<estimate::UncertainInput> inputs;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Number& number = *all[k];
-    const auto said = std::find_if(settings.begin(), settings.end(),
-                                   [&](const Setting& setting) { return setting.key == key_of(number); });
-    const bool assumed = said == settings.end();
+    const auto found = std::find_if(settings.begin(), settings.end(),
+                                    [&](const Setting& one) { return one.key == key_of(number); });
+    const bool assumed = found == settings.end();
     const double deviation = assumed ? assumed_deviation(packing, options, number)
-                                     : deviation_of("--uncertainty " + said->key, said->deviation, number);
+                                     : deviation_of("--uncertainty " + found->key, found->deviation, number);
     if (deviation > 0)
       inputs.push_back({.input = key_of(number),
                         .deviation = deviation,
@@ -369,7 +369,7 @@ std::string deviation_text(const PackingOptions& given, const AnswerOptions& giv
   for (const Number* number : movable(packing, options))
     if (key_of(*number) == input.input)
       return pretty(input.deviation, number->dimension);
-  throw InvalidArgument(input.input + " is no uncertain input");
+  throw InvalidArgument(input.input + " is not an uncertain input");
 }
 
 } // namespace granum::cli

@@ -10,24 +10,24 @@
 
 #include "cli/options/packing_options.hpp"
 
-/// What granum estimate takes beyond a packing: how it was made, what its grains and pores are, which sand,
-/// and which inputs are uncertain.
+/// Options of granum estimate besides the packing: preparation, grains and pores, the sand, and uncertain
+/// inputs.
 namespace granum::cli {
 
 struct AnswerOptions {
   effective::Preparation preparation;
-  const contact::Mineral* mineral = nullptr; ///< of the grains, if it was named
-  const sands::KnownSand* sand = nullptr;    ///< if it was named
+  const contact::Mineral* mineral = nullptr; ///< of the grains, if given by name
+  const sands::KnownSand* sand = nullptr;    ///< if given by name
   Number relative_density{0, Dimension::dimensionless, "D_r Dr I_D ID"};
   Number least_void_ratio{0, Dimension::dimensionless, "e_min emin"};
   Number largest_void_ratio{0, Dimension::dimensionless, "e_max emax"};
   Number grain_density{2650, Dimension::density, "rho_s"};
   Number saturation{0, Dimension::dimensionless, "S_r Sr"};
-  Number earth_pressure_at_rest{0, Dimension::dimensionless, "K_0 K0", "--k0"}; ///< makes sigma_h of sigma_v
+  Number earth_pressure_at_rest{0, Dimension::dimensionless, "K_0 K0", "--k0"}; ///< sets sigma_h from sigma_v
   Number strain{0, Dimension::dimensionless, "shear_strain gamma", "--strain"};
-  std::optional<estimate::GrainShape> grain_shape = {}; ///< as told
-  bool usual_limits = false; ///< the void ratio is that of D_r between limits that sands usually have
-  bool ground = false;       ///< the question is of the ground, which is soil
+  std::optional<estimate::GrainShape> grain_shape = {}; ///< as given
+  bool usual_limits = false; ///< the void ratio follows from D_r and usual limits of sands
+  bool ground = false;       ///< the question is about the ground, which is soil
 };
 
 void add_answer_options(Command& command, AnswerOptions& options);
@@ -38,21 +38,21 @@ void add_state_options(Command& command, AnswerOptions& options);
 /// --uncertainty, key=sd.
 [[nodiscard]] OptionRow uncertainty_row(std::vector<std::string>& settings);
 
-/// Numbers that mineral, sand and relative density decide, where they are not given themselves.
-/// \throws   InvalidArgument where a relative density lacks its limits, or the density is given twice
+/// Sets the numbers that follow from mineral, sand and relative density, unless they are given.
+/// \throws   InvalidArgument if a relative density lacks its limits, or the density is given twice
 void apply_presets(PackingOptions& packing, AnswerOptions& options);
 
-/// What the grains are, as far as the options say or imply: a name, a relative density, limits of the void
+/// The kind of grains, as given or implied by the options: a name, a relative density, limits of the void
 /// ratio, a sieve curve or C_u of a soil, a shear strain and the ground imply a sand; glass, steel, numbers
-/// of contacts and their shape imply spheres; nothing where neither is implied.
+/// of contacts and their shape imply spheres; empty if neither is implied.
 [[nodiscard]] std::optional<estimate::GrainShape> told_shape(const PackingOptions& packing,
                                                              const AnswerOptions& options);
 
-/// The question that the options ask; of spheres, where they do not say what the grains are.
+/// The question of the options; for spheres, if they do not determine the kind of grains.
 /// \throws   InvalidArgument as resolve_state
 [[nodiscard]] estimate::Question question_of(const PackingOptions& packing, const AnswerOptions& options);
 
-/// What is known of a sand besides its state.
+/// Known properties of a sand besides its state.
 [[nodiscard]] sands::Sand sand_of(const PackingOptions& packing, const AnswerOptions& options);
 
 /// The option of a number without its hyphens: the name of an uncertain input.
@@ -60,10 +60,11 @@ void apply_presets(PackingOptions& packing, AnswerOptions& options);
 /// All numbers that may be uncertain, in the order of the options.
 [[nodiscard]] std::vector<Number*> movable(PackingOptions& packing, AnswerOptions& options);
 
-/// What is assumed of numbers that are not given, and what --uncertainty states of others, in the order of
+/// The assumed deviations of numbers that are not given, and those stated by --uncertainty, in the order of
 /// the options.
 /// \param    settings   key=sd; sd with the unit of the key, or in per cent of its value
-/// \throws   InvalidArgument for a key that is no input of this packing, given twice, or with a bad deviation
+/// \throws   InvalidArgument for a key that is no input of this packing, is given twice, or has a bad
+///           deviation
 [[nodiscard]] std::vector<estimate::UncertainInput>
 uncertain_inputs_of(const PackingOptions& packing, const AnswerOptions& options,
                     const std::vector<std::string>& settings);

@@ -15,7 +15,7 @@ namespace {
 using estimate::Field;
 using Named = std::pair<std::string, const estimate::Answer*>;
 
-/// The answers with their names: that of a sand first, where there are two.
+/// The answers with their names; if there are two, that of a sand first.
 std::vector<Named> answers_of(const AnswerCase& c) {
   std::vector<Named> all;
   if (c.sand_answer)
@@ -43,11 +43,10 @@ std::string numbers(const Named& named) {
     if (const std::optional<estimate::Range>& range = named.second->find(row.field))
       rows.push_back({row.symbol, field_text(row, range->value), field_text(row, range->low),
                       field_text(row, range->high), row.meaning});
-  return plot::html_paragraph(named.first) +
-         plot::html_table({"", "answer", "low", "high", "what it is"}, rows);
+  return plot::html_paragraph(named.first) + plot::html_table({"", "answer", "low", "high", "meaning"}, rows);
 }
 
-/// Keys of all that stands behind the numbers.
+/// Keys of the sources of all numbers.
 std::string keys_of(const AnswerCase& c, const std::string& table) {
   std::string keys = table;
   for (const std::string& note : c.assumptions)
@@ -72,12 +71,12 @@ std::string answer_page(const AnswerCase& c, const plot::Chart& picture, const s
   std::string body =
       plot::html_first_screen("How stiff is it, and how well is that known?", sentences, figure) +
       plot::html_section("numbers", "Every number", all_numbers) +
-      plot::html_section("assumptions", "What was assumed, and from where", plot::html_list(c.assumptions)) +
+      plot::html_section("assumptions", "Assumptions and sources", plot::html_list(c.assumptions)) +
       plot::html_section("sources", "Sources", plot::html_list(sources_in(keys_of(c, table))));
   if (!validity.ok())
-    body += plot::html_section("warnings", "What to be careful about", plot::html_list(validity.notes));
-  body += plot::html_section("all", "All that was found",
-                             plot::html_folded("As the terminal shows it", plot::html_preformatted(table)));
+    body += plot::html_section("warnings", "Warnings", plot::html_list(validity.notes));
+  body += plot::html_section("all", "All results",
+                             plot::html_folded("Output of the terminal", plot::html_preformatted(table)));
   return plot::html_page("granum estimate", body);
 }
 

@@ -9,8 +9,8 @@
 
 namespace granum::cli {
 
-/// The report of granum estimate as a page for people: the answer in words and its picture, every number with
-/// its range, what was assumed with the keys of its sources, warnings, and what the terminal shows.
+/// The report of granum estimate as a page: the answer in words and its picture, every number with its range,
+/// the assumptions with the keys of their sources, warnings, and the output of the terminal.
 [[nodiscard]] std::string answer_page(const AnswerCase& answer, const plot::Chart& picture,
                                       const std::string& table, const Validity& validity);
 

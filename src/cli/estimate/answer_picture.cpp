@@ -67,9 +67,9 @@ plot::Chart chart_of(std::string title, plot::Axis x) {
   return {.title = std::move(title), .x = std::move(x), .y = {.title = "G [MPa]", .unit = 1e6}, .series = {}};
 }
 
-/// The answers that were asked for, on their curves.
+/// The requested answers, on their curves.
 void mark(plot::Chart& chart, std::vector<double> at, std::vector<double> answers) {
-  chart.series.push_back({.name = "asked for",
+  chart.series.push_back({.name = "given strain",
                           .mark = plot::Mark::marker,
                           .x = std::move(at),
                           .y = std::move(answers),
@@ -79,7 +79,7 @@ void mark(plot::Chart& chart, std::vector<double> at, std::vector<double> answer
 
 plot::Chart over_strain(const PackingOptions& packing, AnswerOptions options,
                         const std::vector<std::string>& uncertainties, const AnswerCase& here) {
-  constexpr double least = 1e-6, most = 5e-3; // where laws of strain end
+  constexpr double least = 1e-6, most = 5e-3; // range of the laws of strain
   plot::Chart chart = chart_of("shear modulus over strain", {.title = "shear strain [%]", .unit = 0.01});
   const double asked = *here.question.shear_strain, G0 = here.answer[Field::shear_modulus].value;
   Band band;
@@ -138,7 +138,7 @@ plot::Chart over_stress(const PackingOptions& packing, const AnswerOptions& opti
 plot::Chart answer_chart(const PackingOptions& packing, const AnswerOptions& options,
                          const std::vector<std::string>& uncertainties, const AnswerCase& here) {
   if (!(here.question.state.mean_stress() > 0))
-    throw InvalidArgument("a picture of G is around a state under stress; the mean stress is 0");
+    throw InvalidArgument("a picture of G needs a state under stress; the mean stress is 0");
   return here.question.shear_strain ? over_strain(packing, options, uncertainties, here)
                                     : over_stress(packing, options, uncertainties, here);
 }

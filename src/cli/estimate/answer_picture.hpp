@@ -12,10 +12,10 @@
 /// Answers with their ranges as pictures.
 namespace granum::cli {
 
-/// Options with the stresses of a state in place of their own.
+/// Options with the stresses replaced by those of a state.
 [[nodiscard]] PackingOptions at_stress(PackingOptions packing, const stress::AxialStress& stress);
 
-/// n values from first to last, both to the bit.
+/// n values from first to last, with exact ends.
 [[nodiscard]] std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic);
 
 /// A line in the middle of its band.
@@ -23,13 +23,13 @@ struct Band {
   std::vector<double> at;
   std::vector<estimate::Range> ranges;
 };
-/// \param    sideways   numbers to the right, places downwards, as over depth
+/// \param    sideways   values to the right, positions downwards, as for depth
 /// \param    name       of the line in the legend
 void add_band(plot::Chart& chart, const Band& band, bool sideways, const std::string& name = "answer",
               plot::Colour colour = plot::Colour::closed_form);
 
-/// G and its range around the state of the answer: over the shear strain, with each published law, where one
-/// is asked for; else over the mean stress, from a tenth to tenfold.
+/// G and its range around the state of the answer: over the shear strain with each published law, if a strain
+/// is given; else over the mean stress, from a tenth to tenfold.
 /// \throws   InvalidArgument without stress
 [[nodiscard]] plot::Chart answer_chart(const PackingOptions& packing, const AnswerOptions& options,
                                        const std::vector<std::string>& uncertainties, const AnswerCase& here);

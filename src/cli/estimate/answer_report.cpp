@@ -75,22 +75,23 @@ std::string moduli_text(const AnswerCase& c, const Answer& answer) {
   return text;
 }
 
-/// "contacts 81 %, grain-shear-modulus 12 %": without what rounds to nothing.
+/// "contacts 81 %, grain-shear-modulus 12 %": without shares that round to 0.
 std::string shares_text(const Answer& answer) {
   std::string text;
   for (const estimate::Share& share : answer.shares())
     if (share.share >= 0.005)
       text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", share.input, 100 * share.share);
-  return text.empty() ? "" : "\n  the range of G: " + text + "\n";
+  return text.empty() ? "" : "\n  shares in the range of G: " + text + "\n";
 }
 
 std::string preparation_remark(const AnswerCase& c) {
   if (c.question.knows_contacts() || c.question.grain_shape == estimate::GrainShape::sand)
     return "";
   if (c.question.preparation.kind != effective::Preparation::Kind::unknown)
-    return fmt::format("  contacts of the preparation {}, as sphere packings have them\n",
+    return fmt::format("  contacts: those of sphere packings with the preparation {}\n",
                        preparation_text(c.question.preparation));
-  return "  how the grains came together is not known: from friction 0.5 to the densest contacts of "
+  return "  preparation unknown: the range covers contacts from those of friction 0.5 to the most possible "
+         "at "
          "this void ratio; --preparation, --rattler-fraction or --mechanical-coordination-number narrow it\n";
 }
 
@@ -140,7 +141,7 @@ AnswerCase bare_answer(const PackingOptions& packing, const AnswerOptions& optio
     try {
       of_sand =
           estimate::answer(question_of(of_quartz, sand), uncertain_inputs_of(of_quartz, sand, uncertainties));
-    } catch (const InvalidArgument&) { // no sand is so; a packing of spheres may be, and slips are named
+    } catch (const InvalidArgument&) { // a sand cannot be so, but a packing of spheres can
     }
   }
   estimate::Answer answer = estimate::answer(question, inputs);
@@ -173,7 +174,7 @@ AnswerCase solve_answer(const PackingOptions& packing, const AnswerOptions& opti
 
 namespace {
 
-/// The numbers of an answer, and what makes the range of G.
+/// The numbers of an answer, and the contributions to the range of G.
 ordered_json fields_json(const Answer& answer) {
   ordered_json json = ordered_json::object();
   for (const FieldRow& row : estimate::fields())
@@ -212,10 +213,10 @@ std::string range_text(const AnswerCase& c) { return shares_text(c.answer) + pre
 
 namespace {
 
-/// Both answers in a line each, named.
+/// Both answers, one line each, with their names.
 std::string both_text(const AnswerCase& c) {
   using estimate::GrainShape;
-  std::string text = "  nothing says what the grains are; --grain-shape sand or sphere does\n";
+  std::string text = "  the kind of grains is not given; choose with --grain-shape sand or sphere\n";
   for (const auto& [shape, answer] :
        {std::pair{GrainShape::sand, &*c.sand_answer}, {GrainShape::sphere, &c.answer}}) {
     const Range& G = (*answer)[Field::shear_modulus];

@@ -17,7 +17,7 @@ CementAnswer cement_answer(const AnswerCase& c, double share) {
   const double e = state.void_ratio, before = e / (1 + e);
   require_open("--cement", share, 0, before);
   if (c.question.saturation > 0)
-    throw InvalidArgument("--cement is of dry pores: leave out --saturation");
+    throw InvalidArgument("--cement applies to dry pores: leave out --saturation");
   const contact::GrainMaterial grain = state.law.grain();
   CementAnswer answer{.share = share,
                       .porosity = before - share,
@@ -37,11 +37,12 @@ CementAnswer cement_answer(const AnswerCase& c, double share) {
                                           .porosity = before,
                                           .coordination_number = answer.coordination_number,
                                           .pressure = state.mean_stress()};
-  answer.models = {{"friable", "friable, none at contacts", rock_physics::soft_sand(loose, answer.porosity)},
-                   {"surface_layer", "a layer on all grains",
-                    rock_physics::contact_cement(cemented, rock_physics::CementScheme::surface_layer)},
-                   {"at_contacts", "all at the contacts",
-                    rock_physics::contact_cement(cemented, rock_physics::CementScheme::at_contacts)}};
+  answer.models = {
+      {"friable", "in the pores, none at contacts", rock_physics::soft_sand(loose, answer.porosity)},
+      {"surface_layer", "a layer on all grains",
+       rock_physics::contact_cement(cemented, rock_physics::CementScheme::surface_layer)},
+      {"at_contacts", "all at the contacts",
+       rock_physics::contact_cement(cemented, rock_physics::CementScheme::at_contacts)}};
   const double density = elastic::bulk_density(
       {.grain_density = *c.question.grain_density, .void_ratio = answer.porosity / (1 - answer.porosity)});
   for (CementModel& model : answer.models) {
@@ -73,7 +74,7 @@ nlohmann::ordered_json cement_json(const CementAnswer& answer) {
 std::string cement_table(const CementAnswer& answer) {
   const auto modulus = [](double value) { return pretty(value, Dimension::pressure); };
   std::string text = fmt::format("\ncemented: {} of the volume is cement of the grains' mineral, dry\n"
-                                 "  porosity {}, C_n = {} of spheres; by where the cement sits\n"
+                                 "  porosity {}, C_n = {} of spheres; by location of the cement\n"
                                  "  {:<26}{:>11}{:>11}{:>10}{:>10}\n",
                                  percent_text(answer.share), percent_text(answer.porosity),
                                  short_text(answer.coordination_number, 3), "", "G", "K", "V_s", "V_p");
@@ -82,8 +83,8 @@ std::string cement_table(const CementAnswer& answer) {
         fmt::format("  {:<26}{:>11}{:>11}{:>10}{:>10}\n", model.title, modulus(model.moduli.shear_modulus),
                     modulus(model.moduli.bulk_modulus), pretty(model.shear_wave_speed, Dimension::speed),
                     pretty(model.compression_wave_speed, Dimension::speed));
-  return text + "  contacts follow the mean strain here, so that these are too stiff where few\n"
-                "  touch; no error is known [DvorkinNur1996]\n";
+  return text + "  these models assume uniform strain: they are too stiff where grains have few\n"
+                "  contacts; their error is not known [DvorkinNur1996]\n";
 }
 
 } // namespace granum::cli

@@ -10,10 +10,10 @@
 
 #include "answer_report.hpp"
 
-/// `granum estimate --cement`: the packing of the answer with a little of its pores cemented.
+/// `granum estimate --cement`: the packing of the answer with a small amount of cement in its pores.
 namespace granum::cli {
 
-/// What a model of cemented grains says, dry.
+/// Result of a model of cemented grains, dry.
 struct CementModel {
   const char* key;   ///< in the JSON
   const char* title; ///< on the screen
@@ -23,15 +23,15 @@ struct CementModel {
 
 struct CementAnswer {
   double share = 0;    ///< of the whole volume that is cement [1]
-  double porosity = 0; ///< that is left [1]
+  double porosity = 0; ///< remaining porosity [1]
   double coordination_number = 0;
-  std::vector<CementModel> models; ///< from the softest place of the cement to the stiffest
+  std::vector<CementModel> models; ///< by location of the cement, from softest to stiffest
   Validity validity;
 };
 
-/// Cement of the grains' own mineral in the pores of the packing: among the grains as one more filling (soft
-/// sand, friable), in a layer on their surfaces, or at their contacts. The contacts are those of the answer's
-/// spheres.
+/// Cement of the same mineral as the grains, at three locations: in the pores away from contacts (soft sand,
+/// friable), as a layer on the grain surfaces, or at the contacts. The contact number is that of the answer
+/// for spheres.
 /// \param    share   of the whole volume that is cement, > 0 and less than the porosity [1]
 /// \throws   InvalidArgument naming --cement out of its range, for wet pores, and as the models
 [[nodiscard]] CementAnswer cement_answer(const AnswerCase& answer, double share);

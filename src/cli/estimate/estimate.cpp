@@ -37,7 +37,7 @@ struct Options {
   bool bounds = false;         ///< show the uniform fields and rung 3 side by side
 };
 
-/// A line for each note, none twice: what the answer assumes, and what the rungs do.
+/// A line for each note, without repetitions: the assumptions of the answer and of the rungs.
 std::string notes_text(const std::vector<std::string>& notes, const std::vector<std::string>& more) {
   std::string text = "\n";
   for (const std::string& note : notes)
@@ -123,15 +123,15 @@ Command make_estimate() {
       {{.name = "--bounds",
         .value = flag(options->bounds),
         .group = "More results",
-        .meaning = "Also uniform strain, uniform stress and the relaxed rung side by side, with exponents"},
+        .meaning = "Also show uniform strain, uniform stress and the relaxed closed form, with exponents"},
        {.name = "--tolerance",
         .value = number_without_default(options->tolerance),
         .group = "More results",
-        .meaning = "Choose the cheapest rung whose stated error is no larger, e.g. 5%"},
+        .meaning = "Choose the cheapest closed form (rung) whose stated error is within this tolerance, 5%"},
        {.name = "--cement",
         .value = number_without_default(options->cement),
         .group = "More results",
-        .meaning = "Share of the volume that is cement, 2%: the packing with a little of its pores cemented",
+        .meaning = "Also show the packing with cement, this share of the total volume, 2%",
         .synonyms = {{"cementation bond"}}},
        uncertainty_row(options->uncertain)});
   add_output_options(command, options->output);
@@ -141,7 +141,7 @@ Command make_estimate() {
       {.name = "--report",
        .value = path(options->report, "FILE.html"),
        .group = output_group,
-       .meaning = "Write the answer as a page: range, assumptions, sources in full, and the picture"});
+       .meaning = "Write the answer as a page with range, assumptions, full references, and the picture"});
   OptionRow& force = command.row("--force");
   force.needs = {{"--out --picture --report", "--out, --picture or --report"}};
   force.meaning = "Let --out, --picture and --report replace existing files";

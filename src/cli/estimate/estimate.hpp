@@ -10,10 +10,10 @@
 
 #include "answer_report.hpp"
 
-/// What granum estimate works out, and how it is put into words.
+/// The computations of granum estimate, and their presentation.
 namespace granum::cli {
 
-/// A closed form that granum estimate shows, and what it calls it.
+/// A closed form shown by granum estimate, and its name.
 struct ShownForm {
   const char* key;   ///< in the JSON
   const char* title; ///< in tables and remarks
@@ -24,7 +24,7 @@ struct ShownForm {
 /// The two uniform fields and the relaxed one side by side, at the contacts of the answer.
 struct Bounds {
   std::vector<ShownForm> forms;
-  std::vector<std::string> assumptions; ///< what they take besides the assumptions of the answer
+  std::vector<std::string> assumptions; ///< in addition to the assumptions of the answer
   Validity validity;                    ///< notes of all, each once
 };
 

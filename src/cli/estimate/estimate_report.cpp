@@ -44,7 +44,7 @@ ordered_json json_of(const effective::RungAnswer& answer) {
   return json;
 }
 
-/// "cone, A_1 = 0.4": the shape and what belongs to it.
+/// "cone, A_1 = 0.4": the shape and its parameters.
 std::string contact_text(const ordered_json& contact) {
   std::string text = contact.at("contact").get<std::string>();
   for (const contact::LawParameter& parameter : contact::row_of(*contact::find_shape(text)).parameters)
@@ -54,7 +54,7 @@ std::string contact_text(const ordered_json& contact) {
   return text;
 }
 
-/// One line: a label, and what each closed form gives.
+/// One line: a label, and the value of each closed form.
 std::string row(const std::string& label, const std::vector<std::string>& cells) {
   std::string line = fmt::format("  {:<12}", label);
   for (std::size_t k = 0; k < cells.size(); ++k)
@@ -89,12 +89,13 @@ std::string exponent_text(const ordered_json& value) {
   return value.is_null() ? "undefined" : fmt::format("{:.4f}", value.get<double>());
 }
 
-/// What no closed form of a mean field knows; ratios measured on contact networks of all three shapes.
+/// The limits of mean-field closed forms.
 std::string relaxation_text(const State& state) {
-  return fmt::format("\n{} G of a real packing, whose grains relax. The last column corrects that by "
-                     "factors calibrated on contact networks; its exponents are those of frozen contacts.\n",
-                     state.tangential_ratio > 0 ? "Uniform strain and stress overestimate"
-                                                : "Uniform strain overestimates");
+  return fmt::format(
+      "\n{} G of a real packing, in which grains deviate from the mean strain. The last column "
+      "includes factors for this, calibrated on contact networks; its exponents apply to "
+      "frozen contacts.\n",
+      state.tangential_ratio > 0 ? "Uniform strain and stress overestimate" : "Uniform strain overestimates");
 }
 
 } // namespace
@@ -118,7 +119,7 @@ Bounds bounds_of(const AnswerCase& c) {
   }
   bounds.validity.keep_each_once();
   if (state.stress_v == 0 && state.stress_h == 0)
-    bounds.assumptions.emplace_back("m, n and s at zero stress are their limit on the isotropic path");
+    bounds.assumptions.emplace_back("m, n and s at zero stress are their limits along the isotropic path");
   if (*state.coordination_number == 0)
     bounds.assumptions.emplace_back(
         "m, n and s do not exist: without contacts every modulus is 0 at any stress");
@@ -133,7 +134,7 @@ Bounds bounds_of(const AnswerCase& c) {
 
 namespace {
 
-/// "e = 0.802, D_r = 50 %, C_u = 1.39, d50 = 200 um": what of a sand is known.
+/// "e = 0.802, D_r = 50 %, C_u = 1.39, d50 = 200 um": the known properties of a sand.
 std::string sand_line(const sands::Sand& sand, double void_ratio) {
   std::string text = "e = " + short_text(void_ratio);
   if (sand.least_void_ratio && sand.largest_void_ratio)

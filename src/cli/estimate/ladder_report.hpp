@@ -6,7 +6,7 @@
 #include <granum/estimate/ladder.hpp>
 #include <nlohmann/json.hpp>
 
-/// `granum estimate --tolerance`: the cheapest rung that is good enough, in words.
+/// `granum estimate --tolerance`: the cheapest rung within the tolerance, as text.
 namespace granum::cli {
 
 [[nodiscard]] nlohmann::ordered_json ladder_json(const estimate::Ladder& ladder);

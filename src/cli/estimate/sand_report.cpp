@@ -84,7 +84,7 @@ void add_measured_laws(AnswerCase& c) {
     c.sands.push_back({&law, std::nullopt});
     try {
       c.sands.back().modulus = sands::shear_modulus(law, sand);
-    } catch (const InvalidArgument&) { // a void ratio at which the law has reached zero
+    } catch (const InvalidArgument&) { // a void ratio beyond the zero of the law
     }
   }
 }
@@ -154,7 +154,7 @@ std::vector<std::string> sand_notes(const AnswerCase& c, const AnswerOptions& op
     notes.push_back(fmt::format("{} [{}]{}", options.sand->name, options.sand->source,
                                 options.sand->tests
                                     ? fmt::format(": {} tests of its own", options.sand->tests->count)
-                                    : ": no tests of its own here"));
+                                    : ": no tests of this sand are included"));
   if (answer_of_sand(c) == nullptr)
     return notes;
   estimate::Question q = c.question;
@@ -164,24 +164,24 @@ std::vector<std::string> sand_notes(const AnswerCase& c, const AnswerOptions& op
                   short_text(sands::growth_exponent(q.sand, q.state.mean_stress()).value, 3),
                   short_text(sands::stated_factor(q.sand, q.state.void_ratio, q.state.mean_stress()), 3)));
   if (const double p = q.state.mean_stress(); p > 0 && p < sands::least_tested_stress)
-    notes.emplace_back("sand: none was tested below 25 kPa; the factor is wider for it");
+    notes.emplace_back("sand: there are no tests below 25 kPa; the factor is larger there");
   notes.emplace_back(
-      "sand: nu is that of measurements; E hardly depends on it, V_p by some 10 %, K by a factor "
+      "sand: nu follows from measurements; it changes E little, V_p by about 10 %, and K by a factor "
       "of 1.5");
   if (q.state.mean_stress() > 0)
     notes.emplace_back(
-        "sand: z* and k/k_H are inferred, those at which rung 3 has this nu and this G; fewer "
-        "contacts and softer ones cannot be told apart without nu, and k_t/k_n is taken as that "
-        "of smooth spheres");
+        "sand: z* and k/k_H are inferred: with them rung 3 has this nu and this G. Without nu, few "
+        "contacts and soft contacts cannot be distinguished; k_t/k_n is assumed as that of smooth "
+        "spheres");
   if (options.usual_limits)
     notes.push_back(
-        fmt::format("sand: void ratio {} of this relative density between e_min {} and e_max {}, as "
-                    "sands usually have them; G does not depend on it",
+        fmt::format("sand: void ratio {} from this relative density with e_min {} and e_max {}, as "
+                    "usual for sands; G does not depend on it",
                     short_text(q.state.void_ratio), short_text(sands::usual_least_void_ratio),
                     short_text(sands::usual_largest_void_ratio)));
   if (q.knows_contacts() || q.preparation != effective::Preparation{})
     notes.emplace_back(
-        "sand: contacts and preparation are of the model of spheres; measured laws do not take "
+        "sand: contacts and preparation apply to the model of spheres; measured laws do not use "
         "them");
   return notes;
 }

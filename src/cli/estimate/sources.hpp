@@ -7,7 +7,7 @@
 
 namespace granum::cli {
 
-/// The entries of validation/references.bib whose keys stand in a text, in the order of the bibliography:
+/// The entries of validation/references.bib whose keys occur in a text, in the order of the bibliography:
 /// "Menq2003: Menq, F. Y. (2003): ...".
 [[nodiscard]] std::vector<std::string> sources_in(std::string_view text);
 

@@ -62,7 +62,7 @@ void require_spheres(const studies::Scene& scene) {
                                         contact::name(shape)));
 }
 
-/// The test that --path names; nothing for none.
+/// The test named by --path; empty for none.
 std::optional<io::LammpsPath> path_of(const ExportOptions& options) {
   for (const ShearPath path : stress::all_shear_paths)
     if (in_small_letters(std::string(stress::name(path))) == options.path)
@@ -175,12 +175,12 @@ Command make_export() {
         .value = choice({"packed", "scattered"}, options->start),
         .group = group,
         .meaning =
-            "packed: granum makes the start of each path; scattered: LAMMPS makes it, from grains that "
-            "do not touch, for packings too large for one machine"},
+            "packed: granum makes the initial packing; scattered: LAMMPS makes it from grains that do not "
+            "touch, for packings too large for one machine"},
        {.name = "--path",
         .value = choice({"none", "txc", "rtxc", "rtxe", "txe"}, options->path),
         .group = group,
-        .meaning = "Triaxial test from the last pressure of the isotropic path; its states are probed "
+        .meaning = "Triaxial test from the last pressure of the isotropic compression; its states are probed "
                    "too"},
        {.name = "--eta-step",
         .value = quantity(options->eta_step, Dimension::dimensionless),
@@ -199,7 +199,7 @@ Command make_export() {
               .group = output_group,
               .meaning = "Print one JSON object: the scene in SI and the files written"});
   add_strict_scene(lammps, options->strict);
-  Command command{.name = "export", .meaning = "The same scene for another code"};
+  Command command{.name = "export", .meaning = "Write a scene as input files of another DEM code (LAMMPS)"};
   command.within.push_back(std::move(lammps));
   return command;
 }

@@ -13,7 +13,7 @@ namespace granum::cli {
 
 namespace {
 
-/// The fit, or what to do where m and n cannot be separated.
+/// The fit, or advice if m and n cannot be separated.
 hardin::FitReport fitted(const FitQuestion& question, const std::vector<hardin::MeasuredModulus>& rows,
                          const hardin::FitOptions& options) {
   if (question.sum_only)
@@ -60,16 +60,17 @@ void add_column_options(Command& command, FitQuestion& question) {
       {{.name = "--modulus-column",
         .value = text(question.modulus_column),
         .group = group,
-        .meaning = "Column of the modulus; by default G, G_max, G_0, G_vh, ..., the first there is"},
+        .meaning = "Column of the modulus; by default the first of G, G_max, G_0, G_vh, ... in the table"},
        {.name = "--stress-i-column",
         .value = text(question.stress_i_column),
         .group = group,
-        .meaning = "Column of sigma_i; by default sigma_v, or as the modulus says: sigma_h for G_hv; where "
-                   "there is one mean stress alone, p"},
+        .meaning =
+            "Column of sigma_i; by default sigma_v, or by the name of the modulus: sigma_h for G_hv; p in "
+            "tables with only a mean stress"},
        {.name = "--stress-j-column",
         .value = text(question.stress_j_column),
         .group = group,
-        .meaning = "Column of sigma_j; by default sigma_h, or as the modulus says: sigma_v for G_hv"},
+        .meaning = "Column of sigma_j; by default sigma_h, or by the name of the modulus: sigma_v for G_hv"},
        {.name = "--void-ratio-column",
         .value = text(question.void_ratio_column),
         .group = group,
@@ -95,7 +96,7 @@ void add_fit_law_options(Command& command, FitQuestion& question) {
        {.name = "--atmospheric-pressure",
         .value = quantity(question.atmospheric_pressure, Dimension::pressure),
         .group = group,
-        .meaning = "p_a, for which C holds",
+        .meaning = "Reference pressure p_a of C",
         .synonyms = {{"pa patm pref referencepressure"}}},
        {.name = "--weights",
         .value = choice({"relative", "absolute"}, question.weights),

@@ -11,10 +11,10 @@
 
 #include "cli/frame/frame.hpp"
 
-/// What granum fit reads, and how it puts the fitted law into words.
+/// Input of granum fit, and the presentation of the fitted law.
 namespace granum::cli {
 
-/// Columns by the name of their quantity, without unit; empty: the usual names are looked for.
+/// Columns by the name of their quantity, without unit; empty: the usual names are tried.
 struct FitQuestion {
   std::string file;
   std::string modulus_column;
@@ -27,19 +27,19 @@ struct FitQuestion {
   double middle_stress = 0;            ///< geometric mean of those of all rows [Pa]
   bool sum_only = false;
   bool void_ratio_function_given = false, void_ratio_column_given = false;
-  Validity remarks; ///< rows left out, likely slips, what was taken instead of what is missing
+  Validity remarks; ///< rows left out, likely mistakes, substitutes for missing columns
   std::string picture;
   OutputOptions output;
 };
 
-/// Reads the rows, and fills in which columns hold them. A file with one mean stress, p, allows s alone; one
-/// without a void ratio has f(e) = 1. Rows with an empty cell among these columns are left out.
-/// \throws   FileError for what cannot be read, a missing column, or a row that no fit can take
+/// Reads the rows, and records the columns used. A file with only a mean stress, p, allows only s; without a
+/// void ratio f(e) = 1. Rows with an empty cell in these columns are left out.
+/// \throws   FileError for an unreadable file, a missing column, or a row that cannot be used in a fit
 [[nodiscard]] std::vector<hardin::MeasuredModulus> read_rows(FitQuestion& question);
 
 [[nodiscard]] nlohmann::ordered_json fit_json(const FitQuestion& question, const hardin::FitReport& report);
 [[nodiscard]] std::string fit_table(const FitQuestion& question, const hardin::FitReport& report);
-/// G/f(e) of the rows against the stress that the law takes, the law, and the slopes of cones and spheres.
+/// G/f(e) of the rows over the stress of the law, the law, and the slopes of cones and spheres.
 [[nodiscard]] plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,
                                     const std::vector<hardin::MeasuredModulus>& rows);
 

@@ -15,7 +15,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// What people call a column; the first is what errors name.
+/// Usual names of a column; the first is used in errors.
 const Names modulus_names = {"G", "G_max", "Gmax", "G_0", "G0", "G_hv", "G_vh", "G_hh", "Ghv", "Gvh", "Ghh"};
 const Names vertical_names = {"sigma_v", "sigma'_v", "sigma_v'", "sigma'v", "sigmav",
                               "s'_v",    "sigma_1",  "sigma1",   "sigma_a", "sigma_z"};
@@ -25,7 +25,7 @@ const Names mean_names = {"p",       "p'",      "p0",      "p_0",    "p'_0",  "p
                           "sigma_c", "sigma_m", "sigma_3", "sigma3", "sigma", "sigma'", "stress"};
 const Names void_ratio_names = {"e", "void_ratio", "void ratio", "Void ratio", "e_0", "e0"};
 
-/// The first of the names that the table has a column of; empty if none.
+/// The first of the names with a column in the table; empty if none.
 std::string found_in(const io::CsvTable& table, const Names& names) {
   for (const std::string& name : names)
     if (table.has(name))
@@ -41,7 +41,7 @@ bool has_unit(const std::string& heading, const std::string& quantity, Dimension
   }
 }
 
-/// The quantity that a user names, who may have given the whole heading, "G_MPa" or "G (MPa)".
+/// The quantity named by the user, possibly as the whole heading, "G_MPa" or "G (MPa)".
 std::string quantity_of(const io::CsvTable& table, const std::string& given, Dimension dimension) {
   const auto& headings = table.headings();
   if (std::find(headings.begin(), headings.end(), given) == headings.end())
@@ -54,8 +54,7 @@ std::string quantity_of(const io::CsvTable& table, const std::string& given, Dim
   return given;
 }
 
-/// The direction that the name of a modulus gives, 'v' or 'h', of i (place 0) or j (place 1); G is taken as
-/// G_vh.
+/// The direction in the name of a modulus, 'v' or 'h', of i (place 0) or j (place 1); G is treated as G_vh.
 char direction_of(const std::string& modulus, std::size_t place) {
   const std::size_t end = modulus.size();
   const bool named = end > 2 && modulus.find_first_not_of("hv", end - 2) == std::string::npos;
@@ -86,7 +85,7 @@ void fill_in_columns(const io::CsvTable& table, FitQuestion& question) {
   fill(question.stress_j_column, names_of(direction_of(question.modulus_column, 1)));
 }
 
-/// Numbers of a column, nothing where a cell is empty.
+/// Numbers of a column; empty for an empty cell.
 std::vector<std::optional<double>> numbers_in(const io::CsvTable& table, const std::string& quantity,
                                               Dimension dimension) {
   const io::CsvTable::Place column = table.column(quantity, dimension);
@@ -103,7 +102,7 @@ std::vector<std::optional<double>> numbers_in(const io::CsvTable& table, const s
   return out;
 }
 
-/// 1 in every row where no void ratio is in the table: f(e) = 1.
+/// 1 in every row if the table has no void ratio: f(e) = 1.
 std::vector<std::optional<double>> void_ratios(const io::CsvTable& table, FitQuestion& question) {
   if (table.has(question.void_ratio_column))
     return numbers_in(table, question.void_ratio_column, Dimension::dimensionless);
@@ -111,17 +110,17 @@ std::vector<std::optional<double>> void_ratios(const io::CsvTable& table, FitQue
   if (!none && (question.void_ratio_function_given || question.void_ratio_column_given))
     throw FileError(
         question.file, 0,
-        fmt::format("expected a column '{}' of the void ratio; --void-ratio-column names another, and "
-                    "--void-ratio-function none does without",
+        fmt::format("expected a column '{}' of the void ratio; name another with --void-ratio-column, or "
+                    "use --void-ratio-function none",
                     question.void_ratio_column));
   if (!none)
     question.remarks.add(
-        "the table has no void ratio: f(e) = 1 is taken, as of one specimen that hardly compacts");
+        "the table has no void ratio: f(e) = 1 is used, valid for one specimen that hardly compacts");
   question.void_ratio_function = "none";
   return std::vector<std::optional<double>>(table.row_count(), 1.0);
 }
 
-/// A sand at 100 kPa has some 100 MPa; where all rows are a thousandth of that or less, units were mixed up.
+/// A sand at 100 kPa has about 100 MPa; if all rows are a thousandth of that or less, units were confused.
 void judge_modulus(const std::vector<hardin::MeasuredModulus>& rows, FitQuestion& question) {
   constexpr double softest = 2e6, hardest = 100e9, least_stress = 10e3; // [Pa]
   double largest = 0;

@@ -17,16 +17,16 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// alpha of a profile A r^alpha of contacts: as many contacts of it at every stress make s = 1/(1+alpha).
+/// alpha of the profile A r^alpha of a contact: with a constant number of contacts, s = 1/(1+alpha).
 constexpr std::pair<const char*, double> contact_shapes[] = {{"cone", 1.0}, {"sphere", 2.0}};
 
-/// The alpha that s would have with contacts of one number; nothing if no contact has it.
+/// The alpha that gives s with a constant number of contacts; empty if none does.
 std::optional<double> alpha_of(const hardin::Fit& fit) {
   const double s = fit.exponent_sum.value;
   return s > 0 && s <= 0.5 ? std::optional(1 / s - 1) : std::nullopt;
 }
 
-/// Roughness over radius of quartz grains with five contacts each whose p* this is.
+/// Roughness over radius of quartz grains with five contacts each and this p*.
 double roughness_of_quartz(double transition_pressure) {
   const effective::State quartz{.law = contact::PowerLaw::sphere(contact::mineral("quartz").material, 1),
                                 .tangential_ratio = 1,
@@ -38,32 +38,33 @@ double roughness_of_quartz(double transition_pressure) {
   return effective::roughness_of(quartz, transition_pressure);
 }
 
-/// What contacts, as many at every stress, would have that exponent in the middle of the stresses.
+/// The contacts that would give this exponent in the middle of the stresses if their number were constant.
 std::string contacts_of(double s, double stress) {
   const double transition = effective::transition_pressure_of(s, stress);
-  return fmt::format(" Contacts that stay the same in number have s = {} as tips of alpha {}, or as rough "
-                     "spheres whose p* is {}: quartz with u0 of some {} R.",
-                     short_text(s, 3), short_text(1 / s - 1, 3), pretty(transition, Dimension::pressure),
-                     short_text(roughness_of_quartz(transition), 2));
+  return fmt::format(
+      " With a constant number of contacts, s = {} corresponds to tips with alpha = {}, or to rough "
+      "spheres with p* = {}: quartz with u0 of about {} R.",
+      short_text(s, 3), short_text(1 / s - 1, 3), pretty(transition, Dimension::pressure),
+      short_text(roughness_of_quartz(transition), 2));
 }
 
-/// What an exponent may come from. Mechanics of each: docs/theory.md.
+/// Possible causes of an exponent; see docs/theory.md for the mechanics.
 std::string meaning_of(const Measured& s, double stress) {
   const double error = s.standard_error;
   const auto below = [&](double number) { return s.value + 2 * error < number; };
   const auto above = [&](double number) { return s.value - 2 * error > number; };
-  std::string text =
-      fmt::format("measured sands have s = 0.40 C_u^0.18 +- 0.05, 0.43 where they are uniform. ");
+  std::string text = fmt::format("measured sands have s = 0.40 C_u^0.18 +- 0.05, 0.43 for uniform sands. ");
   if (below(1.0 / 3))
-    return text +
-           "s below 1/3: contacts that do not stiffen as the stress grows, as bonds and cement make them.";
+    return text + "s below 1/3: contacts that stiffen little with stress, for instance by bonds or cement.";
   if (!above(1.0 / 3))
-    return text + "s of 1/3: smooth spheres whose contacts stay the same in number.";
+    return text + "s of 1/3: smooth spheres with a constant number of contacts.";
   if (above(0.5))
-    return text + "s above 1/2: contacts form as the stress grows, or f(e) leaves a part of it to s.";
+    return text + "s above 1/2: new contacts form as the stress grows, or f(e) does not cover the change of "
+                  "void ratio.";
   return text +
-         "s between 1/3 and 1/2: contacts form as the stress grows, or grains are rough, or touch at angular "
-         "tips; s alone does not determine which, V_p beside V_s would (granum infer --contacts)." +
+         "s between 1/3 and 1/2: new contacts form as the stress grows, or grains are rough, or touch at "
+         "angular "
+         "tips; s alone does not determine which, V_p and V_s together would (granum infer --contacts)." +
          contacts_of(s.value, stress);
 }
 
@@ -71,7 +72,7 @@ io::ShownColumn shown(std::string label, int digits, std::string meaning = "") {
   return {.heading = std::move(label), .digits = digits, .fixed = true, .meaning = std::move(meaning)};
 }
 
-/// Adds a number of the fit, null where it is not fitted; JSON has the errors in an object of their own.
+/// Adds a number of the fit, null if it is not fitted; in JSON the errors are in a separate object.
 void add_number(io::Items& to, const std::string& name, const std::optional<Measured>& of,
                 io::ShownColumn look) {
   io::add_item(to, name, of ? io::Value(of->value) : nullptr);
@@ -92,7 +93,7 @@ io::Items fit_items(const FitQuestion& question, const hardin::FitReport& report
              shown(fit.exponent_i ? "s = m + n" : "s", 4, "exponent of mean stress"));
   for (const auto& [name, alpha] : contact_shapes)
     io::add_item(list, std::string("one_over_one_plus_alpha/") + name, 1 / (1 + alpha),
-                 shown("1/(1+alpha)", 4, fmt::format("contacts of a {}, none new", name)));
+                 shown("1/(1+alpha)", 4, fmt::format("contacts of a {}, constant number", name)));
   io::add_item(list, "alpha", alpha_of(fit) ? io::Value(*alpha_of(fit)) : nullptr);
   if (fit.exponent_i)
     io::add_item(list, "", fit.correlation(), shown("correlation of m and n", 3));

@@ -25,7 +25,7 @@ std::string option_name(const std::string& word) {
   return number ? std::string() : word.substr(0, word.find('='));
 }
 
-/// Whether a value ends in a number that may still get its unit, as 100, 280+-5, radius=0.5 and 0m..30 do.
+/// Whether a value ends in a number whose unit may follow, as in 100, 280+-5, radius=0.5 and 0m..30.
 bool awaits_unit(std::string_view value) {
   for (const std::string_view mark : {"=", ",", ":", "+-", "\u00b1", ".."})
     if (const std::size_t at = value.rfind(mark); at != std::string_view::npos)
@@ -37,7 +37,7 @@ bool is_unit(const std::string& word) { return !word.empty() && find_unit(word).
 
 bool is_error_sign(const std::string& word) { return word == "+-" || word == "+/-" || word == "\u00b1"; }
 
-/// Reads one word after the other.
+/// Reads the words in order.
 class Reader {
  public:
   Reader(const Command& command, const std::vector<std::string>& words)
@@ -76,7 +76,7 @@ class Reader {
     return typed;
   }
 
-  /// A word of a command that takes such, as the name of a file.
+  /// A word that is an argument, such as the name of a file.
   TypedArgument argument_named(TypedArgument typed) {
     if (argument_ != nullptr && (arguments_ == 0 || argument_->value.several)) {
       typed.option = argument_;
@@ -88,7 +88,7 @@ class Reader {
     return typed;
   }
 
-  /// A value may begin with a hyphen where it is no option that the command knows.
+  /// A value may begin with a hyphen unless it is an option of the command.
   void take_values(const Value& value, std::vector<std::string>& values) {
     while (next_ < words_.size() && !value.flag() && (values.empty() || value.several)) {
       const std::string name = option_name(words_[next_]);
@@ -114,7 +114,7 @@ class Reader {
     }
   }
 
-  /// A word that can only be an unknown unit: the message is then that of the number.
+  /// A word that can only be an unknown unit; the error is then that of the number.
   [[nodiscard]] bool must_be_unit(const Value& takes, const std::string& word) const {
     const bool needed = takes.dimension.value_or(Dimension::dimensionless) != Dimension::dimensionless;
     return needed && !positionals_ && !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) &&
@@ -124,7 +124,7 @@ class Reader {
   const Command& command_;
   const std::vector<std::string>& words_;
   bool positionals_;
-  const OptionRow* argument_ = nullptr; ///< for words that belong to no option
+  const OptionRow* argument_ = nullptr; ///< for words without an option
   std::size_t arguments_ = 0;
   std::size_t next_ = 0;
 };
@@ -139,8 +139,8 @@ std::vector<std::string> split_at(const std::string& text, char delimiter) {
   return parts;
 }
 
-/// Hands the values of an option over.
-/// \return   the first thing that is wrong with them; empty if nothing is
+/// Passes the values to an option.
+/// \return   the first error; empty if there is none
 std::string fault_of_value(const TypedArgument& typed, std::exception_ptr& unreadable) {
   const Value& value = typed.option->value;
   if (value.flag() != typed.values.empty())
@@ -171,7 +171,7 @@ std::vector<std::string> take_arguments(const Command& program, const Command& c
   std::vector<const OptionRow*> before;
   std::exception_ptr unreadable;
   Contradictions contradictions(arguments);
-  bool of_unknown = false; // the word before is an unknown option: this one may be its value
+  bool of_unknown = false; // the previous word is an unknown option: this one may be its value
   for (std::size_t k = 0; k < arguments.size(); ++k) {
     const TypedArgument& typed = arguments[k];
     const OptionRow* row = typed.option;

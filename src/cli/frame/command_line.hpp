@@ -6,16 +6,16 @@
 
 #include "option_row.hpp"
 
-/// The parser of command lines, from the rows of a command's options. It joins units to their
-/// numbers, and finds all that is wrong before any work is done. Checked by tests/cli
+/// The parser of command lines, based on the option rows of a command. It joins units to their
+/// numbers, and reports all errors before any work is done. Checked by tests/cli
 namespace granum::cli {
 
-/// An option as it was typed with its value, or a word that belongs to none.
+/// An option as typed with its value, or a word without an option.
 struct TypedArgument {
   std::string word;                  ///< "--pressure", "data.csv"
-  const OptionRow* option = nullptr; ///< that the command knows by this word
+  const OptionRow* option = nullptr; ///< option of the command with this name
   std::vector<std::string> values;   ///< "100kPa"
-  bool stray = false;                ///< is no option, and no argument of the command
+  bool stray = false;                ///< neither an option nor an argument of the command
 };
 
 /// Separates the options of a command from their values. A separate unit is joined to its number: of
@@ -23,13 +23,13 @@ struct TypedArgument {
 [[nodiscard]] std::vector<TypedArgument> read_arguments(const Command& command,
                                                         const std::vector<std::string>& words);
 
-/// Hands the values to their rows. One sentence for each option that the command does not know, each word
-/// that belongs to no option where the command takes none, each option without its value, each number or
-/// choice that cannot be taken, and each option that contradicts one before it or lacks one that it needs; in
-/// the order in which they were typed. Then for each option that is required and not there.
-/// \param    program  with all commands, of which another may know the option
+/// Passes the values to their rows. Reports one sentence for each unknown option, each word that is no
+/// argument, each option without its value, each invalid number or choice, and each option that contradicts
+/// an earlier one or lacks a required one, in the order of typing; then for each required option that is
+/// missing.
+/// \param    program  with all commands, to find the command of an unknown option
 /// \return   the error; empty if every value was accepted
-/// \throws   FileError of a value that is read at once, where nothing else is wrong
+/// \throws   FileError for a file that is read immediately, if there is no other error
 [[nodiscard]] std::vector<std::string> take_arguments(const Command& program, const Command& command,
                                                       const std::vector<TypedArgument>& arguments);
 

@@ -9,13 +9,13 @@ namespace granum::cli {
 
 namespace {
 
-/// Whether a list of names has one of the option's.
+/// Whether a list contains one of the names of the option.
 bool lists(std::string_view names, const OptionRow& row) {
   const std::vector<std::string> own = names_of(row);
   return std::any_of(own.begin(), own.end(), [&](const std::string& name) { return has_word(names, name); });
 }
 
-/// The contradiction between two options, from the row of one.
+/// The contradiction between two options, according to the row of one of them.
 std::optional<std::string> said_against(const OptionRow& row, const OptionRow& other) {
   for (const Exclusion& exclusion : row.excludes)
     if (lists(exclusion.others, other))

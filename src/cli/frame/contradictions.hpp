@@ -14,19 +14,19 @@
 namespace granum::cli {
 
 /// Messages about quantities that are given twice, by options or by a row of a table.
-namespace said_twice {
+namespace given_twice {
 inline constexpr const char* density =
     "the density is given more than once: give one of --void-ratio, --porosity, --solid-fraction, "
     "--relative-density";
 inline constexpr const char* stress = "--pressure sets both stresses: leave out --stress-v and --stress-h";
 inline constexpr const char* rattlers =
-    "--mechanical-coordination-number and --rattler-fraction mean the same: give one";
-inline constexpr const char* size = "--radius and --d50 mean the same: give one";
+    "--mechanical-coordination-number and --rattler-fraction are alternatives: give one";
+inline constexpr const char* size = "--radius and --d50 are alternatives: give one";
 inline constexpr const char* grain =
-    "--grain-poisson-ratio and --grain-bulk-modulus are of one solid, with its shear modulus: give one";
+    "--grain-poisson-ratio and --grain-bulk-modulus are alternatives: give one, besides the shear modulus";
 inline constexpr const char* sizes =
-    "--sizes, --sieve and --uniformity mean the same: give one of them, once";
-} // namespace said_twice
+    "--sizes, --sieve and --uniformity are alternatives: give one of them, once";
+} // namespace given_twice
 
 /// "--slope goes with --contact cone, not with --contact sphere".
 [[nodiscard]] std::string belongs_to_other_contact(const std::string& option, std::string_view wanted,
@@ -37,8 +37,8 @@ class Contradictions {
  public:
   explicit Contradictions(const std::vector<TypedArgument>& arguments);
 
-  /// The contradiction of option `index` to those before it, or a missing option that it needs; empty if
-  /// there is none, or if it was reported already.
+  /// The contradiction of option `index` with an earlier one, or a missing option that it needs; empty if
+  /// there is none, or if it was already reported.
   [[nodiscard]] std::string of(std::size_t index);
 
  private:
@@ -49,7 +49,7 @@ class Contradictions {
   [[nodiscard]] std::string belonging(const TypedArgument& argument) const;
 
   const std::vector<TypedArgument>& arguments_;
-  bool all_known_ = true; ///< no unknown options; otherwise a missing option may be one of them
+  bool all_known_ = true; ///< no unknown options; a missing option might be one of them
   std::set<std::string> said_;
 };
 

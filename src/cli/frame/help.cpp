@@ -16,7 +16,7 @@ std::size_t width(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins));
 }
 
-/// Adds words to a text whose last line is `column` wide, in lines that go on at `indent`.
+/// Appends words to a text whose last line is `column` wide; continuation lines are indented by `indent`.
 void append_wrapped(std::string& text, std::size_t column, std::string_view words, std::size_t indent) {
   std::istringstream stream{std::string(words)};
   bool first = true;
@@ -44,8 +44,8 @@ void append_entry(std::string& text, const std::string& name, const std::string&
   append_wrapped(text, meaning_column, meaning, meaning_column);
 }
 
-/// A line that fits: one that has columns goes on below its last one that leaves room, others below their
-/// first word.
+/// Breaks a line to fit: a line with columns continues below its last column with enough room, others below
+/// their first word.
 void append_line(std::string& text, std::string_view line) {
   constexpr std::size_t room = 24;
   const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());

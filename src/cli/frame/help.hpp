@@ -7,7 +7,7 @@
 
 #include "option_row.hpp"
 
-/// Options in the words of help, manual pages and completion, which are all made of the options themselves.
+/// Texts of options for help, manual pages and completion, all derived from the option rows.
 /// Checked by tests/cli/help.cmake
 namespace granum::cli {
 
@@ -31,7 +31,7 @@ struct CommandGroup {
   std::vector<const Command*> commands;
 };
 
-/// The commands of the program, or within a command, by group; without those that are hidden.
+/// The commands of the program, or within a command, by group; without hidden ones.
 [[nodiscard]] std::vector<CommandGroup> command_groups(const Command& app);
 
 /// "a, b, c" of words and ", ".
@@ -39,13 +39,13 @@ struct CommandGroup {
 
 /// "granum fit FILE [OPTIONS]".
 [[nodiscard]] std::string usage_line(const Command& command);
-/// The commands with their descriptions, by group; nothing where there are none.
+/// The commands with their descriptions, by group; empty if there are none.
 [[nodiscard]] std::string commands_text(const Command& command);
-/// All of it, in lines of 80 columns.
+/// The whole help, in lines of 80 columns.
 [[nodiscard]] std::string help_text(const Command& command);
 
-/// A text for a terminal: lines longer than 80 characters go on in the next one, below their last column.
-/// Words that are longer stay whole. Checked by tests/cli/check_width.cmake
+/// A text for a terminal: lines longer than 80 characters continue in the next line, below their last column.
+/// Longer words are not broken. Checked by tests/cli/check_width.cmake
 [[nodiscard]] std::string within_width(std::string_view text);
 
 } // namespace granum::cli

@@ -6,7 +6,7 @@
 
 namespace granum::cli {
 
-/// A value with its error is an object of both; nothing is null.
+/// A value with its error is an object of both; an empty value is null.
 [[nodiscard]] inline nlohmann::ordered_json json_of(const io::Value& value) {
   return std::visit(
       [](const auto& one) -> nlohmann::ordered_json {
@@ -21,7 +21,7 @@ namespace granum::cli {
       value);
 }
 
-/// The values of a row as members of an object, each with the key of its column; none is left out.
+/// The values of a row as members of an object, each with the key of its column; empty ones are left out.
 template <class Row>
 void put_members(nlohmann::ordered_json& object, const io::Columns<Row>& columns, const Row& row) {
   for (const io::Column<Row>& column : columns)
@@ -62,8 +62,7 @@ template <class Row>
   return at.is_number() ? io::Value(at.get<double>()) : io::Value(at.get<std::string>());
 }
 
-/// The table of a page again from the objects that members_of_all made: columns that JSON does not have are
-/// not there.
+/// The table of a page, restored from the objects of members_of_all; columns without a JSON key are missing.
 template <class Row>
 [[nodiscard]] std::string page_table_of(const io::Columns<Row>& columns, const nlohmann::ordered_json& rows) {
   io::Columns<nlohmann::ordered_json> read;

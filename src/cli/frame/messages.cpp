@@ -23,8 +23,8 @@ void (*of_broken_pipes)(int) = SIG_DFL; ///< setting at the start of the program
 } // namespace
 
 void open_missing_streams() noexcept {
-  // The lowest free number is the one that is given, so the first of the missing is filled first. For reading
-  // alone: writing to it fails.
+  // The system assigns the lowest free number, so the first missing stream is filled first. It is read-only:
+  // writing to it fails.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
       (void)open("/dev/null", O_RDONLY);

@@ -4,28 +4,28 @@
 #include <string_view>
 
 /// The only functions that write to standard output and standard error. Failures of standard error are
-/// ignored, because the run is more important than its messages.
+/// ignored, because the run matters more than its messages.
 namespace granum::cli {
 
-/// To be called before any file is opened: gives a standard stream that the program was started without a
-/// file of its own, so that no result takes its number. Output to standard output then fails as on a full
-/// disk; output to standard error is dropped.
+/// To be called before any file is opened: opens a file for each standard stream that is missing at the
+/// start, so that no result gets its number. Output to standard output then fails as on a full disk; output
+/// to standard error is dropped.
 void open_missing_streams() noexcept;
 
-/// Call once: a pipe without reader and a file at its limit (ulimit -f) then give an error
-/// from then on, not a signal that ends the program.
+/// To be called once: from then on a pipe without reader and a file at its limit (ulimit -f) give an error
+/// instead of a signal that ends the program.
 void take_writing_errors() noexcept;
 
-/// Writes the text to standard output as it is. Where its reader has had enough, as of `granum ... | head`,
-/// the program ends without a word, by SIGPIPE as other programs do.
+/// Writes the text to standard output unchanged. If its reader has closed the pipe, as in `granum ... |
+/// head`, the program ends silently, by SIGPIPE as other programs do.
 /// \throws   FileError if it cannot be written
 void print(std::string_view text);
 
-/// Writes the text to standard error as it is.
+/// Writes the text to standard error unchanged.
 void to_standard_error(std::string_view text) noexcept;
 
-/// A line "granum: <kind>: <message>"; without the kind where it is empty. Control characters, as of
-/// names, are written out.
+/// Writes a line "granum: <kind>: <message>", or "granum: <message>" without a kind. Control characters, for
+/// instance in names, are escaped.
 void say(std::string_view kind, std::string_view message) noexcept;
 
 } // namespace granum::cli

@@ -12,14 +12,14 @@
 
 #include <granum/core/units.hpp>
 
-/// One row an option: parser, help, manual pages, completion, questions back and contradictions follow from
-/// it. Checked by tests/cli
+/// One row per option; parser, help, manual pages, completion, suggestions and contradictions are derived
+/// from it. Checked by tests/cli
 namespace granum::cli {
 
-/// The group that every command's help ends with.
+/// The last group in the help of every command.
 inline constexpr const char* output_group = "Output";
 
-/// A number of the command line or of a table: its value in SI, by default until it is given.
+/// A number from the command line or a table: its value in SI, the default unless it is given.
 struct Number {
   double value = 0;
   Dimension dimension = Dimension::dimensionless;
@@ -27,13 +27,12 @@ struct Number {
   std::string_view symbols = {};
   std::string name = {}; ///< of the option, "--radius"
   bool typed = false;    ///< on the command line
-  bool in_table = false; ///< a row of a table gives it
+  bool in_table = false; ///< given by a row of a table
   bool preset = false;   ///< set by another input, such as the name of a mineral
-  bool per_cent = false; ///< its text or the column of the table has the sign
+  bool per_cent = false; ///< its text or the heading of its column has a per cent sign
 
   [[nodiscard]] bool given() const { return typed || in_table || preset; }
-  /// That the number is not within `range`, and where it is above `most` and may be per cent without its
-  /// sign, how that is written.
+  /// Error: the number is not within `range`; above `most`, with a hint on how to write per cent.
   [[noreturn]] void refuse_share(const std::string& range, double most) const;
 };
 
@@ -48,8 +47,8 @@ struct Value {
   bool repeated = false;                   ///< may be typed again
   bool several = false;                    ///< takes all words up to the next option
   char delimiter = '\0';                   ///< between several in one word
-  Number* number = nullptr;                ///< that gets the name of the option
-  /// Takes one text, without the delimiter, of the option as it was typed.
+  Number* number = nullptr;                ///< receives the name of the option
+  /// Reads one text, without the delimiter, of the option as typed.
   /// \throws   InvalidArgument, FileError
   std::function<void(const std::string& name, const std::string& text)> take = {};
 
@@ -63,19 +62,19 @@ struct Exclusion {
   std::string_view sentence = {};
 };
 
-/// Other options of which one has to be typed too.
+/// Other options, one of which is required too.
 struct Need {
   std::string_view one_of;
-  std::string_view reason = {}; ///< behind "--pressure goes with "; empty: that it requires the other one
+  std::string_view reason = {}; ///< follows "--pressure goes with "; empty: "requires" the other one
   std::string_view beside = {}; ///< only where one of these is typed; empty: always
 };
 
-/// Values that another option must have. They may be in a table too; beside a table nothing is reported.
+/// Required values of another option. They may be in a table too; with a table nothing is reported.
 struct Belonging {
   std::string_view chooser;
   std::string_view choices;
-  std::string_view otherwise; ///< the choice where none is typed
-  std::string reason = {};    ///< behind "--eta goes with "; empty: chooser and choice
+  std::string_view otherwise; ///< the choice if none is typed
+  std::string reason = {};    ///< follows "--eta goes with "; empty: chooser and choice
 };
 
 /// Other names of an input, separated by blanks, without hyphens, in small letters unless case matters.
@@ -85,7 +84,7 @@ struct Synonyms {
 };
 
 struct OptionRow {
-  std::string name; ///< all of them: "--out", "-h,--help"; of an argument that is no option without hyphens
+  std::string name; ///< all names: "--out", "-h,--help"; without hyphens for an argument
   Value value = {};
   std::string group = {};
   std::string meaning = {};
@@ -100,15 +99,15 @@ struct OptionRow {
 
 enum class ExitCode : int {
   ok = 0,
-  fell_short = 1,    ///< some rows failed, or a check fell short
-  usage = 2,         ///< arguments that cannot be
+  fell_short = 1,    ///< some rows or checks failed
+  usage = 2,         ///< invalid arguments
   file = 3,          ///< a file that cannot be read or written
-  not_converged = 4, ///< numerics did not arrive, or --strict and outside validity
-  // work that was left undone has 128 and the number of the signal: exit_code_of_stop
+  not_converged = 4, ///< numerics did not converge, or --strict and outside validity
+  // stopped work: 128 plus the number of the signal, see exit_code_of_stop
 };
 
-/// The program, or a command with its options, or one that has commands within. Its work runs after parsing,
-/// and throws granum's errors, which main turns into a message and an exit code.
+/// The program, or a command with its options or subcommands. Its work runs after parsing and throws granum's
+/// errors, which main converts to a message and an exit code.
 struct Command {
   std::string name; ///< "lammps"
   std::string meaning;
@@ -121,19 +120,19 @@ struct Command {
 
   void add(OptionRow row);
   void add(std::initializer_list<OptionRow> rows);
-  /// The row of an option by any of its names. \throws std::logic_error where the command has none
+  /// The row of an option by any of its names. \throws std::logic_error if the command has none
   [[nodiscard]] OptionRow& row(std::string_view option);
   [[nodiscard]] const OptionRow* find(std::string_view option) const;
   void remove(std::string_view option);
-  [[nodiscard]] bool takes_arguments() const; ///< words that belong to no option
+  [[nodiscard]] bool takes_arguments() const; ///< words without an option
 };
 
-/// "-h" and "--help"; none of a positional argument.
+/// "-h" and "--help"; empty for a positional argument.
 [[nodiscard]] std::vector<std::string> names_of(const OptionRow& row);
-/// The name that tables and contradictions use: "--vs" of "--shear-wave-speed,--vs" is the second one.
+/// The name used in tables and contradictions; "--vs" in "--shear-wave-speed,--vs" is the second name.
 [[nodiscard]] std::string first_name(const OptionRow& row);
 [[nodiscard]] bool is_named(const OptionRow& row, std::string_view option);
-/// Of words with blanks between.
+/// Splits words at blanks.
 [[nodiscard]] bool has_word(std::string_view list, std::string_view word);
 
 // ---- values
@@ -144,30 +143,30 @@ struct Command {
 [[nodiscard]] Value number_without_default(Number& target);
 [[nodiscard]] Value quantity(double& target, Dimension dimension);
 [[nodiscard]] Value quantity(std::optional<double>& target, Dimension dimension);
-/// A number of things, 0 or more.
+/// A count, 0 or more.
 [[nodiscard]] Value count(std::optional<std::size_t>& target);
 [[nodiscard]] Value whole_number(std::size_t& target, std::size_t least, std::size_t most);
-/// The name of a file or folder. Empty text, as of a shell variable that is not set, is refused: `target`
-/// stays empty where the option is not given.
+/// The name of a file or folder. Empty text, for instance of an unset shell variable, is refused: `target`
+/// is empty only if the option is not given.
 [[nodiscard]] Value path(std::string& target, std::string type = "FILE");
 [[nodiscard]] Value text(std::string& target, std::string type = "TEXT");
-/// One more text each time that it is typed.
+/// A text that may be given repeatedly.
 [[nodiscard]] Value texts(std::vector<std::string>& target, std::string type);
 
 using Take = std::function<void(const std::string& text)>;
 /// Text read by `take`, which rejects it with an InvalidArgument that does not name the option.
 [[nodiscard]] Value read_by(Take take, std::string type);
-/// The same where the text is one of a few words, or begins with one: "friction:NUMBER".
+/// The same for a text that is one of a few words, or begins with one: "friction:NUMBER".
 [[nodiscard]] Value read_by(Take take, std::vector<std::string> choices);
 
-/// Other words for a choice, and the choice: "hertz" for sphere.
+/// Synonyms of a choice, and the choice: "hertz" for sphere.
 using OtherWords = std::vector<std::pair<std::string, std::string>>;
 /// One of a few words, in large or small letters; similar words get a suggestion.
 [[nodiscard]] Value choice(std::vector<std::string> words, Take take, OtherWords others = {});
-/// The same; its present value is the default.
+/// The same; the current value is the default.
 [[nodiscard]] Value choice(std::vector<std::string> words, std::string& target);
 
-/// How help calls a number of this dimension: PRESSURE, LENGTH, ..., NUMBER.
+/// The name of a number of this dimension in help: PRESSURE, LENGTH, ..., NUMBER.
 [[nodiscard]] std::string type_name(Dimension dimension);
 [[nodiscard]] std::string in_small_letters(std::string text);
 

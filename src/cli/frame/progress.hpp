@@ -18,7 +18,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Fraction done, the time left at the mean speed so far, and the last finished part.
+  /// Shows the fraction done, the remaining time at the mean speed so far, and the last finished part.
   void show(const studies::Progress& progress);
   void clear();
 

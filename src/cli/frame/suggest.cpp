@@ -17,22 +17,22 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Words for a command, and its name.
+/// Synonyms of a command, and its name.
 struct OtherNames {
   std::vector<std::string> words;
   const char* command;
 };
 
-/// Properties that granum does not model, and the messages about them.
+/// Properties that granum does not model, with their messages.
 constexpr Synonyms not_modelled[] = {
-    {"fines finescontent fc", "fines are not modelled: the laws are of clean sands"},
+    {"fines finescontent fc", "fines are not modelled: the laws apply to clean sands"},
     {"ocr overconsolidation age ageing",
      "overconsolidation and age are not modelled; granum infer uses a measured wave speed of the ground"},
     {"spt nspt n60 n1 blowcount cpt qc qt",
      "penetration tests are not modelled; granum infer uses a measured wave speed of the ground"},
 };
 
-/// Other programs' and other people's words for the commands.
+/// Usual words, also of other programs, for the commands.
 const std::vector<OtherNames>& other_command_names() {
   static const std::vector<OtherNames> table = {
       {{"analyze", "analysis", "read", "import", "postprocess"}, "analyse"},
@@ -58,7 +58,7 @@ std::string without_hyphens(const std::string& word) {
   return word.substr(std::min(word.find_first_not_of('-'), word.size()));
 }
 
-/// Without their hyphens.
+/// Names without hyphens.
 Names long_options(const Command& command) {
   Names names;
   for (const OptionRow& row : command.options)
@@ -68,7 +68,7 @@ Names long_options(const Command& command) {
   return names;
 }
 
-/// All that take options.
+/// All commands with options.
 std::vector<const Command*> all_commands(const Command& program) {
   std::vector<const Command*> found;
   for (const Command& command : program.within) {
@@ -82,7 +82,7 @@ std::vector<const Command*> all_commands(const Command& program) {
   return found;
 }
 
-/// Options of a command that people call by this word.
+/// Options of a command with this word as a synonym.
 struct Meant {
   Names options;
   std::string remark;
@@ -101,7 +101,7 @@ Meant called_so(const Command& command, const std::string& word) {
   return meant;
 }
 
-/// "--e is for ..." of the first option of other commands that is called so; empty where there is none.
+/// "--e is for ...": commands with an option of this name; empty if there is none.
 std::string of_other_commands(const Command& program, const std::function<Names(const Command&)>& options) {
   std::string option;
   Names takers;
@@ -121,7 +121,7 @@ std::string takers_of(const Command& program, const std::string& option) {
   });
 }
 
-/// The word as some option of the program is called: as typed, or else in small letters.
+/// The word in the spelling of an option of the program: as typed, or else in small letters.
 std::string known_word(const Command& program, const std::string& typed) {
   for (const Command* command : all_commands(program))
     if (!called_so(*command, typed).options.empty())
@@ -129,7 +129,7 @@ std::string known_word(const Command& program, const std::string& typed) {
   return in_small_letters(typed);
 }
 
-/// Keys of the scene, for a command that takes one.
+/// Keys of the scene, for a command with a scene.
 Names near_scene_keys(const Command& command, const std::string& name) {
   if (command.find("--set") == nullptr)
     return {};
@@ -189,20 +189,20 @@ std::string unknown_option(const Command& program, const Command& command, const
 
 std::string stray_word(const Command& program, const Command& command, const std::string& word) {
   if (command.takes_arguments())
-    return fmt::format("'{}' is one too many: {} reads one file", word, command.called);
-  const std::string said = fmt::format("{} does not know '{}'", command.called, word);
+    return fmt::format("'{}' is an extra argument: {} reads one file", word, command.called);
+  const std::string message = fmt::format("{} has no argument '{}'", command.called, word);
   if (const std::string mended = with_hyphens(word); !mended.empty())
     return fmt::format("'{}' begins with a dash, not with hyphens: write {}", word, mended);
   const std::string key = word.substr(0, word.find('='));
   if (key.size() < word.size()) {
     const std::string option = "--" + key;
     if (command.find(option) != nullptr)
-      return fmt::format("{}: write {} {}", said, option, word.substr(key.size() + 1));
-    return said + meant_option(program, command, option);
+      return fmt::format("{}: write {} {}", message, option, word.substr(key.size() + 1));
+    return message + meant_option(program, command, option);
   }
   if (command.find("--" + word) != nullptr)
-    return fmt::format("{}: write --{}", said, word);
-  return said + ": each value needs the name of its option before it, as in --out FILE";
+    return fmt::format("{}: write --{}", message, word);
+  return message + ": each value needs the name of its option before it, as in --out FILE";
 }
 
 std::string unknown_command(const Command& program, const std::vector<std::string>& words) {
@@ -219,13 +219,13 @@ std::string unknown_command(const Command& program, const std::vector<std::strin
     return fmt::format("the first word is the command, one of {}{}", fmt::join(names, ", "),
                        takers.empty() ? "" : "; " + takers);
   }
-  const std::string said = fmt::format("there is no command '{}'", word);
+  const std::string message = fmt::format("there is no command '{}'", word);
   for (const auto& [others, command] : other_command_names())
     if (std::find(others.begin(), others.end(), in_small_letters(word)) != others.end() &&
         std::find(names.begin(), names.end(), command) != names.end())
-      return fmt::format("{}; did you mean {}?", said, command);
+      return fmt::format("{}; did you mean {}?", message, command);
   const std::string near = did_you_mean(word, names);
-  return said + (near.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : near);
+  return message + (near.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : near);
 }
 
 } // namespace granum::cli

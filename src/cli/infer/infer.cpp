@@ -28,13 +28,16 @@ constexpr MeasuredOption options_table[] = {
     {Quantity::V_s,
      "--shear-wave-speed,--vs",
      {"V_s", "Vs"},
-     "Shear wave that travels or swings vertically",
+     "Shear wave with vertical propagation or polarisation",
      "v_s vs Vs shearwave"},
-    {Quantity::V_s_hh, "--shear-wave-speed-hh", {"V_s_hh", "Vs_hh"}, "Shear wave, horizontal in both"},
+    {Quantity::V_s_hh,
+     "--shear-wave-speed-hh",
+     {"V_s_hh", "Vs_hh"},
+     "Shear wave with horizontal propagation and polarisation"},
     {Quantity::V_p,
      "--compression-wave-speed,--vp",
      {"V_p", "Vp"},
-     "Compression wave that travels vertically",
+     "Compression wave, vertical",
      "v_p vp Vp pwave"},
     {Quantity::V_p_h, "--compression-wave-speed-h", {"V_p_h", "Vp_h"}, "Compression wave, horizontal"}};
 
@@ -54,11 +57,11 @@ void add_measured_options(Command& command, InferOptions& o) {
       {{.name = "--measurement-error",
         .value = number_without_default(o.measurement_error),
         .group = group,
-        .meaning = "Standard error of measurements that state none, of their value: 2%"},
+        .meaning = "Relative standard error of measurements given without an error: 2%"},
        {.name = "--table",
         .value = path(o.table, "FILE.csv"),
         .group = group,
-        .meaning = "CSV file with a measurement or several in each row: p_kPa, e, V_s_m/s, V_s_error_m/s, "
+        .meaning = "CSV file with one or more measurements per row: p_kPa, e, V_s_m/s, V_s_error_m/s, "
                    "G_MPa, ...",
         .synonyms = {{"csv file input data"}}}});
 }
@@ -90,33 +93,34 @@ void add_prediction_options(Command& command, InferOptions& o) {
   growth.by_default = "sand for sands, packings for spheres";
   OptionRow uncertainty = uncertainty_row(o.uncertain);
   uncertainty.group = group;
-  uncertainty.meaning = "Standard deviation of an input that all measurements share, may be repeated: "
+  uncertainty.meaning = "Standard deviation of an input common to all measurements, may be repeated: "
                         "grain-shear-modulus=5%, void-ratio=0.01";
   command.add(
       {{.name = "--growth",
         .value = std::move(growth),
         .group = group,
-        .meaning = "At other stresses: as measured sands grow; z* as it grows in packings of spheres, or "
-                   "fixed; or fitted to the measurements"},
+        .meaning =
+            "Change with stress. sand: G as in measured sands; packings: z* as in packings of spheres; "
+            "fixed: z* constant; fitted: from the measurements"},
        {.name = "--contacts",
         .value = choice(contact_names(), o.contacts),
         .group = group,
-        .meaning = "Contacts that are asked for besides z*: as given, rough spheres (roughness), or a "
-                   "power law (softness against Hertz, alpha)",
+        .meaning = "Contact parameters inferred besides z*: given: none; rough: the roughness; power-law: "
+                   "alpha and the softness relative to Hertz' law",
         .synonyms = {{"roughness contact law implied softness"}}},
        {.name = "--predict-pressure",
         .value = std::move(pressures),
         .group = group,
-        .meaning = "Mean stresses to predict for, separated by commas"},
+        .meaning = "Mean stresses of the predictions, separated by commas"},
        {.name = "--predict-stress-ratio",
         .value = number_without_default(o.predict_stress_ratio),
         .group = group,
-        .meaning = "sigma_h/sigma_v to predict for; by default that of the first measurement",
+        .meaning = "sigma_h/sigma_v of the predictions; by default that of the first measurement",
         .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}}},
        {.name = "--predict-void-ratio",
         .value = number_without_default(o.predict_void_ratio),
         .group = group,
-        .meaning = "Void ratio of another packing to predict for, prepared alike"},
+        .meaning = "Predict for another packing of this void ratio, prepared in the same way"},
        std::move(uncertainty)});
 }
 
@@ -135,7 +139,7 @@ void add_infer_options(Command& command, InferOptions& o) {
   command.add({.name = "--picture-of",
                .value = choice(keys, o.picture_of),
                .group = output_group,
-               .meaning = "What the picture shows; by default what was measured first",
+               .meaning = "Quantity in the picture; by default the first measured one",
                .needs = {{"--picture"}}});
 }
 
@@ -149,7 +153,7 @@ Quantity pictured(const InferOptions& o, const InferCase& question) {
   return question.measurements.front().quantity;
 }
 
-/// The answer of a sand alone.
+/// The answer if the grains are sand.
 ExitCode run_sand(const InferOptions& o, const InferCase& question, const inverse::SandInference& sand,
                   Quantity of_picture) {
   Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
@@ -202,7 +206,7 @@ ExitCode run(const InferOptions& o) {
   json["grain_shape"] = name(estimate::GrainShape::sphere);
   json["sand"] = nullptr;
   if (sand) {
-    text = "Nothing says what the grains are; --grain-shape sand or sphere does\n\n" +
+    text = "The kind of grains is not given; choose with --grain-shape sand or sphere\n\n" +
            sand_inference_text(question, *sand) + "\nbeads (spheres of the model)\n\n" + text;
     json["sand"] = sand_inference_json(question, *sand);
     for (const std::string& note : sand->validity().notes)
@@ -212,7 +216,7 @@ ExitCode run(const InferOptions& o) {
   const ExitCode code =
       deliver(o.output, csv ? infer_csv(question, answer) : within_width(text), json, validity);
   if (!answer.together) {
-    say("error", "nothing measured can be explained by contacts between these grains");
+    say("error", "no measurement can be explained by contacts between these grains");
     return code == ExitCode::ok ? ExitCode::fell_short : code;
   }
   if (!o.picture.empty())
@@ -239,7 +243,7 @@ Command make_infer() {
   auto options = std::make_shared<InferOptions>();
   Command command{.name = "infer",
                   .meaning =
-                      "The contact number that a measured modulus or wave speed implies, and what follows "
+                      "Contact number from a measured modulus or wave speed, and predictions for other "
                       "elsewhere",
                   .notes = "Examples:\n"
                            "  granum infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s+-2%\n"

@@ -18,14 +18,14 @@
 #include "cli/frame/frame.hpp"
 #include "cli/options/packing_options.hpp"
 
-/// What granum infer works out, and how it is put into words.
+/// The computations of granum infer, and their presentation.
 namespace granum::cli {
 
 /// A quantity as an option and as a column of a table.
 struct MeasuredOption {
   inverse::Quantity quantity;
   const char* option;                 ///< "--shear-wave-speed,--vs"
-  std::array<const char*, 2> columns; ///< names of the column, besides the unit
+  std::array<const char*, 2> columns; ///< names of the column, without the unit
   const char* help;
   const char* synonyms = "";
   [[nodiscard]] Dimension dimension() const;
@@ -36,11 +36,11 @@ struct InferOptions {
   PackingOptions packing;
   OutputOptions output;
   std::array<std::string, 7> measured; ///< as given, in the order of measured_options(); empty: not given
-  Number measurement_error;            ///< relative, of those that state none
+  Number measurement_error;            ///< relative, for measurements without an error
   AnswerOptions grains;                ///< mineral, sand, densities, water
   std::string table;
-  std::string growth;                        ///< empty: of measured sands for a sand, of packings for spheres
-  std::string contacts = "given";            ///< which are asked for
+  std::string growth;                        ///< empty: "sand" for a sand, "packings" for spheres
+  std::string contacts = "given";            ///< family of contact laws to infer
   std::vector<std::string> uncertain;        ///< key=sd
   std::vector<std::string> predict_pressure; ///< with unit
   Number predict_stress_ratio;
@@ -49,49 +49,49 @@ struct InferOptions {
   std::string picture_of;
 };
 
-/// A state to predict for.
+/// A state of a prediction.
 struct PredictedState {
   effective::State state;
   inverse::AskedPacking specimen = inverse::AskedPacking::same;
 };
 
-/// The question: measurements, what they share, and where something is to be predicted.
+/// The question: measurements, their common inputs, and the states of the predictions.
 struct InferCase {
   std::vector<inverse::Observation> measurements;
   inverse::InferenceOptions options;
-  /// The sand, and how it grows with stress, unless the grains are told to be spheres.
+  /// The sand and its growth with stress, unless the grains are given as spheres.
   std::optional<estimate::Question> sand = {};
   inverse::SandGrowth sand_growth = inverse::SandGrowth::measured;
-  bool of_spheres = true; ///< unless the grains are told to be a sand
+  bool of_spheres = true; ///< unless the grains are given as sand
   std::vector<PredictedState> predicted;
   nlohmann::ordered_json packing;       ///< contact, grains and packing, SI
-  std::vector<std::string> assumptions; ///< what was not given, one sentence each
+  std::vector<std::string> assumptions; ///< inputs that were not given, one sentence each
   io::CsvManner manner = {};            ///< of the table of measurements
 };
 
-/// \throws   InvalidArgument or FileError for options and tables that cannot be understood
+/// \throws   InvalidArgument or FileError for invalid options and tables
 [[nodiscard]] InferCase infer_case(const InferOptions& options);
 
-/// A number with its error, "587m/s+-5m/s", "587+-5m/s" or "587m/s+-1%"; without one, a relative error that
-/// stands in.
+/// A number with its error, "587m/s+-5m/s", "587+-5m/s" or "587m/s+-1%"; without an error, a default relative
+/// error.
 /// \throws   InvalidArgument
 [[nodiscard]] Measured parse_measured(const std::string& name, const std::string& text, Dimension dimension,
                                       double relative_error);
 
-/// Whether the quantity can be told: compression waves in wet pores cannot.
+/// Whether the quantity can be used and predicted: compression waves in wet pores cannot.
 [[nodiscard]] bool is_told(const InferCase& question, const inverse::QuantityRow& row);
 
-/// Fills in the void ratio of the measured packing at the stresses to predict for, where no other is asked
-/// for.
-/// \return   what makes the predictions doubtful, as the answer to each state has it
-/// \throws   InvalidArgument where growing contacts would leave no pores, and as estimate::answer()
+/// Fills in the void ratio of the measured packing at the stresses of the predictions, unless another one is
+/// given.
+/// \return   notes on the validity of the predictions, from the answer for each state
+/// \throws   InvalidArgument if growing overlaps would leave no pores, and as estimate::answer()
 /// Checked by tests/cli/infer.cmake
 [[nodiscard]] Validity complete_predictions(InferCase& question, const inverse::Inference& fit);
 
-/// What --growth calls that of measured sands.
+/// The value of --growth for measured sands.
 inline constexpr std::string_view sand_growth_name = "sand";
 
-/// What the measurements say of a sand, in words and in JSON.
+/// The result for a sand, as text and as JSON.
 [[nodiscard]] std::string sand_inference_text(const InferCase& question, const inverse::SandInference& sand);
 [[nodiscard]] nlohmann::ordered_json sand_inference_json(const InferCase& question,
                                                          const inverse::SandInference& sand);
@@ -103,7 +103,7 @@ inline constexpr std::string_view sand_growth_name = "sand";
 [[nodiscard]] nlohmann::ordered_json infer_json(const InferCase& question,
                                                 const inverse::InferenceAnswer& answer);
 [[nodiscard]] std::string sand_inference_csv(const InferCase& question, const inverse::SandInference& sand);
-/// What is foretold of a state, whoever does it.
+/// The predictions for a state, from a sand or a packing of spheres.
 using Forecast = std::function<Measured(const effective::State& state, inverse::AskedPacking specimen)>;
 /// Data, fit and its band over the mean stress.
 /// \param    void_ratio_at   of the measured packing at another mean stress

@@ -21,16 +21,16 @@ namespace {
 using effective::State;
 using inverse::Observation;
 
-/// The packing without its contacts, which are what is asked for.
+/// The packing without its contacts, which are to be inferred.
 PackingOptions without_contacts(PackingOptions o) {
   o.rattler_fraction.in_table = false;
   return o;
 }
 
-/// Errors of measurements that state none: picks of arrivals, and moduli of them.
+/// Errors of measurements without an error: speeds from arrival times, and moduli from speeds.
 constexpr double assumed_speed_error = 0.02, assumed_modulus_error = 0.04;
 
-/// What stands between a number and its error.
+/// Separators between a number and its error.
 const std::string error_signs[] = {"+-", "\u00b1"};
 
 bool states_error(const std::string& text) {
@@ -44,9 +44,9 @@ double share_of(const Number& number, Dimension dimension) {
   return dimension == Dimension::speed ? assumed_speed_error : assumed_modulus_error;
 }
 
-/// What is said where a measurement states no error.
+/// The assumption for measurements without an error.
 void note_assumed_error(const InferOptions& o, InferCase& question, bool stated) {
-  const std::string note = "assumed --measurement-error 2 % of speeds, 4 % of moduli, where none is stated";
+  const std::string note = "assumed --measurement-error 2 % of speeds, 4 % of moduli, where none is given";
   if (!stated && !o.measurement_error.given() &&
       std::find(question.assumptions.begin(), question.assumptions.end(), note) == question.assumptions.end())
     question.assumptions.push_back(note);
@@ -71,7 +71,7 @@ std::vector<Observation> measurements_of_options(const InferOptions& o, InferCas
   }
   if (all.empty())
     throw InvalidArgument(
-        "nothing is measured: give --shear-modulus, --vs, --vp, --bulk-modulus, or --table");
+        "no measurement is given: use --shear-modulus, --vs, --vp, --bulk-modulus, or --table");
   return all;
 }
 
@@ -103,7 +103,7 @@ std::vector<MeasuredColumn> measured_columns(const io::CsvTable& table, PackingR
   return found;
 }
 
-/// The number in a field, SI; nothing where it is empty.
+/// The number in a field, SI; empty if the field is empty.
 std::optional<double> number_in(const io::CsvTable& table, std::size_t row,
                                 const io::CsvTable::Place& column) {
   const std::string& field = table.fields(row)[column.index];
@@ -116,14 +116,14 @@ std::optional<double> number_in(const io::CsvTable& table, std::size_t row,
   return *value * column.factor;
 }
 
-/// A column of contacts is what another program counted, no input of this one.
+/// A column of contacts is the result of another program, not an input of this one.
 std::vector<std::string> table_remarks(const PackingRows& rows, const PackingOptions& row) {
   std::vector<std::string> remarks;
   if (row.coordination_number.in_table || row.mechanical_coordination_number.in_table ||
       row.rattler_fraction.in_table)
-    remarks.emplace_back("C_n, z* and rattlers in the table are not used: they are what is asked for");
+    remarks.emplace_back("C_n, z* and rattlers in the table are not used, because they are inferred");
   if (const std::vector<std::string> unread = rows.columns().unread(); !unread.empty())
-    remarks.push_back(fmt::format("columns that are no inputs: {}", fmt::join(unread, ", ")));
+    remarks.push_back(fmt::format("unused columns: {}", fmt::join(unread, ", ")));
   return remarks;
 }
 
@@ -131,7 +131,7 @@ std::vector<std::string> table_remarks(const PackingRows& rows, const PackingOpt
 PackingOptions read_table(const InferOptions& o, InferCase& question) {
   for (const std::string& text : o.measured)
     if (!text.empty())
-      throw InvalidArgument("measurements stand in --table, or in options: give one of the two");
+      throw InvalidArgument("measurements are given both by --table and by options: use one of the two");
   const io::CsvTable table = io::read_csv(o.table);
   question.manner = table.manner();
   PackingRows rows(table, o.packing);
@@ -162,13 +162,13 @@ PackingOptions read_table(const InferOptions& o, InferCase& question) {
     }
   }
   if (question.measurements.empty())
-    throw FileError(o.table, 0, "holds no measured value: the columns of measured quantities are empty");
+    throw FileError(o.table, 0, "contains no measured value: the columns of measured quantities are empty");
   return *first;
 }
 
 // ---- uncertain inputs
 
-/// The numbers whose error all measurements share: stresses and contacts are not among them.
+/// The numbers with an error common to all measurements; stresses and contacts are not included.
 std::vector<Number*> shared_numbers(PackingOptions& o) {
   Number& second = o.grain_bulk_modulus.given() ? o.grain_bulk_modulus : o.grain_poisson_ratio;
   std::vector<Number*> shared{&o.grain_shear_modulus, &second, &o.fabric};
@@ -184,7 +184,7 @@ std::vector<Number*> shared_numbers(PackingOptions& o) {
   return shared;
 }
 
-/// Positive numbers keep their sign however far they are moved.
+/// Changes of positive numbers preserve their sign.
 double moved(double value, double deviation, double deviations, bool positive) {
   return positive ? value * std::exp(deviation / value * deviations) : value + deviation * deviations;
 }
@@ -194,13 +194,13 @@ State state_of(const PackingOptions& o) {
   return resolve_state(o, {any_stress, any_stress});
 }
 
-/// An uncertain number: its place in shared_numbers, or nothing for the density of the grains.
+/// An uncertain number: its index in shared_numbers, or empty for the density of the grains.
 struct Uncertain {
   std::optional<std::size_t> index;
   double deviation = 0;
 };
 
-/// All of them moved at once: one may belong to the same contact law as another.
+/// Changes all of them together, because two may belong to the same contact law.
 void move_all(const PackingOptions& packing, const std::vector<Uncertain>& uncertain,
               std::span<const double> deviations, State& state, double& density) {
   const State before = state_of(packing);
@@ -234,7 +234,7 @@ void require_shared(const std::vector<std::string>& settings, const std::vector<
     const std::string key(trimmed(std::string_view(setting).substr(0, split)));
     if (std::find(known.begin(), known.end(), key) == known.end())
       throw InvalidArgument(
-          fmt::format("--uncertainty {}: not an input that the measurements share, which are {}", key,
+          fmt::format("--uncertainty {}: not an input common to all measurements; these are {}", key,
                       fmt::join(known, ", ")));
     if (std::find(keys.begin(), keys.end(), key) != keys.end())
       throw InvalidArgument("--uncertainty " + key + " is given twice");
@@ -242,7 +242,7 @@ void require_shared(const std::vector<std::string>& settings, const std::vector<
   }
 }
 
-/// What is assumed of the grains, with its spread, and what is said to be uncertain.
+/// Assumptions on the grains, with their deviations, and the uncertain inputs.
 inverse::SharedInputs uncertain_inputs_of(const InferOptions& o, const PackingOptions& packing,
                                           std::vector<std::string>& assumptions) {
   PackingOptions copy = packing;
@@ -258,8 +258,8 @@ inverse::SharedInputs uncertain_inputs_of(const InferOptions& o, const PackingOp
     if (found == known.end())
       continue;
     if (input.assumed)
-      assumptions.push_back(fmt::format("taken to be uncertain: {} by {}", input.input,
-                                        deviation_text(packing, o.grains, input)));
+      assumptions.push_back(
+          fmt::format("uncertain input: {} by {}", input.input, deviation_text(packing, o.grains, input)));
     inputs.keys.push_back(input.input);
     uncertain.push_back(
         {.index = static_cast<std::size_t>(found - known.begin()), .deviation = input.deviation});
@@ -308,7 +308,7 @@ bool of_spheres_alone(const std::string& growth) {
   return growth == name(inverse::GrowthRule::packings) || growth == name(inverse::GrowthRule::fixed);
 }
 
-/// Sand, spheres or both, and the sand as far as it is known.
+/// Sand, spheres or both, and the known properties of the sand.
 void resolve_shape(const InferOptions& o, const PackingOptions& packing, InferCase& question) {
   using estimate::GrainShape;
   std::optional<GrainShape> shape = told_shape(packing, o.grains);
@@ -353,7 +353,7 @@ Measured parse_measured(const std::string& name, const std::string& text, Dimens
     const bool share = std::string_view(trimmed(error)).ends_with('%');
     std::string number = text.substr(0, split);
     if (const auto size = leading_number(trimmed(error)); size && !share && parse_number(number))
-      number += size->rest; // of 280+-5m/s both are speeds
+      number += size->rest; // in 280+-5m/s both are speeds
     const double value = parse_quantity(name, number, dimension);
     const double size = parse_quantity(name + " error", error, share ? Dimension::dimensionless : dimension);
     return {value, require_non_negative(name + " error", share ? size * std::abs(value) : size,
@@ -374,11 +374,11 @@ Validity complete_predictions(InferCase& question, const inverse::Inference& fit
       state.void_ratio = fit.void_ratio_at(p);
     if (!(state.void_ratio > 0))
       throw InvalidArgument(
-          fmt::format("--predict-pressure = {}: by then the packing would be denser than its "
+          fmt::format("--predict-pressure = {}: at this stress the packing would be denser than its "
                       "grains (void ratio {}); --growth fixed keeps its void ratio",
                       pretty(p, Dimension::pressure), short_text(state.void_ratio)));
     if (same && p == measured.mean_stress())
-      continue; // the measurements' own doubts are stated with them
+      continue; // the notes on the measurements are reported with them
     for (const std::string& note : fit.doubts(state, specimen).notes)
       doubts.add(place + note);
   }
@@ -413,8 +413,8 @@ InferCase infer_case(const InferOptions& given) {
                       .contacts = inverse::unknown_contacts(o.contacts)};
   if (o.contacts != "given" && o.packing.contact != contact::Shape::sphere)
     throw InvalidArgument("--contacts " + o.contacts +
-                          ": asks for contacts in the place of smooth spheres; leave "
-                          "--contact out, or ask for --contacts given");
+                          ": infers a contact law that replaces smooth spheres; leave "
+                          "--contact out, or use --contacts given");
   if (o.packing.rattler_fraction.given())
     question.options.rattler_fraction = o.packing.rattler_fraction.value;
   question.predicted = predicted_states(o, first);

@@ -21,8 +21,8 @@ using nlohmann::ordered_json;
 
 Dimension dimension_of(const QuantityRow& row) { return row.speed ? Dimension::speed : Dimension::pressure; }
 
-/// The quantities that can be told.
-std::vector<const QuantityRow*> told(const InferCase& question) {
+/// The quantities that can be predicted.
+std::vector<const QuantityRow*> predictable(const InferCase& question) {
   std::vector<const QuantityRow*> rows;
   for (const QuantityRow& row : inverse::quantities())
     if (is_told(question, row))
@@ -30,10 +30,10 @@ std::vector<const QuantityRow*> told(const InferCase& question) {
   return rows;
 }
 
-/// Those that differ: in an isotropic packing no direction is its own.
+/// The different quantities: in an isotropic packing all directions agree.
 std::vector<const QuantityRow*> told_apart(const InferCase& question) {
   using inverse::Quantity;
-  std::vector<const QuantityRow*> rows = told(question);
+  std::vector<const QuantityRow*> rows = predictable(question);
   const bool isotropic =
       std::all_of(question.predicted.begin(), question.predicted.end(), [](const PredictedState& predicted) {
         const State& s = predicted.state;
@@ -60,7 +60,7 @@ std::string place(const State& s) { return place_text(s); }
 
 std::string head_text(const InferCase& question) {
   const State& s = question.measurements.front().state;
-  std::string text = "Contacts that measured stiffness implies, through rung 3 (relaxed)\n\n";
+  std::string text = "Contacts implied by measured stiffness, by the relaxed closed form (rung 3)\n\n";
   text += fmt::format("  contact   {}; k_t/k_n = {}\n", question.packing.at("contact").get<std::string>(),
                       short_text(s.tangential_ratio));
   text += fmt::format("  grains    R = {}, G_g = {}, nu_g = {}{}\n", pretty(s.radius, Dimension::length),
@@ -106,7 +106,7 @@ std::string contact_lines(const InferCase& question, const Inference& fit) {
   std::string text = fmt::format("\ncontacts at {}\n", place(question.measurements.front().state));
   text += fmt::format("  {:<9} {:>16}   contacts per grain, without rattlers\n", "z*",
                       with_error(packing.mechanical_coordination_number, 4));
-  text += fmt::format("  {:<9} {:>16}   grains that bear nothing\n", "rattlers",
+  text += fmt::format("  {:<9} {:>16}   grains without load\n", "rattlers",
                       fmt::format("{} +- {}", percent_text(packing.rattler_fraction.value),
                                   percent_text(packing.rattler_fraction.standard_error)));
   text += fmt::format("  {:<9} {:>16}   contacts per grain, over all\n", "C_n",
@@ -114,7 +114,7 @@ std::string contact_lines(const InferCase& question, const Inference& fit) {
   if (fit.growth_exponent())
     text += fmt::format("  {:<9} {:>16}   (z* - isostatic point) ~ p^g\n", "g",
                         with_error(*fit.growth_exponent(), 3));
-  text += "  of the variance of z*: " + shares_text(fit) + "\n";
+  text += "  shares in the variance of z*: " + shares_text(fit) + "\n";
   if (fit.degrees_of_freedom() > 0)
     text += fmt::format("  chi^2 of the measurements {} at {} degrees of freedom, probability {}\n",
                         short_text(fit.chi_square(), 3), fit.degrees_of_freedom(),
@@ -129,7 +129,7 @@ std::string number_text(const inverse::ImpliedNumber& number) {
                      pretty(number.value.standard_error, Dimension::length));
 }
 
-/// What the data leave open, and what would tell it.
+/// Numbers not determined by the data, and a quantity that would determine them.
 std::string open_question(const inverse::ImpliedContacts& contacts) {
   std::vector<std::string> open;
   for (const inverse::ImpliedNumber& number : contacts.numbers)
@@ -138,10 +138,10 @@ std::string open_question(const inverse::ImpliedContacts& contacts) {
   if (open.empty())
     return {};
   std::string text = fmt::format("  not determined by these data: {}\n", fmt::join(open, ", "));
-  text += contacts.would_determine
-              ? fmt::format("  {} at the same states, within 2 %, would determine all\n",
-                            inverse::row_of(*contacts.would_determine).key)
-              : "  nor would one more quantity at the same states: measure over a wider range of pressures\n";
+  text += contacts.would_determine ? fmt::format("  {} at the same states, within 2 %, would determine all\n",
+                                                 inverse::row_of(*contacts.would_determine).key)
+                                   : "  no further quantity at the same states would determine them: measure "
+                                     "over a wider range of pressures\n";
   return text;
 }
 
@@ -149,12 +149,13 @@ std::string implied_lines(const InferCase& question, const Inference& fit) {
   if (!fit.contacts())
     return {};
   const inverse::ImpliedContacts& contacts = *fit.contacts();
-  std::string text = fmt::format("\nwhat contacts are implied: {}\n", question.options.contacts.name);
+  std::string text = fmt::format("\ninferred contact law: {}\n", question.options.contacts.name);
   for (const inverse::ImpliedNumber& number : contacts.numbers)
     text += fmt::format("  {:<9} {:>16}\n", number.key, number_text(number));
   text += fmt::format("  {:<9} {:>16}   k_n ~ f^b at the mean force of the first measurement\n", "b",
                       short_text(contacts.local_exponent, 3));
-  text += fmt::format("  {:<9} {:>16}   of Hertz' k_n there\n", "k_n", percent_text(contacts.softness));
+  text +=
+      fmt::format("  {:<9} {:>16}   of k_n of Hertz' law there\n", "k_n", percent_text(contacts.softness));
   const std::size_t size = contacts.numbers.size();
   for (std::size_t i = 0; i < size; ++i)
     for (std::size_t k = i + 1; k < size; ++k)
@@ -251,7 +252,7 @@ ordered_json predictions_json(const InferCase& question, const Inference& fit) {
   for (const auto& [state, specimen] : question.predicted) {
     ordered_json json = json_of(state);
     json.update(json_of(fit.packing(state, specimen)));
-    for (const QuantityRow* row : told(question))
+    for (const QuantityRow* row : predictable(question))
       json[row->key] = json_of(fit.predict(row->quantity, state, specimen));
     list.push_back(std::move(json));
   }
@@ -324,7 +325,7 @@ std::string infer_csv(const InferCase& question, const InferenceAnswer& answer) 
     csv.notes.emplace_back("note", note);
   csv.headings = {"kind",   "p_Pa",         "sigma_v_Pa",       "sigma_h_Pa", "e",
                   "z_star", "z_star_error", "rattler_fraction", "C_n"};
-  const std::vector<const QuantityRow*> rows = told(question);
+  const std::vector<const QuantityRow*> rows = predictable(question);
   for (const QuantityRow* row : rows)
     for (const char* what : {"_measured", "_measured_error", "", "_error"})
       csv.headings.push_back(fmt::format("{}{}_{}", row->key, what, si_symbol(dimension_of(*row))));

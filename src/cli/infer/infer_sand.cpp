@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What measurements say of a sand, in words and in JSON.
+// The result for a sand, as text and as JSON.
 #include <cmath>
 
 #include <fmt/core.h>
@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 
 constexpr Quantity foretold[] = {Quantity::G_vh, Quantity::V_s, Quantity::V_p, Quantity::K};
 
-/// Wet pores: the frame's wave is none that can be measured.
+/// In wet pores, the wave of the dry skeleton cannot be measured.
 bool is_foretold(const InferCase& question, Quantity quantity) {
   return is_told(question, inverse::row_of(quantity));
 }
@@ -49,9 +49,10 @@ std::string contacts_text(const SandInference& sand, const effective::State& at)
   };
   return fmt::format("  contacts  z* {}, k/k_H {}: inferred{}\n",
                      range(Field::mechanical_coordination_number), range(Field::contact_softness),
-                     sand.tells_contacts() ? ""
-                                           : ";\n            few contacts and soft ones cannot be told apart "
-                                             "from these\n            measurements, V_p beside V_s would");
+                     sand.tells_contacts()
+                         ? ""
+                         : ";\n            few contacts and soft ones cannot be distinguished "
+                           "by these\n            measurements; V_p and V_s together would");
 }
 
 } // namespace

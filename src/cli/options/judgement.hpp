@@ -9,11 +9,11 @@
 
 namespace granum::cli {
 
-/// --strict of the studies that compare with a paper.
+/// --strict of studies that compare with a paper.
 void add_strict(Command& command, bool& strict);
 
-/// Exit code of a finished study: fell_short if a check of granum failed, and, if strict, if a
-/// finding differs from the paper; ok else. Says each reason on standard error.
+/// Exit code of a finished study: fell_short if a check of granum failed or, under strict, if a result
+/// differs from the paper; else ok. Writes each reason to standard error.
 [[nodiscard]] ExitCode judged(const std::vector<studies::Verdict>& verdicts, bool strict);
 
 } // namespace granum::cli

@@ -52,7 +52,7 @@ Validity likely_mistakes(const studies::Scene& scene) {
     const std::size_t before = validity.notes.size();
     judge_stress(key_of_scene("study.pressures", pressure, Dimension::pressure), validity);
     if (validity.notes.size() > before)
-      break; // the others are of the same unit
+      break; // the others have the same unit
   }
   return validity;
 }

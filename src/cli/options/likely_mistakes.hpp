@@ -7,7 +7,7 @@
 #include "packing_options.hpp"
 #include "studies/scene/scene.hpp"
 
-/// Inputs that are possible, but more likely a slip of unit or symbol: warnings that name the slip.
+/// Warnings for inputs that are possible, but more likely a mistake in unit or symbol.
 /// Checked by tests/cli/people.cmake
 namespace granum::cli {
 
@@ -16,13 +16,13 @@ namespace granum::cli {
 /// \throws   InvalidArgument as effective::contact_prior
 [[nodiscard]] Validity likely_mistakes(const PackingOptions& options, const effective::State& state);
 
-/// The same of the density of the grains' solid.
+/// The same for the density of the grain mineral.
 [[nodiscard]] Validity likely_mistakes(const Number& grain_density);
 
-/// The same of a scene's grains and pressures, by the names of its keys.
+/// The same for the grains and pressures of a scene, with the names of its keys.
 [[nodiscard]] Validity likely_mistakes(const studies::Scene& scene);
 
-/// A share of 0 to `most` [1]; one in per cent without its sign gets a hint.
+/// Checks a share from 0 to `most` [1]; a value that looks like per cent without its sign gets a hint.
 /// \throws   InvalidArgument
 double require_share(const Number& number, double most = 1);
 

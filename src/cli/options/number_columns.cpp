@@ -21,7 +21,7 @@ std::string heading_of(const Number& number) {
   return name;
 }
 
-/// "void_ratio" as people write it too: "void ratio", "Void ratio", "Void Ratio", "Void_ratio".
+/// Usual spellings of "void_ratio": "void ratio", "Void ratio", "Void Ratio", "Void_ratio".
 std::vector<std::string> written_forms(const std::string& name) {
   std::string words = name;
   std::replace(words.begin(), words.end(), '_', ' ');
@@ -48,7 +48,7 @@ std::vector<std::string> names_of(const Number& number) {
 
 void refuse_twice(bool option_given, const std::string& option, const std::string& heading) {
   if (option_given)
-    throw InvalidArgument(fmt::format("{} is an option and the column '{}' too", option, heading));
+    throw InvalidArgument(fmt::format("{} is given as an option and by the column '{}'", option, heading));
 }
 
 } // namespace

@@ -10,7 +10,7 @@
 
 #include "packing_options.hpp"
 
-/// Columns of a table with values that are options elsewhere.
+/// Columns of a table for values that may also be options.
 namespace granum::cli {
 
 /// Numbers bound to their columns, by the names of their options (void_ratio, "void ratio") or
@@ -19,19 +19,19 @@ class NumberColumns {
  public:
   explicit NumberColumns(const io::CsvTable& table);
 
-  /// Binds the number if the table has a column of it; whether it has. Where a row leaves it empty the number
-  /// is not given, and has its default.
-  /// \throws   FileError for a column without its unit, or if two contain the number;
-  ///           InvalidArgument where an option gives it too
+  /// Binds the number to its column; returns whether the table has one. If a row leaves it empty, the number
+  /// is not given and has its default.
+  /// \throws   FileError for a column without its unit, or if two columns contain the number;
+  ///           InvalidArgument if it is given by an option too
   bool bind(Number& number);
-  /// The column of a text with that heading; none if there is none.
-  /// \throws   InvalidArgument where an option gives it too
+  /// The column of a text with that heading; empty if there is none.
+  /// \throws   InvalidArgument if it is given by an option too
   [[nodiscard]] std::optional<std::size_t> text(const std::string& heading, bool option_given);
-  /// Says that a column is read by someone else.
+  /// Marks a column as used by other code.
   void mark_as_read(std::size_t column) { read_.at(column) = true; }
 
   /// Sets the bound numbers to those of a row.
-  /// \throws   InvalidArgument for a field that is no number
+  /// \throws   InvalidArgument for a field that is not a number
   void take(std::size_t row) const;
   /// Headings of unused columns.
   [[nodiscard]] std::vector<std::string> unread() const;

@@ -30,7 +30,7 @@ void require_belongs_to_contact(const PackingOptions& o) {
       throw InvalidArgument(belongs_to_other_contact(number.name, name(row->shape), name(o.contact)));
 }
 
-/// A number whose value in the table has no origin has to be given, and so have its companions.
+/// A number without a published default has to be given, together with its companions.
 void require_numbers_of_contact(const PackingOptions& o) {
   std::vector<std::string> needed;
   bool missing = false;
@@ -81,7 +81,7 @@ contact::GrainMaterial grain_of(const PackingOptions& o) {
   if (!bulk.given())
     return {o.grain_shear_modulus.value, ratio.value};
   if (ratio.given() && !ratio.preset)
-    throw InvalidArgument(said_twice::grain);
+    throw InvalidArgument(given_twice::grain);
   require_positive(bulk.name, bulk.value, "Pa");
   require_positive(o.grain_shear_modulus.name, o.grain_shear_modulus.value, "Pa");
   return {o.grain_shear_modulus.value,
@@ -100,7 +100,7 @@ contact::NormalLaw resolve_law(const PackingOptions& o) {
 
 namespace {
 
-/// A share of the volume, 0 < value < 1; numbers in per cent are the usual slip.
+/// A share of the volume, 0 < value < 1; per cent without sign is the usual mistake.
 double require_open_share(const Number& number) {
   const double value = number.value;
   if (!(value > 0 && value < 1))
@@ -113,7 +113,7 @@ double resolve_void_ratio(const PackingOptions& o) {
   if (times_given == 0)
     throw InvalidArgument("the density is missing: give one of --void-ratio, --porosity, --solid-fraction");
   if (times_given > 1)
-    throw InvalidArgument(said_twice::density);
+    throw InvalidArgument(given_twice::density);
   if (o.porosity.given()) {
     const double porosity = require_open_share(o.porosity);
     return porosity / (1 - porosity);
@@ -134,12 +134,12 @@ constexpr std::string_view words_for_pressure =
     "confining "
     "meanstress meaneffectivestress effectivestress cellpressure isotropicstress";
 const Exclusion one_density{"--void-ratio --porosity --solid-fraction --relative-density",
-                            said_twice::density};
+                            given_twice::density};
 
 /// A number of the packing, and its option.
 struct NumberRow {
   Number PackingOptions::*number;
-  bool has_default; ///< that help shows
+  bool has_default; ///< shown in help
   OptionRow row;
 };
 
@@ -166,14 +166,14 @@ const std::vector<NumberRow>& number_rows() {
        {.name = "--grain-bulk-modulus",
         .group = grains_group,
         .meaning = "K_g of the grain's material, instead of --grain-poisson-ratio",
-        .excludes = {{"--grain-poisson-ratio", said_twice::grain}},
+        .excludes = {{"--grain-poisson-ratio", given_twice::grain}},
         .synonyms = {{"K k Kg Ks kg ks bulkmodulus grainbulkmodulus"}}}},
       {&PackingOptions::radius,
        true,
        {.name = "--radius",
         .group = sizes_group,
         .meaning = "Radius of the grains; mean by number if they are unequal",
-        .excludes = {{"--d50", said_twice::size}},
+        .excludes = {{"--d50", given_twice::size}},
         .synonyms = {{"d D diameter grainsize particlesize graindiameter meandiameter meansize"},
                      {"r R grainradius particleradius"}}}},
       {&PackingOptions::d50,
@@ -186,7 +186,8 @@ const std::vector<NumberRow>& number_rows() {
        false,
        {.name = "--tangential-ratio",
         .group = law_group,
-        .meaning = "k_t/k_n of a contact; by default 2(1-nu_g)/(2-nu_g), no slip"}},
+        .meaning =
+            "Tangential over normal contact stiffness, k_t/k_n; by default 2(1-nu_g)/(2-nu_g), no slip"}},
       {&PackingOptions::void_ratio,
        false,
        {.name = "--void-ratio",
@@ -220,7 +221,7 @@ const std::vector<NumberRow>& number_rows() {
        false,
        {.name = "--mechanical-coordination-number",
         .group = contacts_group,
-        .meaning = "z*, contacts per grain without rattlers",
+        .meaning = "z*, contacts per grain without rattlers (grains without load)",
         .synonyms = {{"z cn nc coordination contacts contactnumber zstar z* zm"}}}},
       {&PackingOptions::rattler_fraction,
        false,
@@ -239,7 +240,7 @@ const std::vector<NumberRow>& number_rows() {
        {.name = "--pressure",
         .group = state_group,
         .meaning = "Isotropic stress",
-        .excludes = {{"--stress-v --stress-h", said_twice::stress}},
+        .excludes = {{"--stress-v --stress-h", given_twice::stress}},
         .synonyms = {{words_for_pressure}}}},
       {&PackingOptions::stress_v,
        false,
@@ -248,7 +249,7 @@ const std::vector<NumberRow>& number_rows() {
         .meaning = "Vertical stress, with --stress-h",
         .synonyms = {{"sigmav sigma1 sigmaz sigmaa sv s1 verticalstress axialstress"},
                      {"depth z",
-                      "the effective one there, with --k0; granum sweep --depth 0m..10m works it out"}}}},
+                      "the effective one there, with --k0; granum sweep --depth 0m..10m computes it"}}}},
       {&PackingOptions::stress_h,
        false,
        {.name = "--stress-h",
@@ -266,7 +267,7 @@ void add(Command& command, PackingOptions& o, const NumberRow& of) {
   command.add(std::move(row));
 }
 
-/// All numbers of a group of help.
+/// All numbers of a group in help.
 void add_group(Command& command, PackingOptions& o, std::string_view group) {
   for (const NumberRow& of : number_rows())
     if (of.row.group == group)
@@ -279,7 +280,7 @@ std::vector<Synonyms> grain_density_synonyms() {
   return {{"Gs gs", "a specific gravity of 2.65 is the density 2.65g/cm3"},
           {"specificgravity rhos rhog soliddensity gamma gammad gammasat bulkunitweight"},
           {"rho rhod density drydensity bulkdensity",
-           "of the solid rho_s; with the dry density of the packing e = rho_s/rho_d - 1"}};
+           "rho_s of the solid; from the dry density of the packing, e = rho_s/rho_d - 1"}};
 }
 
 void add_packing_number(Command& command, PackingOptions& o, std::string_view name) {
@@ -350,7 +351,7 @@ void require_density_or_stress(const PackingOptions& o) {
 stress::AxialStress resolve_stresses(const PackingOptions& o) {
   if (o.pressure.given()) {
     if (o.stress_v.given() || o.stress_h.given())
-      throw InvalidArgument(said_twice::stress);
+      throw InvalidArgument(given_twice::stress);
     if (o.pressure.value < 0)
       throw InvalidArgument("--pressure", o.pressure.value, "Pa", "[0, inf): compression is positive");
     return {o.pressure.value, o.pressure.value};
@@ -412,16 +413,17 @@ std::vector<std::string> assumed_grains(const PackingOptions& o, const State& st
                                 (o.grain_poisson_ratio.in_table || o.grain_bulk_modulus.in_table)
                                     ? "2(1-nu_g)/(2-nu_g)"
                                     : short_text(state.tangential_ratio)));
-  note_default(o.fabric, ", contacts in all directions alike");
+  note_default(o.fabric, ", isotropic contact directions");
   constexpr double compared = 1.75; // the largest C_u of validation/sizes
   if (const double uniformity = o.sizes ? sizes::gradation(*o.sizes, 1).uniformity() : 1;
       uniformity > compared)
-    notes.push_back(fmt::format("C_u is {}: which sizes touch was compared with packings up to {} alone",
+    notes.push_back(fmt::format("C_u is {}: the sizes in contact were validated with packings only up to {}",
                                 short_text(uniformity), compared));
   if (o.sizes && !o.rattler_fraction.given() && !o.mechanical_coordination_number.given())
     notes.emplace_back(
-        "contacts of unequal grains: which sizes touch is that of a packing without rattlers; rattlers are "
-        "small, so that grains that touch are larger; --rattler-fraction sets their share");
+        "contacts of unequal grains: the sizes in contact are those of a packing without rattlers; rattlers "
+        "are "
+        "small, so grains in contact are larger than average; --rattler-fraction sets their share");
   return notes;
 }
 

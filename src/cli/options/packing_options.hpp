@@ -15,7 +15,7 @@
 
 #include "cli/frame/option_row.hpp"
 
-/// The options that describe a packing and its stress, for every command that works out closed forms.
+/// The options for a packing and its stress, for every command that computes closed forms.
 namespace granum::cli {
 
 /// Groups of options in help.
@@ -43,12 +43,12 @@ struct PackingOptions {
   std::vector<LawNumber> law_numbers = cli::law_numbers();
   Number grain_shear_modulus{30e9, Dimension::pressure};
   Number grain_poisson_ratio{0.15};
-  Number grain_bulk_modulus{0, Dimension::pressure}; ///< in the place of Poisson's ratio
+  Number grain_bulk_modulus{0, Dimension::pressure}; ///< instead of Poisson's ratio
   Number radius{0.5e-3, Dimension::length};
   Number d50{0, Dimension::length};
   std::optional<sizes::Distribution> sizes = {}; ///< of unequal grains
-  bool graded = false;                           ///< sizes are given as for a soil: a sieve curve or C_u
-  std::optional<double> uniformity = {};         ///< C_u where the sizes were given by it, to the bit
+  bool graded = false;                           ///< sizes are given as for a soil, by a sieve curve or C_u
+  std::optional<double> uniformity = {};         ///< C_u if the sizes were given by it, exactly
   Number tangential_ratio;
   Number void_ratio{0, Dimension::dimensionless, "e"};
   Number porosity;
@@ -66,15 +66,15 @@ struct PackingOptions {
   [[nodiscard]] const Number& law_number(std::string_view key) const;
 };
 
-/// What the grains are made of: the shear modulus, and Poisson's ratio or the bulk modulus.
-/// \throws   InvalidArgument for both of them, or moduli that no solid has
+/// The material of the grains: the shear modulus, and Poisson's ratio or the bulk modulus.
+/// \throws   InvalidArgument if both are given, or for impossible moduli
 [[nodiscard]] contact::GrainMaterial grain_of(const PackingOptions& options);
 
 /// All numbers: columns of tables, and inputs that may be uncertain.
 [[nodiscard]] std::vector<Number*> numbers(PackingOptions& options);
 
 void add_packing_options(Command& command, PackingOptions& options);
-/// The part of them that names the contact law: shape and material of the grains.
+/// The options for the contact law: shape and material of the grains.
 /// \param    name   of the option for the shape
 void add_law_options(Command& command, PackingOptions& options, const std::string& name = "--contact");
 /// Other names of the density of the grain mineral.
@@ -82,26 +82,26 @@ void add_law_options(Command& command, PackingOptions& options, const std::strin
 /// The option of one number, by its name.
 void add_packing_number(Command& command, PackingOptions& options, std::string_view name);
 
-/// The contact law that the options describe, of two grains, of unequal ones of the mean pair.
-/// \throws   InvalidArgument for options that contradict one another or are out of range
+/// The contact law given by the options, for two grains; for unequal grains that of the mean pair.
+/// \throws   InvalidArgument for options that contradict each other or are out of range
 [[nodiscard]] contact::NormalLaw resolve_law(const PackingOptions& options);
 
-/// \throws   InvalidArgument that names both where neither density nor stress is given
+/// \throws   InvalidArgument naming both, if neither density nor stress is given
 void require_density_or_stress(const PackingOptions& options);
 
-/// The stresses that the options give.
+/// The stresses given by the options.
 /// \throws   InvalidArgument if they are missing or given more than once
 [[nodiscard]] stress::AxialStress resolve_stresses(const PackingOptions& options);
 
-/// The packing that the options describe, at a stress.
-/// \throws   InvalidArgument for options that contradict one another or that no packing can have
+/// The packing given by the options, at a stress.
+/// \throws   InvalidArgument for options that contradict each other or are impossible
 [[nodiscard]] effective::State resolve_state(const PackingOptions& options,
                                              const stress::AxialStress& stress);
 
 /// Assumptions about shape, grains and fabric that were not given, one sentence each.
 [[nodiscard]] std::vector<std::string> assumed_grains(const PackingOptions& options,
                                                       const effective::State& state);
-/// Contact, grains and packing in SI, without the stress; contacts as far as they are known.
+/// Contact, grains and packing in SI, without the stress; contacts if known.
 [[nodiscard]] nlohmann::ordered_json packing_json(const PackingOptions& options,
                                                   const effective::State& state);
 

@@ -42,7 +42,7 @@ const PackingOptions& PackingRows::packing(std::size_t row) {
 void PackingRows::take_sizes(const std::vector<std::string>& fields) {
   const bool is_given = sizes_ && !trimmed(fields[*sizes_]).empty();
   if (is_given && uniformity_.in_table)
-    throw InvalidArgument("sizes and uniformity mean the same: give one of them");
+    throw InvalidArgument("sizes and uniformity are alternatives: give one of them");
   if (sizes_in_table_) {
     row_.graded = uniformity_.in_table;
     row_.uniformity = uniformity_.in_table ? std::optional(uniformity_.value) : std::nullopt;

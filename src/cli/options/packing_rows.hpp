@@ -11,7 +11,7 @@
 #include "number_columns.hpp"
 #include "packing_options.hpp"
 
-/// Packings in the rows of a table, completed by the options of a command.
+/// Packings from the rows of a table, completed by the options of a command.
 namespace granum::cli {
 
 /// The inputs in a table: numbers, contact, sizes; and the packing of each of its rows.
@@ -22,7 +22,7 @@ class PackingRows {
   PackingRows(const PackingRows&) = delete; // contains pointers into itself
   PackingRows& operator=(const PackingRows&) = delete;
 
-  /// The packing of a row; sets the numbers that others have bound, too.
+  /// The packing of a row; also sets the numbers bound by other code.
   /// \throws   InvalidArgument
   const PackingOptions& packing(std::size_t row);
 

@@ -9,7 +9,7 @@
 namespace granum::cli {
 
 /// Numbers and picture of each panel; replaces those of an earlier run.
-/// \param    folder   is made where it is missing
+/// \param    folder   created if missing
 /// \throws   FileError
 void write_panels(const std::filesystem::path& folder, const std::vector<studies::Panel>& panels);
 

@@ -19,7 +19,7 @@ using studies::Scene;
 using studies::SceneCommand;
 using studies::SceneKey;
 
-/// A TOML value as the text that --set would take.
+/// A TOML value as a text for --set.
 std::string text_of(const toml::node& node, const std::string& path) {
   const auto line = node.source().begin.line;
   if (const auto* text = node.as_string())
@@ -67,7 +67,7 @@ void SceneInput::read_file(const std::string& path) {
   each_key(table, "", [&](const std::string& name, const toml::node& node) {
     const auto line = static_cast<std::size_t>(node.source().begin.line);
     try {
-      (void)studies::scene_key(name); // an unknown key is worse than a value of another kind
+      (void)studies::scene_key(name); // an unknown key is reported before a wrong kind of value
       builder_.set_listed(name, text_of(node, path), line);
     } catch (const InvalidArgument& error) {
       throw FileError(path, line, error.what());

@@ -22,7 +22,7 @@ class SceneInput {
   /// \throws   InvalidArgument
   void set(const std::string& setting);
 
-  /// The keys given so far, for options that set a key themselves.
+  /// The keys given so far, for options that set a key.
   [[nodiscard]] studies::Scene& scene() { return builder_.scene(); }
 
   /// The scene, checked as a whole.
@@ -34,7 +34,7 @@ class SceneInput {
   std::string path_; ///< of the file
 };
 
-/// The scene that an earlier run of a command has stored, complete: it may contain keys without effect.
+/// The complete scene stored by an earlier run of a command; it may contain keys without effect.
 /// \throws   FileError, InvalidArgument
 [[nodiscard]] studies::Scene read_scene(const std::string& path, studies::SceneCommand command);
 

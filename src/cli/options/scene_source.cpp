@@ -107,7 +107,7 @@ class FlatCheck {
     }
   }
 
-  /// To the end of a text in quotes of one or three; one that is not closed ends with its line.
+  /// Moves to the end of a text in single or triple quotes; an unclosed text ends with its line.
   void pass_string(char quote) {
     const std::size_t begin = place_;
     const std::string three(3, quote);

@@ -11,8 +11,8 @@ namespace granum::cli {
 /// \throws   FileError for a folder, a device, a larger file, or one that cannot be read
 [[nodiscard]] std::string read_scene_text(const std::string& path);
 
-/// Scenes are flat: [section] and key = value. Deeper texts would let the parser call itself until the stack
-/// ends.
+/// Scenes are flat: [section] and key = value. In deeply nested texts the recursion of the parser would
+/// overflow the stack.
 /// \throws   FileError with path and line for a key of more than 8 parts, brackets more than 8 deep, or a key
 ///           or value of more than 1,000 characters
 void require_flat(std::string_view text, const std::string& path);

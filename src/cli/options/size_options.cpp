@@ -18,14 +18,14 @@ namespace {
 
 void set_sizes(PackingOptions& o, sizes::Distribution distribution) {
   if (o.sizes)
-    throw InvalidArgument(said_twice::sizes);
+    throw InvalidArgument(given_twice::sizes);
   o.sizes = std::move(distribution);
 }
 
 } // namespace
 
 void add_size_options(Command& command, PackingOptions& o) {
-  const Exclusion once{"--sizes --sieve --uniformity", said_twice::sizes};
+  const Exclusion once{"--sizes --sieve --uniformity", given_twice::sizes};
   command.add(
       {{.name = "--sizes",
         .value = read_by([&o](const std::string& text) { set_sizes(o, sizes::parse_distribution(text)); },
@@ -62,7 +62,7 @@ void add_size_options(Command& command, PackingOptions& o) {
 
 double resolve_radius(const PackingOptions& o) {
   if (o.radius.given() && o.d50.given())
-    throw InvalidArgument(said_twice::size);
+    throw InvalidArgument(given_twice::size);
   const std::optional<double> of_sieve = o.sizes ? o.sizes->mean_radius() : std::nullopt;
   if (of_sieve && (o.radius.given() || o.d50.given()))
     throw InvalidArgument(fmt::format("the sieve curve gives the size of the grains: leave out {}",

@@ -17,9 +17,8 @@ void add_size_options(Command& command, PackingOptions& options);
 /// \throws   InvalidArgument if the size is given twice
 [[nodiscard]] double resolve_radius(const PackingOptions& options);
 
-/// Means over the contacts of unequal grains, by their distribution and the share of rattlers that
-/// --rattler-fraction or C_n and z* say; R is the mean radius by number. Those of equal grains where no
-/// sizes are given.
+/// Means over the contacts of unequal grains, from their distribution and the share of rattlers according to
+/// --rattler-fraction or C_n and z*; R is the mean radius by number. Without sizes, those of equal grains.
 /// \throws   InvalidArgument for a share out of range
 [[nodiscard]] sizes::ContactMeans resolve_contact_means(const PackingOptions& options);
 

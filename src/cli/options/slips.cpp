@@ -41,19 +41,20 @@ void judge_void_ratio(const Typed& number, bool unequal, Validity& validity) {
 
 void judge_contacts(const Typed& number, bool without_rattlers, const effective::State& state,
                     Validity& validity) {
-  constexpr double deviations = 3, largest_error = 0.3; // where no packing is so loose the prior's is larger
+  constexpr double deviations = 3, largest_error = 0.3; // larger in the prior where no packing is so loose
   if (!(state.void_ratio > 0))
     return;
   const effective::ContactPrior prior =
       effective::contact_prior(state, {.kind = effective::Preparation::Kind::dense});
   const double most = prior.densest.mechanical_coordination_number +
                       deviations * std::min(prior.coordination_error, largest_error);
-  constexpr double beside_counts = 1.2, possible = 12; // C_n is often of other codes; beyond 12 others speak
+  constexpr double beside_counts = 1.2,
+                   possible = 12; // C_n often comes from other codes; beyond 12 there is another message
   const double z = number.value;
   if (z > (without_rattlers ? most : beside_counts * most) && (without_rattlers || z <= possible))
     validity.add(number.name + " " + short_text(z) + ": no packing of equal spheres of void ratio " +
                  short_text(state.void_ratio) + " has so many contacts, " + short_text(most, 2) +
-                 " at most at this stress; is it of another packing, or does it count near neighbours?");
+                 " at most at this stress; does it belong to another packing, or include near neighbours?");
 }
 
 void judge_stress(const Typed& number, Validity& validity) {
@@ -101,7 +102,7 @@ void judge_density(const Typed& number, Validity& validity) {
   const double density = number.value;
   if (density >= lightest && density <= heaviest)
     return;
-  validity.add(typed_text(number) + ": no mineral has it; " +
+  validity.add(typed_text(number) + ": no mineral has this density; " +
                meant_text(number, density < lightest ? density * kilo : density / kilo));
 }
 

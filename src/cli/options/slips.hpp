@@ -7,21 +7,21 @@
 #include <granum/core/validity.hpp>
 #include <granum/effective/state.hpp>
 
-/// Numbers that are possible, but more likely a slip of unit or symbol, judged by their value alone: by the
-/// program those that were given (likely_mistakes.hpp), by the page for browsers all that it shows.
+/// Checks for numbers that are possible, but more likely a mistake in unit or symbol, by their value only.
+/// The program checks given numbers (likely_mistakes.hpp), the page for browsers all that it shows.
 /// Checked by tests/cli/people.cmake and web/tests/numbers.test.mjs
 namespace granum::cli {
 
-/// A number and the name of its option or key, as messages have it.
+/// A number and the name of its option or key, as used in messages.
 struct Typed {
   std::string name;
   double value; ///< in SI
   Dimension dimension = Dimension::dimensionless;
 };
 
-/// Sands with shells or mica reach 2; no packing of grains is denser than 0.1, and only wide gradings are
-/// denser than 0.4, where porosities lie.
-/// \param    unequal   whether the grains have sizes of their own
+/// Void ratio. Sands with shells or mica reach 2; no packing of grains is below 0.1, and only wide gradings
+/// are below 0.4, the range of porosities.
+/// \param    unequal   whether the grains have different sizes
 void judge_void_ratio(const Typed& number, bool unequal, Validity& validity);
 /// Contacts of equal spheres at a state.
 /// \param    without_rattlers   whether the number is z*, not C_n
@@ -29,11 +29,11 @@ void judge_void_ratio(const Typed& number, bool unequal, Validity& validity);
 void judge_contacts(const Typed& number, bool without_rattlers, const effective::State& state,
                     Validity& validity);
 void judge_stress(const Typed& number, Validity& validity);
-/// Of grains.
+/// Size of grains.
 void judge_length(const Typed& number, Validity& validity);
-/// Of the grains' solid: quartz has 30 to 45 GPa, plastics 1 GPa, diamond 500 GPa.
+/// Shear modulus of the grain mineral: quartz has 30 to 45 GPa, plastics 1 GPa, diamond 500 GPa.
 void judge_modulus(const Typed& number, Validity& validity);
-/// Of the grains' solid.
+/// Density of the grain mineral.
 void judge_density(const Typed& number, Validity& validity);
 
 } // namespace granum::cli

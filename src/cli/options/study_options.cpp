@@ -17,7 +17,7 @@ void add_study_options(Command& command, StudyOptions& options, studies::SceneCo
   command.add({{.name = "--scene",
                 .value = path(options.scene_file),
                 .group = group,
-                .meaning = "TOML file; without it the paper's six specimens",
+                .meaning = "TOML file; by default the six specimens of Chung et al. 2014 (the paper)",
                 .synonyms = {{"config c"}}},
                {.name = "--set",
                 .value = std::move(settings),
@@ -31,7 +31,7 @@ void add_study_options(Command& command, StudyOptions& options, studies::SceneCo
                {.name = "--seeds",
                 .value = count(options.seeds),
                 .group = group,
-                .meaning = "Specimens of each kind"},
+                .meaning = "Specimens of each contact shape and density"},
                {.name = "--threads",
                 .value = count(options.threads),
                 .group = group,
@@ -47,7 +47,7 @@ void ResultOptions::print(const std::string& report, const nlohmann::ordered_jso
 void add_result_options(Command& command, ResultOptions& options, const std::string& out_help,
                         const std::string& json_help, const std::string& replaced) {
   add_output_place(command, options.out, options.force, "DIR", out_help, replaced);
-  command.row("--force").needs.clear(); // a run whose folder has a name by default may be forced too
+  command.row("--force").needs.clear(); // --force is also allowed with the default folder
   command.add({{.name = "--json", .value = flag(options.json), .group = output_group, .meaning = json_help},
                {.name = "--quiet",
                 .value = flag(options.quiet),

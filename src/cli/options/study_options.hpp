@@ -15,7 +15,7 @@
 
 namespace granum::cli {
 
-/// The options by which the commands of SceneCommand name their scene.
+/// The scene options of the commands of SceneCommand.
 struct StudyOptions {
   std::string scene_file; ///< empty: not given
   std::vector<std::string> settings;
@@ -33,7 +33,7 @@ struct ResultOptions {
   bool force = false;
   bool quiet = false;
 
-  /// With --json alone nothing is written.
+  /// With only --json nothing is written.
   [[nodiscard]] bool writes_files() const { return !json || !out.empty(); }
   [[nodiscard]] io::Existing existing() const { return force ? io::Existing::replace : io::Existing::keep; }
   /// Prints the report, or the manifest with --json.
@@ -47,17 +47,17 @@ void add_result_options(Command& command, ResultOptions& options, const std::str
                                                        "with --out",
                         const std::string& replaced = "existing results");
 
-/// --strict of a command that compares with nothing: it does not begin where a key is likely a slip.
+/// Adds --strict for a command without comparisons: it does not start if a key is probably a mistake.
 void add_strict_scene(Command& command, bool& strict);
 
 /// Reports on standard error, as a note, the cost of widely different grain sizes (studies::cost_of_sizes).
 void say_cost_of_sizes(const studies::Scene& scene);
-/// The JSON object with that note in "notes", where there is one.
+/// The JSON object with that note in "notes", if there is one.
 [[nodiscard]] nlohmann::ordered_json with_cost_of_sizes(nlohmann::ordered_json json,
                                                         const studies::Scene& scene);
 
 /// Reports values of a scene that are possible but probably mistakes, before the run.
-/// \return   true where that ends the command, with exit code not_converged: under strict
+/// \return   true if this ends the command, with exit code not_converged, under strict
 [[nodiscard]] bool refuses(const Validity& slips, bool strict);
 
 /// `base`, then the scene file, then --set, then --grains, --seeds and --threads.

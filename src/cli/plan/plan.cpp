@@ -31,7 +31,7 @@ struct Rule {
   double modulus_error;
   double exponent_error;
   studies::Recipe recipe;
-  double smallest; ///< grains that the laws were measured with
+  double smallest; ///< range of grain numbers of the measured laws
   double largest;
 };
 
@@ -100,9 +100,8 @@ ExitCode run(const PlanOptions& options) {
   nlohmann::ordered_json json = with_cost_of_sizes(json_head("plan"), scene);
   json["scene"] = json_of(scene);
   put_members(json, items, io::Only{});
-  std::string text =
-      "granum verify would run\n" + io::list_text(items, io::Only{}) +
-      "errors that size, seeds and rate leave, by the laws of validation/trade (equal spheres)\n";
+  std::string text = "granum verify would run\n" + io::list_text(items, io::Only{}) +
+                     "errors due to size, seeds and rate, by the laws of validation/trade (equal spheres)\n";
   for (const triaxial::Density density : scene.study.densities) {
     const io::Items rule = rule_items(rule_of(scene, density, options.error), options.error);
     const std::string name(studies::name(density));
@@ -117,7 +116,7 @@ ExitCode run(const PlanOptions& options) {
 Command make_plan() {
   auto options = std::make_shared<PlanOptions>();
   Command command{.name = "plan",
-                  .meaning = "Work of verify for a scene: predicted time, memory and error",
+                  .meaning = "Predicted time, memory and error of a run of verify",
                   .run = [options] { return run(*options); }};
   add_study_options(command, options->study, studies::SceneCommand::plan);
   command.add(

@@ -17,7 +17,7 @@ bool is_placeholder(const std::string& word) {
                      [](char c) { return std::isupper(static_cast<unsigned char>(c)); });
 }
 
-/// The words that an option chooses from; of "friction:NUMBER" the part before the number.
+/// The choices of an option; for "friction:NUMBER" the part before the number.
 std::vector<std::string> words_for(const OptionRow& row) {
   std::vector<std::string> words;
   for (const std::string& choice : row.value.choices) {
@@ -110,7 +110,7 @@ std::string bash_commands(const Command& program) {
 
 // ---- zsh
 
-/// Within '...' and [...] of _arguments.
+/// Escapes a text for '...' and [...] of _arguments.
 std::string zsh_text(const std::string& text) {
   std::string out;
   for (const char c : text) {

@@ -9,7 +9,7 @@ namespace granum::cli {
 
 namespace {
 
-/// Text as troff takes it: hyphens that may be copied, backslashes and leading points that mean themselves.
+/// Escapes a text for troff: hyphens that can be copied, literal backslashes and leading points.
 std::string escaped(std::string_view text) {
   std::string out;
   if (text.starts_with('.') || text.starts_with('\''))

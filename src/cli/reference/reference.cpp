@@ -22,7 +22,7 @@ void write(const fs::path& file, const std::string& text) {
   io::write_file(file, text, io::Existing::replace);
 }
 
-/// The page of a command, and of those within it.
+/// Writes the page of a command and of its subcommands.
 void write_pages(const Command& command, const fs::path& folder) {
   std::string name = command.called;
   for (char& c : name)

@@ -51,8 +51,8 @@ studies::Scene paper_scene() {
   return scene;
 }
 
-/// The number of threads does not affect results. Runs of equal grains that began before scenes had
-/// grain.sizes go on.
+/// Whether two scenes give the same results: the number of threads is ignored. A stored scene of equal grains
+/// may lack grain.sizes.
 std::string identity(studies::Scene scene) {
   scene.study.threads = 0;
   std::string text = studies::toml_of(scene);
@@ -68,16 +68,17 @@ struct Place {
   fs::path folder;
 };
 
-/// A folder where a run was begun and not finished is better gone on with than replaced.
+/// Refuses to replace a folder with an unfinished run, which can be continued.
 /// \throws   FileError
 void suggest_resume(const ResultOptions& results) {
   const fs::path folder = results.out;
   if (!results.out.empty() && !results.force && io::is_taken(folder / scene_of_run) &&
       io::is_taken(folder / checkpoints_name) && !io::is_taken(folder / "manifest.json"))
-    throw FileError(results.out, 0,
-                    fmt::format("contains an unfinished run; continue with: granum reproduce --resume {}, or "
-                                "let --force begin anew",
-                                results.out));
+    throw FileError(
+        results.out, 0,
+        fmt::format("contains an unfinished run; continue it with: granum reproduce --resume {}, or "
+                    "start again with --force",
+                    results.out));
 }
 
 studies::Scene new_scene(const ReproduceOptions& options) {
@@ -92,12 +93,12 @@ Place new_place(const ReproduceOptions& options, const studies::Scene& scene) {
   names.push_back(checkpoints_name);
   suggest_resume(options.results);
   place.folder = results_folder(options.results.out, "reproduce", names, options.results.force);
-  studies::remove_checkpoints(place.folder / checkpoints_name); // there are some with --force only
+  studies::remove_checkpoints(place.folder / checkpoints_name); // present only with --force
   io::write_file(place.folder / scene_of_run, studies::toml_of(place.scene), options.results.existing());
   return place;
 }
 
-/// A run that was stopped, or a finished one whose tables and pictures are to be written again.
+/// Reads a stopped run, or a finished one whose tables and pictures are to be written again.
 Place old_place(const ReproduceOptions& options) {
   const StudyOptions& study = options.study;
   const fs::path folder = options.resume;
@@ -129,7 +130,7 @@ ExitCode run(const ReproduceOptions& options) {
         {.folder = checkpoints, .scene_text = identity(place.scene)});
   }
   if (stop && !experiment.complete()) {
-    say("", fmt::format("stopped; go on with: granum reproduce --resume {}", place.folder.string()));
+    say("", fmt::format("stopped; continue with: granum reproduce --resume {}", place.folder.string()));
     return exit_code_of_stop();
   }
   const std::vector<studies::Verdict> verdicts = studies::experiment_verdicts(experiment);
@@ -148,10 +149,10 @@ ExitCode run(const ReproduceOptions& options) {
 
 Command make_reproduce() {
   auto options = std::make_shared<ReproduceOptions>();
-  Command command{.name = "reproduce",
-                  .meaning =
-                      "The paper's experiment: six specimens, four stress paths, its tables and figures",
-                  .run = [options] { return run(*options); }};
+  Command command{
+      .name = "reproduce",
+      .meaning = "The experiment of Chung et al. 2014: six specimens, four stress paths, tables and figures",
+      .run = [options] { return run(*options); }};
   add_study_options(command, options->study, studies::SceneCommand::reproduce);
   command.add(
       {{.name = "--paper",
@@ -162,9 +163,9 @@ Command make_reproduce() {
        {.name = "--resume",
         .value = path(options->resume, "DIR"),
         .group = "Run",
-        .meaning =
-            "Continue the run of this folder from its last checkpoints, to the same bits; a finished run "
-            "writes its tables and pictures again",
+        .meaning = "Continue the run in this folder from its last checkpoints, with identical results; for a "
+                   "finished "
+                   "run, write its tables and pictures again",
         .excludes = {{"--paper --scene --set --grains --seeds --out",
                       "--resume takes its scene and folder from the earlier run; only --threads may be given "
                       "with it"}}}});

@@ -32,7 +32,7 @@ AnswerRows::AnswerRows(const io::CsvTable& table, const SweepOptions& options, R
   has_speed_ = !layers && columns.bind(shear_wave_speed_);
   if (layers && !columns.bind(ground_.top))
     throw FileError(table.name(), table.heading_line(),
-                    "lacks a column top_m, the depth where a layer begins");
+                    "lacks a column top_m, the depth of the top of a layer");
   for (const Number* number : {&ground_.unit_weight, &ground_.saturated_unit_weight, &ground_.water_table,
                                &ground_.earth_pressure_at_rest, &ground_.surcharge})
     if (!answer_.ground && number->given())
@@ -53,20 +53,20 @@ AnswerRow AnswerRows::row(std::size_t row) {
   AnswerRow both{packing, answer_, ground_};
   if (shear_wave_speed_.given())
     both.shear_wave_speed = require_positive("V_s", shear_wave_speed_.value, "m/s");
-  if (const std::string said = text(preparation_); !said.empty())
-    both.answer.preparation = effective::preparation_of(said);
-  if (const std::string said = text(grain_); !said.empty())
-    both.answer.mineral = &contact::mineral(said);
-  if (const std::string said = text(sand_); !said.empty())
-    both.answer.sand = &sands::known_sand(said);
-  if (const std::string said = text(grain_shape_); !said.empty())
-    both.answer.grain_shape = estimate::grain_shape_of(said);
+  if (const std::string name = text(preparation_); !name.empty())
+    both.answer.preparation = effective::preparation_of(name);
+  if (const std::string name = text(grain_); !name.empty())
+    both.answer.mineral = &contact::mineral(name);
+  if (const std::string name = text(sand_); !name.empty())
+    both.answer.sand = &sands::known_sand(name);
+  if (const std::string name = text(grain_shape_); !name.empty())
+    both.answer.grain_shape = estimate::grain_shape_of(name);
   apply_presets(both.packing, both.answer);
   return both;
 }
 
 std::string unread_text(const std::vector<std::string>& headings) {
-  return fmt::format("columns that are no inputs: {}", fmt::join(headings, ", "));
+  return fmt::format("unused columns: {}", fmt::join(headings, ", "));
 }
 
 } // namespace granum::cli

@@ -10,38 +10,38 @@
 #include "cli/options/packing_rows.hpp"
 #include "sweep.hpp"
 
-/// Questions that stand in the rows of a table.
+/// Questions from the rows of a table.
 namespace granum::cli {
 
-/// What granum estimate would be asked for a row.
+/// The question of a row, as for granum estimate.
 struct AnswerRow {
   PackingOptions packing;
   AnswerOptions answer;
   GroundOptions ground;
-  std::optional<double> shear_wave_speed = {}; ///< measured, beside the question [m/s]
+  std::optional<double> shear_wave_speed = {}; ///< measured, in addition to the question [m/s]
 };
 
-/// What the rows are.
+/// The kind of the rows.
 enum class RowsOf {
-  states, ///< stresses; or depths in the ground, where a column tells these and none a stress
-  layers  ///< of ground, from their tops down
+  states, ///< stresses; or depths in the ground, if there is a column of depths and none of stresses
+  layers  ///< of the ground, each from its top down
 };
 
-/// The packings of a table, and what else of the answer's options it holds: preparation, grain, sand,
-/// relative density and its limits, density of the grains, saturation; and V_s that was measured there.
+/// The packings of a table with the other options of an answer: preparation, grain, sand, relative density
+/// and its limits, density of the grains, saturation; and the measured V_s.
 class AnswerRows {
  public:
-  /// \throws   as PackingRows; InvalidArgument for options of the ground beside rows that have their stress
+  /// \throws   as PackingRows; InvalidArgument for options of the ground with rows that contain their stress
   AnswerRows(const io::CsvTable& table, const SweepOptions& options, RowsOf rows = RowsOf::states);
   /// Whether each row is a depth, or a layer, of the ground.
   [[nodiscard]] bool in_ground() const { return answer_.ground; }
   /// Whether there is a column of measured V_s.
   [[nodiscard]] bool has_speed() const { return has_speed_; }
 
-  /// A row, with the numbers that grain, sand and relative density decide.
+  /// A row, with the numbers that follow from grain, sand and relative density.
   /// \throws   InvalidArgument
   [[nodiscard]] AnswerRow row(std::size_t row);
-  /// Headings of the columns that say nothing to this program.
+  /// Headings of unused columns.
   [[nodiscard]] std::vector<std::string> unread() const { return packings_.columns().unread(); }
 
  private:
@@ -54,7 +54,7 @@ class AnswerRows {
   std::optional<std::size_t> preparation_, grain_, sand_, grain_shape_;
 };
 
-/// "columns that are no inputs: borehole, date".
+/// "unused columns: borehole, date".
 [[nodiscard]] std::string unread_text(const std::vector<std::string>& headings);
 
 } // namespace granum::cli

@@ -11,7 +11,7 @@
 /// The ground of granum sweep --depth, and of tables whose rows are depths.
 namespace granum::cli {
 
-/// The ground that the options describe.
+/// The ground given by the options.
 struct GroundCase {
   stress::Ground ground;
   double saturation = 0; ///< of the pores above the water table
@@ -19,11 +19,11 @@ struct GroundCase {
   Validity validity; ///< where weights and void ratio contradict each other
 };
 
-/// A layer of the ground: ground of its own, under what lies above it.
+/// A layer of the ground, with the weight of the layers above as surcharge.
 struct Layer {
-  double top = 0;       ///< depth where it begins [m]
+  double top = 0;       ///< depth of its top [m]
   SweepOptions options; ///< of its soil
-  GroundCase ground;    ///< depths and water table from its top down, the layers above as surcharge
+  GroundCase ground;    ///< depths and water table relative to its top, the layers above as surcharge
 };
 
 /// An answer in the ground.
@@ -38,14 +38,14 @@ void add_ground_options(Command& command, GroundOptions& options);
 /// \throws   InvalidArgument
 [[nodiscard]] std::vector<double> depths_of(const SweepOptions& options);
 
-/// \throws   InvalidArgument for options that contradict one another or are out of range
+/// \throws   InvalidArgument for options that contradict each other or are out of range
 [[nodiscard]] GroundCase resolve_ground(const SweepOptions& options);
 
-/// The layers of --layers from the surface down; without it one.
-/// \throws   as resolve_ground; FileError for a table whose tops do not begin at 0 and grow
+/// The layers of --layers from the surface down; without the option a single layer.
+/// \throws   as resolve_ground; FileError for a table whose tops do not begin at 0 or do not increase
 [[nodiscard]] std::vector<Layer> layers_of(const SweepOptions& options);
 
-/// The answer of granum estimate at the stresses and in the water of a depth.
+/// The answer, as of granum estimate, at the stresses and saturation of a depth.
 /// \param    depth   from the top of the ground [m]
 [[nodiscard]] GroundState state_in_ground(const SweepOptions& options, const GroundCase& ground, double depth,
                                           const Rungs& rungs);

@@ -14,7 +14,8 @@ namespace granum::cli {
 
 namespace {
 
-/// Of a unit weight, what void ratio and density of the grains may contradict it by, unsaid.
+/// Relative difference between a given unit weight and that of void ratio and grain density that is not
+/// reported.
 constexpr double unit_weight_tolerance = 0.02;
 
 } // namespace
@@ -34,7 +35,7 @@ std::vector<double> depths_of(const SweepOptions& o) {
 
 namespace {
 
-/// The mass of the packing by its void ratio.
+/// The mass of the packing from its void ratio.
 struct PackingMass {
   double grain_density, void_ratio;
 
@@ -50,45 +51,46 @@ struct PackingMass {
 
 std::string weight(double value) { return pretty(value, Dimension::unit_weight); }
 
-/// \param    expected   unit weight of the pores as they are taken to be
+/// \param    expected   unit weight at the assumed saturation of the pores
 void note_contradiction(const Number& given, double expected, const char* pores, const PackingMass& mass,
                         Validity& validity) {
   if (std::abs(given.value - expected) <= unit_weight_tolerance * expected)
     return;
   validity.add(
       fmt::format("{} {} contradicts void ratio {} and grains of {}, which weigh {} with {}: stresses "
-                  "take the first, wave speeds the second",
+                  "use the first, wave speeds the second",
                   given.name, weight(given.value), short_text(mass.void_ratio),
                   pretty(mass.grain_density, Dimension::density), weight(expected), pores));
 }
 
-/// Weight and water above the water table: the one follows from the other.
+/// Unit weight and saturation above the water table; each follows from the other.
 void resolve_moist_ground(const SweepOptions& o, const PackingMass& mass, GroundCase& c) {
   const Number &given = o.ground.unit_weight, &share = o.answer.saturation;
-  const double told = require_closed("--saturation", share.value, 0, 1);
+  const double share_of_water = require_closed("--saturation", share.value, 0, 1);
   if (!given.given()) {
-    c.saturation = told;
-    c.ground.unit_weight = mass.unit_weight(told);
+    c.saturation = share_of_water;
+    c.ground.unit_weight = mass.unit_weight(share_of_water);
     c.assumptions.push_back(
         fmt::format("unit weight of {}: grains of {} at this void ratio, {} % of the pores "
-                    "water; --unit-weight tells another",
+                    "water; change it with --unit-weight",
                     weight(c.ground.unit_weight), pretty(mass.grain_density, Dimension::density),
-                    short_text(100 * told, 3)));
+                    short_text(100 * share_of_water, 3)));
     return;
   }
   c.ground.unit_weight = require_positive(given.name, given.value, "N/m3");
   if (share.given()) {
-    c.saturation = told;
-    note_contradiction(given, mass.unit_weight(told), "this saturation", mass, c.validity);
+    c.saturation = share_of_water;
+    note_contradiction(given, mass.unit_weight(share_of_water), "this saturation", mass, c.validity);
     return;
   }
   const double implied = mass.saturation(given.value);
   c.saturation = std::min(std::max(implied, 0.0), 1.0);
   note_contradiction(given, mass.unit_weight(c.saturation),
                      implied > 1 ? "all pores full" : "all pores empty", mass, c.validity);
-  c.assumptions.push_back(fmt::format("{} % of the pores above the water table are water, as the unit weight "
-                                      "tells; --saturation tells another",
-                                      short_text(100 * c.saturation, 3)));
+  c.assumptions.push_back(
+      fmt::format("{} % of the pores above the water table are water, from the unit weight; "
+                  "change it with --saturation",
+                  short_text(100 * c.saturation, 3)));
 }
 
 void resolve_wet_ground(const SweepOptions& o, const PackingMass& mass, GroundCase& c) {
@@ -104,7 +106,7 @@ void resolve_wet_ground(const SweepOptions& o, const PackingMass& mass, GroundCa
   }
   c.ground.saturated_unit_weight = full;
   c.assumptions.push_back(fmt::format("saturated unit weight of {}: grains of {} at this void ratio with all "
-                                      "pores full; --saturated-unit-weight tells another",
+                                      "pores full; change it with --saturated-unit-weight",
                                       weight(full), pretty(mass.grain_density, Dimension::density)));
 }
 
@@ -114,21 +116,21 @@ void add_ground_options(Command& command, GroundOptions& o) {
   constexpr const char* group = "Ground";
   const std::vector<Need> in_ground = {{"--depth --table", "--depth"}};
   const std::vector<Need> below_water = {{"--depth --table", "--depth"},
-                                         {"--water-table --table", "--water-table, below which it holds"}};
+                                         {"--water-table --table", "--water-table, below which it applies"}};
   Value depth = text(o.depth, "FROM..TO");
   depth.joins_units = true;
   command.add(
       {{.name = "--depth",
         .value = std::move(depth),
         .group = group,
-        .meaning = "Go down into level ground, between two depths: 0m..30m",
+        .meaning = "Stiffness over depth in level ground, between two depths: 0m..30m",
         .excludes = {{"--path --from --to --eta --friction-angle --spacing --table --rungs --picture-of"}},
         .synonyms = {{"z"}}},
        {.name = "--layers",
         .value = path(o.layers, "FILE.csv"),
         .group = group,
         .meaning =
-            "Layers of the ground, a row each from its top_m down, with columns as of --table: e or D_r, "
+            "Layers of the ground, one per row from its top_m down, with columns as for --table: e or D_r, "
             "unit_weight, saturated_unit_weight, k0, sand, S_r",
         .needs = {{"--depth", "--depth"}},
         .synonyms = {{"profile soil strata"}}},
@@ -136,19 +138,19 @@ void add_ground_options(Command& command, GroundOptions& o) {
         .value = number_without_default(o.unit_weight),
         .group = group,
         .meaning =
-            "Of the ground above the water table, with the water it holds; by default of grains and void "
+            "Unit weight above the water table, with pore water; by default from grain density and void "
             "ratio",
         .needs = in_ground,
         .synonyms = {{"gamma gammad gammasat bulkunitweight"}}},
        {.name = "--saturated-unit-weight",
         .value = number_without_default(o.saturated_unit_weight),
         .group = group,
-        .meaning = "Of the ground below the water table; by default of grains and void ratio",
+        .meaning = "Unit weight below the water table; by default from grain density and void ratio",
         .needs = below_water},
        {.name = "--water-table",
         .value = number_without_default(o.water_table),
         .group = group,
-        .meaning = "Depth of the water table; negative for water above the ground; without it dry",
+        .meaning = "Depth of the water table; negative for water above the ground; by default none (dry)",
         .needs = in_ground,
         .synonyms = {{"gwt waterlevel groundwater"}}},
        {.name = "--k0",
@@ -165,7 +167,7 @@ void add_ground_options(Command& command, GroundOptions& o) {
        {.name = "--water-unit-weight",
         .value = number(o.water_unit_weight),
         .group = group,
-        .meaning = "Of the water in the ground",
+        .meaning = "Unit weight of the water",
         .needs = below_water}});
 }
 

@@ -9,18 +9,18 @@ namespace granum::cli {
 
 namespace {
 
-/// The ground below a depth at which the layers above end with this effective stress.
+/// The ground below a depth, where the layers above cause this effective stress.
 GroundCase below(GroundCase ground, double top, double effective_stress_v) {
   ground.ground.surcharge = effective_stress_v;
   if (ground.ground.water_table)
-    *ground.ground.water_table -= top; // above the top it stands as water on the layer
+    *ground.ground.water_table -= top; // above the top it is water on the layer
   return ground;
 }
 
-/// The rows with the one water table that the ground has, whichever of them tell it.
+/// The rows with the single water table of the ground, given in any of them.
 std::vector<AnswerRow> rows_of(const io::CsvTable& table, AnswerRows& reader) {
   std::vector<AnswerRow> rows;
-  const Number* told = nullptr;
+  const Number* given = nullptr;
   for (std::size_t k = 0; k < table.row_count(); ++k) {
     try {
       rows.push_back(reader.row(k));
@@ -30,14 +30,15 @@ std::vector<AnswerRow> rows_of(const io::CsvTable& table, AnswerRows& reader) {
   }
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Number& here = rows[k].ground.water_table;
-    if (told != nullptr && here.given() && here.value != told->value)
-      throw FileError(table.name(), table.line(k),
-                      "has another water table than a row above: the ground has one, a depth below its top");
-    if (told == nullptr && here.given())
-      told = &here;
+    if (given != nullptr && here.given() && here.value != given->value)
+      throw FileError(
+          table.name(), table.line(k),
+          "has another water table than a row above: the ground has a single one, measured from its top");
+    if (given == nullptr && here.given())
+      given = &here;
   }
-  if (told != nullptr) {
-    const Number one = *told;
+  if (given != nullptr) {
+    const Number one = *given;
     for (AnswerRow& row : rows)
       row.ground.water_table = one;
   }
@@ -68,7 +69,7 @@ std::vector<Layer> layers_of(const SweepOptions& o) {
       Layer layer = layer_of(o, rows[k]);
       if (layers.empty() ? layer.top != 0 : !(layer.top > layers.back().top))
         throw InvalidArgument(layers.empty() ? "the first layer begins at top 0 m"
-                                             : "tops of layers grow downwards, line by line");
+                                             : "the tops of layers must increase from line to line");
       if (!layers.empty()) {
         const Layer& above = layers.back();
         const stress::GroundStress end = stress::stress_at(above.ground.ground, layer.top - above.top);

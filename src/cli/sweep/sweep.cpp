@@ -13,7 +13,7 @@ namespace {
 
 using effective::Rung;
 
-/// The rungs that were asked for, or all of them.
+/// The requested rungs, or all of them.
 Rungs chosen_rungs(const SweepOptions& o) {
   const bool by_default = o.table.empty() || o.all_columns || o.output.json;
   Rungs rungs;
@@ -28,10 +28,11 @@ std::string rungs_help() {
   std::string text = "Rungs:\n";
   for (const Rung& rung : effective::closed_forms())
     text += fmt::format("  {:<15} {}; needs {}\n", rung.key, rung.description, rung.needs);
-  return text +
-         "Columns of a table are named like the options, with their unit: void_ratio, stress_v_kPa,\n"
-         "\"stress v (kPa)\"; or by symbol: e, p_kPa, sigma_v [kPa], C_n, z_star, a, C_u, D_r. Texts are\n"
-         "contact, sizes, preparation, grain, sand. Semicolons between columns allow decimal commas.";
+  return text + "Columns of a table have the names of the options, with their unit:\n"
+                "void_ratio, stress_v_kPa, \"stress v (kPa)\"; or symbols: e, p_kPa,\n"
+                "sigma_v [kPa], C_n, z_star, a, C_u, D_r. Text columns are contact, sizes,\n"
+                "preparation, grain, sand. With semicolons between columns, decimal commas\n"
+                "are allowed.";
 }
 
 template <class Item>
@@ -50,7 +51,7 @@ void add_path_options(Command& command, SweepOptions& o) {
       {{.name = "--path",
         .value = choice({"iso", "txc", "rtxc", "rtxe", "txe"}, o.path),
         .group = group,
-        .meaning = "Stress path; all but iso start isotropic and go to --eta"},
+        .meaning = "Stress path; iso goes from --from to --to, the others from --from to --eta"},
        {.name = "--from",
         .value = number_without_default(o.from),
         .group = group,
@@ -59,25 +60,25 @@ void add_path_options(Command& command, SweepOptions& o) {
        {.name = "--to",
         .value = number_without_default(o.to),
         .group = group,
-        .meaning = "Mean stress at the end, iso",
+        .meaning = "Mean stress at the end of --path iso",
         .belongs = {{"--path", "iso", "iso", "--path iso; other paths end at --eta or --friction-angle"}}},
        {.name = "--eta",
         .value = number_without_default(o.eta),
         .group = group,
-        .meaning = "q/p' at the end; negative for rtxe and txe",
+        .meaning = "q/p' at the end of the other paths; negative for rtxe and txe",
         .excludes = {{"--friction-angle", "give one of --eta and --friction-angle, where the path ends"}},
         .belongs = sheared,
         .synonyms = {{"stressratio q"}}},
        {.name = "--friction-angle",
         .value = number_without_default(o.friction_angle),
         .group = group,
-        .meaning = "End at failure of a material of this angle, instead of --eta",
+        .meaning = "End at failure with this friction angle, instead of --eta",
         .belongs = sheared,
         .synonyms = {{"phi mu friction frictioncoefficient"}}},
        {.name = "--spacing",
         .value = choice({"log", "linear"}, o.spacing),
         .group = group,
-        .meaning = "Of the states, in p' or eta; by default log for iso, linear for others"},
+        .meaning = "Spacing of the states in p' or eta; by default log for iso, linear for others"},
        {.name = "--points",
         .value = whole_number(o.points, 2, 1000000),
         .group = group,
@@ -103,25 +104,27 @@ void add_table_options(Command& command, SweepOptions& o) {
        {.name = "--rungs",
         .value = std::move(rungs),
         .group = group,
-        .meaning = "Closed forms, separated by commas"},
+        .meaning = "Closed forms to compare with (rungs, below), separated by commas"},
        {.name = "--laws",
         .value = flag(o.law_columns),
         .group = group,
-        .meaning = "Published laws of sands too: a column each, and their range in the picture of G along a "
-                   "path or over depth"},
+        .meaning =
+            "Also published laws of sands: one column each, and their range in the picture of G along a "
+            "path or over depth"},
        {.name = "--columns",
         .value = std::move(columns),
         .group = group,
-        .meaning = "In CSV: G, V_s, V_p, z* and s of the answer with their ranges, or all moduli and "
-                   "speeds, and every rung of a table"}});
+        .meaning =
+            "In CSV: usual: G, V_s, V_p, z* and s of the answer with their ranges; all: all moduli and "
+            "speeds, and every rung for a table"}});
 }
 
-/// Stresses are of a table: a path and the ground have their own.
+/// Stresses are options for a table only: a path and the ground determine theirs.
 void restrict_stresses(Command& command) {
   for (const char* stress : {"--pressure", "--stress-v", "--stress-h"})
     command.row(stress).needs = {
         {"--table", "--table; in the ground the weight above is the stress", "--depth"},
-        {"--table --depth", "--table; a path takes its stress from --from"}};
+        {"--table --depth", "--table; the stress of a path begins at --from"}};
 }
 
 void add_sweep_options(Command& command, SweepOptions& o) {
@@ -141,7 +144,7 @@ void add_sweep_options(Command& command, SweepOptions& o) {
   command.add({.name = "--picture-of",
                .value = choice(names_of(swept_quantities(), &SweptQuantity::name), o.picture_of),
                .group = output_group,
-               .meaning = "What the picture of a path shows; by default G_hv",
+               .meaning = "Quantity in the picture of a path; by default G_hv",
                .needs = {{"--picture"}}});
 }
 
@@ -150,7 +153,7 @@ ExitCode run(SweepOptions o) {
   o.answer.ground = !o.ground.depth.empty();
   if (!o.table.empty())
     return sweep_table(o, chosen_rungs(o));
-  if (o.ground.layers.empty()) // layers have their own
+  if (o.ground.layers.empty()) // layers set their own K_0
     apply_presets(o.packing, o.answer);
   return by_path ? sweep_path(o, chosen_rungs(o)) : sweep_depth(o);
 }

@@ -19,14 +19,14 @@
 #include "cli/estimate/answer_picture.hpp"
 #include "cli/frame/frame.hpp"
 
-/// What granum sweep works out, state by state, and how it leaves the program: along a path, over depth and
-/// for the rows of a table alike.
+/// The computations of granum sweep, state by state, and their output: along a path, over depth, and for the
+/// rows of a table.
 namespace granum::cli {
 
 /// Level ground, for a sweep over depth.
 struct GroundOptions {
   std::string depth;  ///< "0m..30m"; empty for another sweep
-  std::string layers; ///< file; empty for ground that is one layer
+  std::string layers; ///< file; empty for a single layer
   Number unit_weight{0, Dimension::unit_weight, "gamma"};
   Number saturated_unit_weight{0, Dimension::unit_weight, "gamma_sat"};
   Number water_table{0, Dimension::length};
@@ -59,7 +59,7 @@ struct SweepOptions {
 
 using Rungs = std::vector<const effective::Rung*>;
 
-/// A number that the answer and each rung give for a state.
+/// A number computed by the answer and by each rung for a state.
 struct SweptQuantity {
   const char* name;
   Dimension dimension;
@@ -70,29 +70,30 @@ struct SweptQuantity {
 /// \throws   InvalidArgument for another name
 [[nodiscard]] const SweptQuantity& swept_quantity(std::string_view name);
 
-/// A state and what comes out of it, or why nothing does.
+/// A state and its results, or the error.
 struct SweptState {
   std::optional<AnswerCase> answer;
-  std::vector<std::optional<effective::RungAnswer>> rungs = {}; ///< at the contacts of the answer, one a rung
-  std::vector<std::string> notes = {};                          ///< of validity, each once
-  std::vector<std::string> slips = {};                          ///< inputs that are likely mistakes
-  std::string error = {};                                       ///< empty: none
+  std::vector<std::optional<effective::RungAnswer>> rungs =
+      {};                              ///< with the contacts of the answer, one per rung
+  std::vector<std::string> notes = {}; ///< of validity, each once
+  std::vector<std::string> slips = {}; ///< inputs that are likely mistakes
+  std::string error = {};              ///< empty: none
 };
 
-/// The answer of granum estimate and the rungs beside it.
+/// The answer, as of granum estimate, and the rungs.
 [[nodiscard]] SweptState swept(const PackingOptions& packing, const AnswerOptions& options,
                                const Rungs& rungs);
-/// A state that the options do not make.
+/// A state that the options cannot produce.
 [[nodiscard]] SweptState failed(const std::string& error, const Rungs& rungs);
 
-/// Counts what went wrong.
+/// Counts failed and doubtful states.
 class Tally {
  public:
   /// \param    where   the state in words, "line 4"
   void count(const SweptState& state, const std::string& where);
   /// One note for all states outside a formula's validity, and one for each kind of likely mistake.
   [[nodiscard]] Validity validity() const;
-  /// Says on standard error how many states failed, if any.
+  /// Reports on standard error how many states failed, if any.
   /// \return   code, or fell_short if it is ok and states failed
   [[nodiscard]] ExitCode conclude(ExitCode code) const;
 
@@ -106,7 +107,7 @@ class Tally {
     std::size_t states = 0;
     std::string first;
   };
-  std::map<std::string, Slips> slips_; ///< by the input
+  std::map<std::string, Slips> slips_; ///< by input
 };
 
 using Notes = std::vector<std::pair<std::string, std::string>>;
@@ -114,17 +115,17 @@ using Notes = std::vector<std::pair<std::string, std::string>>;
 /// Collects states as the rows of a CSV file or of a JSON array.
 class SweepOutput {
  public:
-  /// \param    headings   of the cells that lead each row
-  /// \param    manner     of the table that the states come from
+  /// \param    headings   of the first cells of each row
+  /// \param    manner     of the table of the states
   SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
               io::CsvManner manner = {});
 
-  /// Headings of what follows the leading cells: answer, rungs, notes, error.
+  /// Headings of the cells after the first ones: answer, rungs, notes, error.
   [[nodiscard]] std::vector<std::string> result_headings() const;
-  /// \param    cells   that lead the row
-  /// \param    place   members that lead the object in JSON
+  /// \param    cells   first cells of the row
+  /// \param    place   first members of the object in JSON
   void add(std::vector<io::CsvCell> cells, nlohmann::ordered_json place, const SweptState& state);
-  /// \param    notes   above the headings, besides program, signs and rungs
+  /// \param    notes   above the headings, in addition to program, signs and rungs
   [[nodiscard]] std::string csv(const Notes& notes, const std::vector<std::string>& remarks) const;
   /// \param    head   members before the states
   [[nodiscard]] nlohmann::ordered_json json(const nlohmann::ordered_json& head,
@@ -135,7 +136,7 @@ class SweepOutput {
 
   const SweepOptions& options_;
   Rungs rungs_;
-  io::Columns<estimate::Answer> columns_, sand_columns_; ///< the latter where nothing says what grains are
+  io::Columns<estimate::Answer> columns_, sand_columns_; ///< the latter if the kind of grains is not given
   std::vector<std::string> headings_;
   io::CsvManner manner_;
   std::string rows_;
@@ -143,12 +144,12 @@ class SweepOutput {
 };
 
 /// Writes the result and its picture.
-/// \param    screen   what is shown where the result goes to no file; empty: the CSV itself
+/// \param    screen   text shown if the result is not written to a file; empty: the CSV itself
 [[nodiscard]] ExitCode deliver_sweep(const SweepOptions& options, const std::string& screen,
                                      const std::string& csv, const nlohmann::ordered_json& json,
                                      const Validity& validity, const std::vector<plot::Chart>& picture);
 
-/// The assumptions of the answers, and that contacts grow or stay.
+/// The assumptions of the answers, and whether contacts grow or are constant.
 [[nodiscard]] std::vector<std::string> remarks_on(const SweepOptions& options,
                                                   std::vector<std::string> assumptions);
 
@@ -156,11 +157,11 @@ class SweepOutput {
 ExitCode sweep_table(const SweepOptions& options, const Rungs& rungs);
 /// Sweeps a stress path.
 ExitCode sweep_path(const SweepOptions& options, const Rungs& rungs);
-/// Goes down into the ground.
+/// Sweeps the depths of the ground.
 ExitCode sweep_depth(const SweepOptions& options);
 
-/// The range of the published laws behind what the chart shows, where --laws asks for them.
-/// \param    at   the place of each state, as add_band takes them
+/// Adds the range of the published laws to the chart, with --laws.
+/// \param    at   the position of each state, as for add_band
 void add_law_band(plot::Chart& chart, const SweepOptions& options, const std::vector<double>& at,
                   const std::vector<const SweptState*>& states, bool sideways);
 

@@ -25,7 +25,7 @@ struct DepthPoint {
   stress::GroundStress stress;
 };
 
-/// \param    layered   whether the ground has layers, which are columns then
+/// \param    layered   whether the ground has layers, which are then a column
 io::Columns<DepthPoint> depth_columns(bool layered) {
   io::Columns<DepthPoint> columns{
       {"depth_m", "depth", [](const DepthPoint& at) { return at.depth; }},
@@ -45,7 +45,7 @@ struct DepthState {
   SweptState state;
 };
 
-/// The layer that a depth lies in: at a boundary the lower one.
+/// The layer at a depth; at a boundary the lower one.
 const Layer& layer_at(const std::vector<Layer>& layers, double depth) {
   const auto next = std::find_if(layers.begin() + 1, layers.end(),
                                  [depth](const Layer& layer) { return layer.top > depth; });
@@ -69,13 +69,13 @@ std::vector<DepthState> states_at(const std::vector<Layer>& layers, const std::v
 
 // ---- screen
 
-/// Three digits, or all before the point: 0.512, 85.1, 1649.
+/// Three digits, or all digits before the decimal point: 0.512, 85.1, 1649.
 std::string brief(double number, int digits) {
   return number < std::pow(10, digits) - 0.5 ? fmt::format("{:.{}g}", number, digits)
                                              : fmt::format("{:.0f}", number);
 }
 
-/// \param    top   depth from which the ground's own depths count [m]
+/// \param    top   depth of the zero of the ground's own depths [m]
 std::string ground_text(const GroundCase& c, double top) {
   const auto weight = [](double value) { return pretty(value, Dimension::unit_weight); };
   if (const auto& table = c.ground.water_table; table && *table <= 0 && top > 0)
@@ -113,7 +113,7 @@ std::string layers_text(const std::vector<Layer>& layers, const AnswerCase& last
   return text + "\n";
 }
 
-/// To the right of its column, with a blank in front where it fills a column that is not the first.
+/// Right-aligned in its column, with a leading blank if it fills a column other than the first.
 std::string cell(const std::string& text, int width, bool first) {
   const std::string filled = fmt::format("{:>{}}", text, width);
   return first || filled.starts_with(' ') ? filled : " " + filled;
@@ -176,7 +176,7 @@ std::string table_of(const std::vector<Layer>& layers, const std::vector<DepthSt
   for (const DepthState& at : states)
     text += line_of([&](const ShownDepth& column) { return column.text(at); });
   text += fmt::format("\n  s total stress, s' effective stress, u pore pressure; G in a vertical plane,\n"
-                      "  waves up and down; at {} m:",
+                      "  vertical waves; at {} m:",
                       short_text(states.back().point.depth)) +
           range_text(last) + "\n";
   for (const std::string& remark : remarks)
@@ -198,7 +198,7 @@ ordered_json ground_json(const GroundCase& c) {
           {"surcharge", g.surcharge}};
 }
 
-/// The ground, or its layers from their tops down.
+/// The ground, or its layers, each from its top down.
 ordered_json ground_json(const std::vector<Layer>& layers) {
   if (layers.size() == 1)
     return ground_json(layers.front().ground);
@@ -224,8 +224,8 @@ SweepOutput output_of(const SweepOptions& o, const std::vector<DepthState>& stat
   return output;
 }
 
-/// What a layer assumes: its ground, and its answers, as at its bottom.
-/// \param    alone   whether it is all of the ground
+/// The assumptions of a layer: those of its ground, and of its answer at the bottom.
+/// \param    alone   whether it is the only layer
 std::vector<std::string> assumptions_of(const Layer& layer, double bottom, bool alone) {
   std::vector<std::string> all = layer.ground.assumptions;
   const stress::GroundStress stress = stress::stress_at(layer.ground.ground, bottom - layer.top);
@@ -236,24 +236,24 @@ std::vector<std::string> assumptions_of(const Layer& layer, double bottom, bool 
   return all;
 }
 
-/// What all layers down to the deepest depth assume, and then what single ones do.
+/// The assumptions of all layers down to the deepest depth, and then those of single layers.
 std::vector<std::string> assumptions_of(const std::vector<Layer>& layers, double deepest) {
-  std::vector<std::pair<const Layer*, std::vector<std::string>>> said;
+  std::vector<std::pair<const Layer*, std::vector<std::string>>> assumed;
   for (auto layer = layers.begin(); layer != layers.end() && layer->top < deepest; ++layer) {
     const double end = layer + 1 == layers.end() ? deepest : (layer + 1)->top;
-    said.emplace_back(&*layer, assumptions_of(*layer, std::min(end, deepest), layers.size() == 1));
+    assumed.emplace_back(&*layer, assumptions_of(*layer, std::min(end, deepest), layers.size() == 1));
   }
   const auto everywhere = [&](const std::string& note) {
-    return std::all_of(said.begin(), said.end(), [&](const auto& one) {
+    return std::all_of(assumed.begin(), assumed.end(), [&](const auto& one) {
       return std::find(one.second.begin(), one.second.end(), note) != one.second.end();
     });
   };
   std::vector<std::string> all, of_layers;
-  for (const auto& [layer, notes] : said)
+  for (const auto& [layer, notes] : assumed)
     for (const std::string& note : notes)
       if (!everywhere(note))
         of_layers.push_back(fmt::format("from {} m: {}", short_text(layer->top), note));
-      else if (layer == said.front().first)
+      else if (layer == assumed.front().first)
         all.push_back(note);
   all.insert(all.end(), of_layers.begin(), of_layers.end());
   return all;
@@ -273,24 +273,24 @@ std::vector<std::string> depth_remarks(const std::vector<Layer>& layers,
   });
   if (unequal && sand)
     remarks.emplace_back(
-        "unequal stresses share the exponent of G in a vertical plane, m of sigma_h and n of sigma_v");
+        "under unequal stresses the exponent of G in a vertical plane is split: m of sigma_h, n of sigma_v");
   if (unequal && spheres)
     remarks.emplace_back(
-        "unequal stresses act on each contact by its direction (rung 2, relaxed); they change "
-        "no contacts: --fabric is that of the ground as it lies");
+        "unequal stresses act on each contact by its direction (rung 2, relaxed); they do not "
+        "change the contacts: --fabric is that of the ground at rest");
   const auto shallow = [](const DepthState& at) {
     const double p = at.point.stress.effective.mean();
     return is_sand(at) && p > 0 && p < sands::least_tested_stress;
   };
   if (const auto last = std::find_if(states.rbegin(), states.rend(), shallow); last != states.rend())
-    remarks.push_back(
-        fmt::format("no sand was tested below p' = 25 kPa, here at {} m and less: the range is wider "
-                    "there, up to a factor of 1.6",
-                    short_text(last->point.depth)));
+    remarks.push_back(fmt::format(
+        "there are no tests of sands below p' = 25 kPa, here at {} m and less: the range is wider "
+        "there, up to a factor of 1.6",
+        short_text(last->point.depth)));
   if (states.front().point.stress.effective.v == 0)
     remarks.emplace_back(
-        "without stress grains have no stiffness: at the surface G and V_s are 0, where suction "
-        "and cement would hold real ground");
+        "without stress grains have no stiffness: at the surface G and V_s are 0, although suction "
+        "and cement stiffen real ground");
   return remarks;
 }
 
@@ -314,7 +314,7 @@ plot::Chart stress_panel(const std::vector<DepthState>& states) {
                       .mark = plot::Mark::line,
                       .x = {},
                       .y = {},
-                      .style = chart.series.size(), // of dashes
+                      .style = chart.series.size(), // dashes
                       .tone = colour ? plot::Tone::full : plot::Tone::grey,
                       .colour = colour};
     for (const DepthState& at : states) {
@@ -352,7 +352,8 @@ std::vector<double> picture_depths(const std::vector<double>& asked, const std::
   const double first = asked.front(), last = asked.back();
   std::vector<double> depths;
   for (const double share : spread(0, 1, count, false))
-    depths.push_back(first + (last - first) * share * share * share); // V_s goes as a root at the surface
+    depths.push_back(first +
+                     (last - first) * share * share * share); // V_s is a root of the depth at the surface
   depths.back() = last;
   const auto add_jump = [&](double above, double below) {
     if (above > first && below < last)

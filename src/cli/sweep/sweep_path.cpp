@@ -44,7 +44,7 @@ struct Path {
 
 Path isotropic_path(const SweepOptions& o) {
   if (!o.to.given())
-    throw InvalidArgument("--to is missing: the mean stress at which the path ends");
+    throw InvalidArgument("--to is missing: the mean stress at the end of the path");
   const bool logarithmic = o.spacing != "linear";
   for (const Number* end : {&o.from, &o.to}) {
     require_non_negative(end->name, end->value, "Pa");
@@ -77,7 +77,7 @@ Path path_to_ratio(const SweepOptions& o) {
     throw InvalidArgument("give one of --eta and --friction-angle, where the path ends");
   const ShearPath kind = shear_path(o.path);
   const double end = o.eta.given() ? o.eta.value : stress::failure_ratio(kind, o.friction_angle.value);
-  (void)stress::stress_on_path(kind, o.from.value, end); // refuses the end itself, not a point before it
+  (void)stress::stress_on_path(kind, o.from.value, end); // reports the end itself, not a point before it
   Path path{.text = fmt::format("{} from {} to eta = {}", stress::name(kind),
                                 pretty(o.from.value, Dimension::pressure), short_text(end)),
             .isotropic = false,
@@ -90,7 +90,7 @@ Path path_to_ratio(const SweepOptions& o) {
 
 Path make_path(const SweepOptions& o) {
   if (!o.from.given())
-    throw InvalidArgument("--from is missing: the mean stress at which the path begins, or --table");
+    throw InvalidArgument("--from, the mean stress at the start of the path, is missing, or --table");
   return o.path == "iso" ? isotropic_path(o) : path_to_ratio(o);
 }
 
@@ -123,7 +123,7 @@ plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<
       band.at.push_back(place(k));
       band.ranges.push_back((*answer)[quantity.field]);
     }
-  Band of_sand; // where nothing says what the grains are
+  Band of_sand; // if the kind of grains is not given
   for (std::size_t k = 0; k < states.size(); ++k)
     if (const auto& sand = states[k].answer ? states[k].answer->sand_answer : std::nullopt;
         sand && sand->find(quantity.field)) {
@@ -156,7 +156,7 @@ plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<
 ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
   require_free(o.output, o.picture);
   const Path path = make_path(o);
-  // What is wrong with the packing is wrong at the first, isotropic point too, and said once.
+  // An error of the packing occurs at the first, isotropic point too, and is reported once.
   const AnswerCase first = solve_answer(at_stress(o.packing, path.points.front().stress), o.answer, {});
   const io::Columns<PathPoint> columns = point_columns();
   std::vector<std::string> headings;

@@ -55,7 +55,7 @@ std::string joined(const std::vector<std::string>& texts) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-/// Likely mistakes first: what follows is of these numbers.
+/// Likely mistakes first, because the other notes follow from these numbers.
 std::vector<std::string> remarks_of(const SweptState& state) {
   std::vector<std::string> all = state.slips;
   all.insert(all.end(), state.notes.begin(), state.notes.end());
@@ -100,7 +100,7 @@ const SweptQuantity& swept_quantity(std::string_view name) {
   const auto found = std::find_if(std::begin(quantities), std::end(quantities),
                                   [name](const SweptQuantity& q) { return name == q.name; });
   if (found == std::end(quantities))
-    throw InvalidArgument(fmt::format("{} is no quantity of a sweep", name));
+    throw InvalidArgument(fmt::format("{} is not a quantity of a sweep", name));
   return *found;
 }
 
@@ -211,7 +211,7 @@ void SweepOutput::add(std::vector<io::CsvCell> cells, ordered_json place, const 
   rows_ += io::csv_line(cells, manner_);
 }
 
-/// What the grains are, the answer of a sand, and published laws.
+/// The kind of grains, the answer for a sand, and published laws.
 void SweepOutput::add_sand_cells(std::vector<io::CsvCell>& cells, const SweptState& state) const {
   cells.emplace_back(state.answer ? std::string(name(state.answer->question.grain_shape)) : "");
   const estimate::Answer* of_sand = state.answer ? answer_of_sand(*state.answer) : nullptr;
@@ -237,7 +237,7 @@ std::string SweepOutput::csv(const Notes& notes, const std::vector<std::string>&
   csv.notes.emplace_back("signs", "compression positive; z is the vertical axis v; q = sigma_v - sigma_h; "
                                   "sigma_v, sigma_h and p are effective stresses");
   csv.notes.emplace_back("exponents",
-                         "of the answer: of G_hv, contacts as they grow; of rungs: local, of G_hv at "
+                         "of the answer: of G_hv, with growing contacts; of rungs: local, of G_hv at "
                          "frozen contacts; m of sigma_h, n of sigma_v, s = m + n");
   for (const Rung* rung : rungs_)
     csv.notes.emplace_back(rung->column, rung->description);
@@ -266,7 +266,7 @@ ExitCode deliver_sweep(const SweepOptions& o, const std::string& screen, const s
   if (!o.picture.empty())
     io::write_file(o.picture, plot::svg(picture),
                    o.output.force ? io::Existing::replace : io::Existing::keep);
-  if (!o.output.out.empty()) // the screen would be empty
+  if (!o.output.out.empty()) // else the screen would be empty
     print(fmt::format("written: {}{}\n", o.output.out, o.picture.empty() ? "" : ", " + o.picture));
   return code;
 }
@@ -288,7 +288,8 @@ void add_law_band(plot::Chart& chart, const SweepOptions& o, const std::vector<d
                   const std::vector<const SweptState*>& states, bool sideways) {
   if (!o.law_columns)
     return;
-  std::vector<bool> tested(sands::measured_laws().size()); // at any of the states: a band without steps
+  std::vector<bool> tested(
+      sands::measured_laws().size()); // at any of the states, so that the band has no steps
   for (const SweptState* state : states) {
     const std::vector<bool> here = state->answer ? laws_tested(*state->answer) : std::vector<bool>{};
     for (std::size_t k = 0; k < here.size(); ++k)

@@ -31,7 +31,7 @@ io::Columns<RowStress> stress_columns() {
           {"p_Pa", "mean_stress", of([](const auto& at) { return at.effective.mean(); })}};
 }
 
-/// V_s that was measured over that of the answer, of a sand where there are two; nothing without either.
+/// Measured V_s over that of the answer (that for a sand, if there are two); empty without either.
 using SpeedRatio = std::optional<double>;
 
 SpeedRatio speed_ratio(const SweptState& state, const std::optional<double>& measured) {
@@ -51,11 +51,11 @@ io::Columns<SpeedRatio> speed_columns() {
 struct RowPoint {
   double mean_stress, void_ratio;
   estimate::Range shear_modulus;
-  std::optional<estimate::Range> of_sand; ///< where nothing says what the grains are
+  std::optional<estimate::Range> of_sand; ///< if the kind of grains is not given
   std::optional<estimate::Range> of_laws;
 };
 
-/// Answers the rows of a table, one after the other: a table may have millions.
+/// Answers the rows of a table one by one, because a table may have millions.
 class TableSweep {
  public:
   TableSweep(const SweepOptions& options, const Rungs& rungs)
@@ -70,7 +70,7 @@ class TableSweep {
       results.push_back(column.heading);
     for (const std::string& heading : results)
       if (std::find(table_.headings().begin(), table_.headings().end(), heading) != table_.headings().end())
-        throw FileError(options.table, 0, "has a column '" + heading + "' already, a name of the results");
+        throw FileError(options.table, 0, "already has a column '" + heading + "', the name of a result");
     for (std::size_t row = 0; row < table_.row_count(); ++row)
       add(row);
   }
@@ -83,7 +83,7 @@ class TableSweep {
   [[nodiscard]] const std::vector<RowPoint>& points() const { return points_; }
 
  private:
-  /// Rows that are depths are of soil.
+  /// Rows with depths describe soil.
   const SweepOptions& options_of_rows() {
     options_.answer.ground = reader_.in_ground();
     return options_;
@@ -98,7 +98,7 @@ class TableSweep {
     return all;
   }
 
-  /// The answer at a depth in ground of its own.
+  /// The answer at a depth, with the ground of the row.
   SweptState state_at_depth(const AnswerRow& question, RowStress& stress) {
     SweepOptions here = options_;
     here.packing = question.packing;
@@ -127,7 +127,7 @@ class TableSweep {
                                              : swept(question.packing, question.answer, rungs_);
       ratio = speed_ratio(state, question.shear_wave_speed);
       if (const std::string remark = ratio ? sands::level_remark(*ratio * *ratio) : ""; !remark.empty())
-        state.notes.push_back("by the measured V_s " + remark);
+        state.notes.push_back("according to the measured V_s, " + remark);
       return state;
     } catch (const Error& error) {
       return failed(error.what(), rungs_);
@@ -178,15 +178,15 @@ class TableSweep {
   const Rungs& rungs_;
   CsvTable table_;
   AnswerRows reader_;
-  io::Columns<RowStress> stresses_; ///< where rows are depths
-  io::Columns<SpeedRatio> speeds_;  ///< where V_s was measured
+  io::Columns<RowStress> stresses_; ///< if rows are depths
+  io::Columns<SpeedRatio> speeds_;  ///< if V_s was measured
   SweepOutput output_;
   std::optional<std::vector<std::string>> assumptions_; ///< of the first row that is a packing
   std::vector<RowPoint> points_;
   Tally tally_;
 };
 
-/// G with its range over the mean stress, or over the void ratio where all rows have one stress.
+/// G with its range over the mean stress, or over the void ratio if all rows have one stress.
 plot::Chart chart_of(const std::vector<RowPoint>& points) {
   const bool one_stress = std::all_of(points.begin(), points.end(), [&](const RowPoint& point) {
     return point.mean_stress == points.front().mean_stress;

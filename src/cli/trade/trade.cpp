@@ -45,7 +45,7 @@ struct Outcome {
   studies::TradeScene trade;
   std::vector<studies::TradeSample> samples;
   std::vector<studies::TradeRow> rows;
-  std::string failures; ///< empty where no sample failed
+  std::string failures; ///< empty if no sample failed
   double seconds = 0;
 };
 
@@ -105,7 +105,7 @@ void write_results(const fs::path& folder, const Outcome& outcome, const TradeOp
   io::write_file(folder / file_names[3], json_text(manifest_of(outcome, options)), existing);
 }
 
-/// The picture of a finished run by the drawing of today.
+/// Draws the picture of a finished run again.
 ExitCode draw_again(const TradeOptions& options) {
   const StudyOptions& study = options.study;
   if (options.quick || options.full || options.budget || !study.scene_file.empty() ||
@@ -150,15 +150,15 @@ ExitCode run(const TradeOptions& options) {
 
 Command make_trade() {
   auto options = std::make_shared<TradeOptions>();
-  Command command{.name = "trade",
-                  .meaning =
-                      "Speed against accuracy: grains, rates, time step, probe, walls, measured here and now",
-                  .run = [options] { return run(*options); }};
+  Command command{
+      .name = "trade",
+      .meaning = "Measure speed against accuracy on this machine: grains, rates, time step, probe, walls",
+      .run = [options] { return run(*options); }};
   add_study_options(command, options->study, studies::SceneCommand::trade);
   command.add({{.name = "--quick",
                 .value = flag(options->quick),
                 .group = "Extent",
-                .meaning = "Up to 1,000 grains, a few values, two seeds",
+                .meaning = "Up to 1,000 grains, few values of each setting, two seeds",
                 .excludes = {{"--full --budget", "--quick cannot go with --full or --budget"}}},
                {.name = "--full",
                 .value = flag(options->full),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of a finished study, as trade_csv wrote them.
+// Rows of a finished study, as written by trade_csv.
 #include <algorithm>
 #include <array>
 
@@ -27,7 +27,7 @@ std::vector<studies::TradeRow> read_trade_rows(const std::filesystem::path& csv)
     const auto refused = [&](const std::string& heading) {
       return FileError(table.name(), table.line(k),
                        "column " + heading + " contains '" + text(heading) +
-                           "', which trade never writes there");
+                           "', which is not written by trade");
     };
     const auto number_or_nothing = [&](const std::string& heading) {
       const std::optional<double> number = parse_number(text(heading));

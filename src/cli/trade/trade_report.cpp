@@ -74,14 +74,14 @@ constexpr const char* panel_title(Varied varied) {
   return "Walls";
 }
 
-/// Quantities with an error due to their setting, beside those of the reference.
+/// Quantities with an error due to the varied setting, relative to the reference.
 bool is_drawn(const TradeRow& row) {
   const bool other_boundary = row.varied == Varied::boundary && row.boundary == Boundary::periodic;
   const bool is_reference = row.reference && row.varied != Varied::grains;
   return row.shear_modulus && row.boundary != Boundary::smooth_walls && !other_boundary && !is_reference;
 }
 
-/// Adds its error over its cost to the series of its density.
+/// Adds the error of a row over its cost to the series of its density.
 void add_row(plot::Chart& panel, const TradeRow& row) {
   const std::string name(studies::name(row.density));
   auto series = std::find_if(panel.series.begin(), panel.series.end(),
@@ -100,7 +100,7 @@ void add_row(plot::Chart& panel, const TradeRow& row) {
   series->y_error.push_back(row.shear_modulus->standard_error);
 }
 
-/// The columns that rows and samples begin with.
+/// The first columns of rows and samples.
 template <class Row>
 io::Columns<Row> subject_columns() {
   return {{"varied", "varied", [](const Row& row) { return studies::name(row.varied); }},
@@ -109,7 +109,7 @@ io::Columns<Row> subject_columns() {
           {"density", "density", [](const Row& row) { return studies::name(row.density); }}};
 }
 
-/// Adds a deviation of three parts, and how its mean is shown.
+/// Adds the three parts of a deviation, and the display of its mean.
 void add_deviation(io::Columns<TradeRow>& to, const std::string& name,
                    std::optional<studies::Deviation> TradeRow::*of, io::ShownColumn shown,
                    int scatter_width) {
@@ -169,7 +169,7 @@ const io::Columns<TradeRow>& row_columns() {
 struct NamedLaw {
   const char* name;
   const studies::ErrorLaw& law;
-  double inertial_number; ///< that the study has as a default
+  double inertial_number; ///< default of the study
   double grains;
 };
 
@@ -284,7 +284,7 @@ std::string trade_picture(const std::vector<TradeRow>& rows) {
     if (!panel.series.empty())
       panels.push_back(std::move(panel));
   }
-  if (panels.empty()) // axes, and a title that says so
+  if (panels.empty()) // axes with this title
     panels.push_back({.title = "Nothing was measured", .x = {}, .y = {}, .series = {}});
   constexpr std::size_t panels_in_a_row = 3;
   return plot::svg(panels, panels_in_a_row);

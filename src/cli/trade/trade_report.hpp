@@ -11,7 +11,7 @@
 
 namespace granum::cli {
 
-/// One block for each varied quantity: at which values of the others, against which reference.
+/// One block for each varied quantity, with the values of the others and the reference.
 [[nodiscard]] std::string trade_table(const studies::TradeScene& trade,
                                       const std::vector<studies::TradeRow>& rows);
 
@@ -23,8 +23,8 @@ namespace granum::cli {
 [[nodiscard]] std::string samples_csv(const studies::TradeScene& trade,
                                       const std::vector<studies::TradeSample>& samples);
 
-/// The rows again from the file that trade_csv was written to.
-/// \throws   FileError if it cannot be read or contains data that trade never writes
+/// The rows, read from a file of trade_csv.
+/// \throws   FileError if it cannot be read or contains data not written by trade
 [[nodiscard]] std::vector<studies::TradeRow> read_trade_rows(const std::filesystem::path& csv);
 
 /// Error of G against cost, one curve for each varied quantity and density, as SVG.

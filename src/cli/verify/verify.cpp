@@ -56,10 +56,10 @@ ExitCode code_of(const StudyOutcome& outcome, bool strict) {
   if (outcome.complete())
     return judged(outcome.verdicts, strict);
   if (outcome.stopped) {
-    say("", "stopped; claims that need the rest were not checked");
+    say("", "stopped; claims that need the remaining specimens were not checked");
     return exit_code_of_stop();
   }
-  (void)judged(outcome.verdicts, strict); // reports the specimen that ended early
+  (void)judged(outcome.verdicts, strict); // reports specimens that ended early
   return ExitCode::not_converged;
 }
 
@@ -93,14 +93,14 @@ Command make_verify() {
   auto options = std::make_shared<VerifyOptions>();
   Command command{
       .name = "verify",
-      .meaning = "Compare closed form, contact network and DEM, dense and loose: the exponent s of G ~ p^s",
+      .meaning = "Compare closed forms, contact networks and DEM, dense and loose: the exponent s of G ~ p^s",
       .run = [options] { return run(*options); }};
   add_study_options(command, options->study, studies::SceneCommand::verify);
   command.add(
       {.name = "--report",
        .value = path(options->report, "DIR"),
        .group = "Run",
-       .meaning = "Write report.html and its figures again from the finished run of this folder",
+       .meaning = "Write report.html and its figures again from the finished run in this folder",
        .excludes = {{"--scene --set --grains --seeds --threads --out",
                      "--report uses the earlier run; no scene and no other folder may be given with it"}}});
   add_strict(command, options->strict);

@@ -32,7 +32,7 @@ constexpr const char* figures_name = "figures";
 constexpr const char* file_names[] = {states_name,   exponents_name, local_exponents_name, scene_name,
                                       manifest_name, report_name,    figures_name};
 
-/// The report, from scene and manifest alone, so that it can be made of a run of yesterday.
+/// Writes the report from scene and manifest only, so that it can be repeated for a finished run.
 void write_report(const fs::path& folder, const studies::Scene& scene, const ordered_json& manifest,
                   io::Existing existing) {
   const StudyPage page = study_page(scene, manifest);
@@ -63,7 +63,7 @@ ordered_json manifest_of(const StudyOutcome& outcome, const std::string& scene_f
       {"mass_scaling",
        "translation: none, density times volume; rotational inertia m R^2 instead of 0.4 m R^2"},
       {"time_step", "0.8 of 2/omega with a strict upper bound on omega, chosen by the program"},
-      {"damping", "mass-proportional on the motion beyond the affine one, twice the lowest frequency seen"}};
+      {"damping", "mass-proportional on the non-affine motion, twice the lowest frequency seen"}};
   json["exponents"] = members_of_all(studies::exponent_columns(), outcome.exponents);
   if (!outcome.local_exponents.empty())
     json["local_exponents"] = members_of_all(studies::local_exponent_columns(), outcome.local_exponents);
@@ -101,9 +101,9 @@ void rewrite_report(const fs::path& folder) {
   try {
     write_report(folder, scene, ordered_json::parse(in), io::Existing::replace);
   } catch (const nlohmann::json::exception& error) {
-    throw FileError(file.string(), 0, std::string("is no manifest of granum verify: ") + error.what());
+    throw FileError(file.string(), 0, std::string("is not a manifest of granum verify: ") + error.what());
   } catch (const std::bad_optional_access&) {
-    throw FileError(file.string(), 0, "names a shape of contacts that granum does not know");
+    throw FileError(file.string(), 0, "contains an unknown shape of contacts");
   }
 }
 

@@ -20,7 +20,7 @@ struct StudyOutcome {
   studies::Scene scene;
   std::vector<studies::SpecimenResult> specimens;
   std::vector<studies::ExponentRow> exponents;
-  std::vector<studies::LocalExponents> local_exponents; ///< of laws with a scale of force
+  std::vector<studies::LocalExponents> local_exponents; ///< for laws with a force scale
   std::vector<studies::Verdict> verdicts;
   double seconds = 0;
   bool stopped = false; ///< on request
@@ -31,12 +31,12 @@ struct StudyOutcome {
 /// Files and folders that write_results makes.
 [[nodiscard]] std::span<const char* const> study_file_names();
 
-/// \param    scene_file, settings   as the options gave them
+/// \param    scene_file, settings   as given by the options
 [[nodiscard]] nlohmann::ordered_json manifest_of(const StudyOutcome& outcome, const std::string& scene_file,
                                                  const std::vector<std::string>& settings);
 
 /// Tables, scene, manifest, report.html and its figures.
-/// \throws   FileError if a file cannot be written, or exists and is to be kept
+/// \throws   FileError if a file cannot be written, or exists and may not be replaced
 void write_results(const std::filesystem::path& folder, const StudyOutcome& outcome,
                    const nlohmann::ordered_json& manifest, io::Existing existing);
 

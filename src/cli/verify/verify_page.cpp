@@ -30,7 +30,7 @@ std::optional<Measured> measured_at(const ordered_json& json, const char* key) {
   return measured == nullptr ? std::nullopt : std::optional(*measured);
 }
 
-/// Rung 3 of a state: the uniform strain that the manifest has, times the relaxation of its z*.
+/// Rung 3 of a state: uniform strain from the manifest, times the relaxation factor at its z*.
 std::optional<double> relaxed_modulus(const studies::Scene& scene, contact::Shape shape, double z_star,
                                       const std::optional<double>& uniform_strain) {
   if (!uniform_strain)
@@ -125,10 +125,11 @@ StudyPage study_page(const studies::Scene& scene, const ordered_json& manifest) 
   const std::string body =
       story.first_screen + story.why +
       plot::html_section(
-          "verdicts", "What agrees with the paper, and what does not",
-          plot::html_paragraph("Uniform strain, contact network and DEM probe beside Table 5 of Chung, Jang, "
-                               "Baek and Jung, Granular Matter 16 (2014) 23-39.",
-                               "soft") +
+          "verdicts", "Agreement and differences with the paper",
+          plot::html_paragraph(
+              "Uniform strain, contact network and DEM probe compared with Table 5 of Chung, Jang, "
+              "Baek and Jung, Granular Matter 16 (2014) 23-39.",
+              "soft") +
               page_table_of(studies::exponent_columns(), manifest.at("exponents")) +
               studies::verdict_lists(verdicts_of(manifest))) +
       plot::html_section("run", "The run",

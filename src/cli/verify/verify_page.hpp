@@ -10,18 +10,18 @@
 namespace granum::cli {
 
 /// The first specimen of each contact and density in a manifest of verify, with s over all seeds.
-/// \throws   nlohmann::json::exception if it is no such manifest
+/// \throws   nlohmann::json::exception if it is not such a manifest
 [[nodiscard]] std::vector<studies::Compression> compressions_of(const studies::Scene& scene,
                                                                 const nlohmann::ordered_json& manifest);
 
-/// A report for people.
+/// The report as a page.
 struct StudyPage {
   std::string html;
-  std::vector<studies::Panel> panels; ///< of its pictures
+  std::vector<studies::Panel> panels; ///< its pictures
 };
 
-/// The report of a run, made of its scene and its manifest alone.
-/// \throws   nlohmann::json::exception if that is no manifest of verify
+/// The report of a run, from its scene and its manifest only.
+/// \throws   nlohmann::json::exception if that is not a manifest of verify
 [[nodiscard]] StudyPage study_page(const studies::Scene& scene, const nlohmann::ordered_json& manifest);
 
 } // namespace granum::cli

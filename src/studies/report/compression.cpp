@@ -361,10 +361,9 @@ CompressionStory compression_story(const Scene& scene, const std::vector<Compres
   CompressionStory story;
   plot::PageFigure first{
       .caption =
-          "Isotropic compression, first specimen of each kind. Lines: rung 3, the closed form in which "
-          "grains "
-          "give way, from the counted contacts; "
-          "circles: the network of contacts, every grain in equilibrium; diamonds: cyclic shear by DEM. "
+          "Isotropic compression, first specimen of each kind. Lines: rung 3, the relaxed closed form, with "
+          "the "
+          "counted contacts; circles: linear response of the contact network; diamonds: cyclic shear by DEM. "
           "Triangles have the slope s of the network."};
   for (std::size_t k = 0; k < shear_modulus_names.size(); ++k) {
     Panel one = modulus_panel(all, k);

@@ -22,7 +22,7 @@ std::string verdict_lists(const std::vector<Verdict>& verdicts) {
   };
   return plot::html_paragraph(
              std::to_string(agrees.size()) + " of " + std::to_string(agrees.size() + differs.size()) +
-             " findings of the paper are found again. A difference is a finding, no failure.") +
+             " results of the paper are reproduced. A difference is a result, not a failure.") +
          part("Agrees", agrees) + part("Differs", differs) + part("Checks of granum itself", checks);
 }
 

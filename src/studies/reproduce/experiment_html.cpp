@@ -170,7 +170,7 @@ std::string report_body(const Experiment& experiment, const CompressionStory& st
       table("Table 5: fit of Eq. (1) to the network's moduli for |\u03b7| \u2264 0.6", table_5(experiment)) +
       table("Further exponents", further_exponents(experiment));
   return story.first_screen + story.why +
-         plot::html_section("verdicts", "What agrees with the paper, and what does not",
+         plot::html_section("verdicts", "Agreement and differences with the paper",
                             plot::html_paragraph(paper_text, "soft") + verdict_lists(verdicts)) +
          plot::html_section("tables", "Tables beside the paper's", tables) +
          plot::html_section("figures", "Figures", all_figures(figures, assembly)) +

@@ -272,7 +272,7 @@ std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResu
                          const double lower = s.packing.solved_network().bulk_bounds.lower;
                          return std::optional(std::max(lower / K, K / s.uniform_strain().bulk_modulus()) - 1);
                        }),
-              1e-9, "nearest to a bound: %.2g beyond it");
+              1e-9, "largest relative excess over a bound: %.2g");
   judge_probes(out, scene, specimens);
   judge_worst(out, "G_hv = G_vh within 1 %",
               worst_of(specimens,

@@ -57,7 +57,7 @@ TEST_CASE("contacts of arrays are turned, sorted and joined through the faces") 
   CHECK_FALSE(packing.has(io::Finding::forces_unknown));
 }
 
-TEST_CASE("arrays say what they do not hold") {
+TEST_CASE("arrays report missing data") {
   Row row;
   io::PackingArrays arrays = row.arrays();
   arrays.contacts->force = {};

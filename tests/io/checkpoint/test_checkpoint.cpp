@@ -49,7 +49,7 @@ const Checkpoint sample{.subject = "sphere dense #1 TXC",
 
 } // namespace
 
-TEST_CASE("a checkpoint is read as it was written, and the next one takes its place") {
+TEST_CASE("a checkpoint is read as written, and replaced by the next one") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "run.checkpoint";
   write_checkpoint(path, sample);
@@ -62,7 +62,7 @@ TEST_CASE("a checkpoint is read as it was written, and the next one takes its pl
   CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
 
-TEST_CASE("a checkpoint that cannot be read says why, by path") {
+TEST_CASE("an unreadable checkpoint is reported with path and reason") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "run.checkpoint";
   write_checkpoint(path, sample);

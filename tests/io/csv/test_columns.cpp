@@ -90,7 +90,7 @@ TEST_CASE("how values are shown") {
   CHECK(heading_text({.heading = "a long heading", .width = 3}) == "a long heading");
 }
 
-TEST_CASE("a part's columns stand in those of the whole") {
+TEST_CASE("the columns of a part are included in those of the whole") {
   struct Pair {
     const Grain* first;
     const Grain* second;

@@ -131,7 +131,7 @@ TEST_CASE("CSV: pairs by ids and forces have the normals of their grains") {
   CHECK(vectors.assembly.contacts[0].tangential_force.y == doctest::Approx(0.001));
 }
 
-TEST_CASE("CSV: a column of bodies joins grains, and what is inside of one bears nothing") {
+TEST_CASE("CSV: a column of bodies joins grains, and contacts within a body carry nothing") {
   const ImportedPacking p = read_packing_csv(
       TextSource::of_text("g", "id,x_m,y_m,z_m,radius_m,body\n1,1,5,5,0.6,1\n2,2,5,5,0.6,1\n3,3.1,5,5,0.6,0\n"
                                "4,4.2,5,5,0.6,9\n5,5.2,5,5,0.6,9\n"),

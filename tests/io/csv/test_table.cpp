@@ -42,7 +42,7 @@ TEST_CASE("columns are found by name and come in as SI") {
   CHECK_FALSE(table.has("sigma"));
 }
 
-TEST_CASE("a row is at hand as it stands, with the place and the factor of each quantity") {
+TEST_CASE("a row is available as text, with the place and the factor of each quantity") {
   const CsvTable table("a.csv", "name,G_MPa,e\n\"a, b\",120,dense\n");
   CHECK(table.fields(0) == std::vector<std::string>{"a, b", "120", "dense"});
   CHECK(table.column("G", Dimension::pressure).index == 1);
@@ -62,7 +62,7 @@ TEST_CASE("quotes, byte order mark and lines inside quotes") {
   CHECK(refusal("G_Pa\n\"1\"2\n") == "a.csv:2: expected a comma after the closing quote");
 }
 
-TEST_CASE("a bad file is refused with path, line and what was expected") {
+TEST_CASE("a bad file is refused with path, line and expectation") {
   CHECK(refusal("").starts_with("a.csv: is empty; expected a heading line"));
   CHECK(refusal("# only a comment\n\n").starts_with("a.csv: is empty"));
   CHECK(refusal("G_MPa,e\n") == "a.csv:1: there are no rows below the heading line");
@@ -80,7 +80,7 @@ TEST_CASE("a bad file is refused with path, line and what was expected") {
   CHECK(refusal(std::string_view("G_Pa\n\0\n", 7)).starts_with("a.csv: is not a text file"));
 }
 
-TEST_CASE("files that cannot be read say so") {
+TEST_CASE("unreadable files are reported") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH_AS(
       (void)read_csv(folder.path() / "none.csv"),
@@ -89,7 +89,7 @@ TEST_CASE("files that cannot be read say so") {
   CHECK_THROWS_AS((void)read_csv(folder.path()), FileError);
 }
 
-TEST_CASE("what is written is read back to the same bits") {
+TEST_CASE("written values are read back to the same bits") {
   const std::vector<double> values{1. / 3, -0.0, 6.02e23, std::numeric_limits<double>::denorm_min(), 1e-300};
   CsvContent content{
       .notes = {{"version", "0.1.0\nsecond line"}}, .headings = {"text, with comma", "p_Pa"}, .rows = {}};
@@ -162,7 +162,7 @@ TEST_CASE("commas that could be either are refused with path and line") {
   CHECK(io::CsvTable("a.csv", "\"e, x\";p_kPa\n1;2\n").headings()[0] == "e, x");
 }
 
-TEST_CASE("a point that may stand between thousands is refused where other numbers have decimal commas") {
+TEST_CASE("a point that may separate thousands is refused if other numbers have decimal commas") {
   for (const char* number : {"1.500", "-12.000", "+999.999", "\"1.500\""}) {
     const std::string rows = std::string(";") + number + "\n0,6;2\n";
     CHECK(refusal("e;p_kPa\n0.7" + rows, "p").starts_with("a.csv:2: "));
@@ -175,7 +175,7 @@ TEST_CASE("a point that may stand between thousands is refused where other numbe
     CHECK(CsvTable("a.csv", std::string("e;name\n0,6;") + number + "\n").row_count() == 1);
 }
 
-TEST_CASE("no text that is written is a formula to a spreadsheet, and each is read back as it was") {
+TEST_CASE("no written text is a formula to a spreadsheet, and each is read back unchanged") {
   for (const std::string text :
        {"=1+1", "@SUM(A1)", "+1+cmd", "-2+3", "'=x", "''-x", "-1.5 kPa", "+-", "=a,b", "=\"x\""}) {
     const std::string line = csv_line({text, 1.0});

@@ -83,7 +83,7 @@ std::string complaint_of(const LammpsArrays& arrays) {
 
 } // namespace
 
-TEST_CASE("LAMMPS arrays: the packing is that of the dumps, whatever the order of the grains") {
+TEST_CASE("LAMMPS arrays: the packing is that of the dumps, for any order of the grains") {
   const ImportedPacking of_file = Memory::of_file(), of_memory = lammps_packing(Memory().arrays);
   CHECK(of_memory.assembly.contacts == of_file.assembly.contacts);
   CHECK(of_memory.assembly.position == of_file.assembly.position);
@@ -98,7 +98,7 @@ TEST_CASE("LAMMPS arrays: the packing is that of the dumps, whatever the order o
   CHECK(of_memory.has(Finding::viscous_forces));
 }
 
-TEST_CASE("LAMMPS arrays: values tell the layout, or a map does") {
+TEST_CASE("LAMMPS arrays: the layout is recognised from values, or given by a map") {
   Memory memory;
   const auto of_told = lammps_packing(memory.arrays);
   memory.arrays.contacts->map = parse_column_map("id1=c_i[1],id2=c_i[2],force=c_p[2]");
@@ -136,7 +136,7 @@ TEST_CASE("LAMMPS arrays: other units become SI, unknown ones are refused") {
         "units 'real' have no values in SI here; expected si, cgs, micro or nano");
 }
 
-TEST_CASE("LAMMPS arrays: what is wrong is named by array and element") {
+TEST_CASE("LAMMPS arrays: errors name array and element") {
   Memory memory;
   memory.id[3] = memory.id[7];
   CHECK(complaint_of(memory.arrays).starts_with("grains["));

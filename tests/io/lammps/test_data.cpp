@@ -37,7 +37,7 @@ TEST_CASE("LAMMPS data: a tilted box is the box itself, not its bounds") {
   CHECK(packing.has(Finding::few_digits));
 }
 
-TEST_CASE("LAMMPS data: eight significant digits are too few for overlaps, nine are not told") {
+TEST_CASE("LAMMPS data: eight significant digits are too few for overlaps, nine give no note") {
   const auto few = [](const std::string& coordinate) {
     const std::string text =
         "title\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 0.5 1 0 0 " + coordinate;
@@ -81,7 +81,7 @@ TEST_CASE("LAMMPS data: each field that is wrong is refused with path and line")
   CHECK(changed("2 1 0.001", "b 1 0.001") == "d:13: expected 3 atoms, found 1"); // reads as the next section
 }
 
-TEST_CASE("LAMMPS data: what is written is read back with all bits") {
+TEST_CASE("LAMMPS data: written packings are read back to the bit") {
   for (const char* file : {"lammps_chain.data", "lammps_tilted.data"}) {
     const ImportedPacking first = read_lammps_data(data_source(file));
     const std::string text = lammps_data(first.assembly, 2650, first.id);
@@ -92,7 +92,7 @@ TEST_CASE("LAMMPS data: what is written is read back with all bits") {
   }
 }
 
-TEST_CASE("LAMMPS data: what LAMMPS could not read is not written") {
+TEST_CASE("LAMMPS data: packings that LAMMPS cannot read are refused") {
   packing::Assembly assembly = read_lammps_data(data_source("lammps_chain.data")).assembly;
   CHECK(lammps_data(assembly, 1.5).find("\n3 1 0.001 1.5 ") != std::string::npos);
   CHECK_THROWS_WITH_AS(lammps_data(assembly, 0), "density = 0 kg/m^3 is outside (0, inf)", InvalidArgument);

@@ -43,7 +43,7 @@ void check_residuals(const packing::Assembly& assembly, const std::vector<Vec3>&
 
 } // namespace
 
-TEST_CASE("LAMMPS: the chain's forces and overlaps, on the side that the dump of atoms says") {
+TEST_CASE("LAMMPS: the chain's forces and overlaps, with the side from the dump of atoms") {
   LammpsDump reader(data_source("lammps_chain.atoms"), data_source("lammps_chain.contacts"));
   const auto packing = reader.next();
   REQUIRE(packing);
@@ -190,7 +190,7 @@ TEST_CASE("LAMMPS: sections in another order, and unknown ones, change nothing")
   CHECK_FALSE(reader.next());
 }
 
-TEST_CASE("LAMMPS: other units come in as SI, also where one file alone states them") {
+TEST_CASE("LAMMPS: other units are converted to SI, also if only one file states them") {
   const std::string cgs = "ITEM: UNITS\ncgs\n" + atoms;
   LammpsDump reader = dump(cgs, contacts);
   const auto packing = reader.next();
@@ -201,7 +201,8 @@ TEST_CASE("LAMMPS: other units come in as SI, also where one file alone states t
   CHECK(refused("ITEM: UNITS\nlj\n" + atoms).find("units 'lj' have no values in SI") != std::string::npos);
 }
 
-TEST_CASE("LAMMPS: normal and tangential force in the other order are told apart by the lines of centres") {
+TEST_CASE(
+    "LAMMPS: normal and tangential force in the other order are distinguished by the lines of centres") {
   const std::string head =
       "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n2\nITEM: BOX BOUNDS pp pp pp\n0 0.004\n0 "
       "0.004\n0 0.004\nITEM: ENTRIES c_cl[1] c_cl[2] c_cp[1] c_cp[2] c_cp[3] c_cp[4] c_cp[5] "

@@ -122,7 +122,7 @@ TEST_CASE("LAMMPS layouts: without tangential values they are unknown, without f
   CHECK(read(contacts_with("dist")).has(Finding::forces_unknown));
 }
 
-TEST_CASE("LAMMPS layouts: what was told is said, by the columns' names") {
+TEST_CASE("LAMMPS layouts: the recognised layout is reported with the names of the columns") {
   CHECK(told(read(contacts_with("dist force"))) ==
         "columns identified by their values: c_p[1] to c_p[2] as dist force of compute pair/local");
   CHECK(told(read(contacts_with("fx fy fz p1 p2 p3 p4"))).find("c_p[1] to c_p[7] as fx fy fz p1 to p4") !=
@@ -142,7 +142,7 @@ TEST_CASE("LAMMPS layouts: six digits, several computes, ids behind the values")
   CHECK(told(read(behind)).find("c_f as force") != std::string::npos);
 }
 
-TEST_CASE("LAMMPS layouts: values that are no order are refused, and how to say it") {
+TEST_CASE("LAMMPS layouts: values of an unknown order are refused, with the option for a map") {
   // the scalar last, a distance that is none, a vector turned round its axes
   std::string message = refused(contacts_with("p1 p2 p3 p4 force"));
   CHECK(message.starts_with("c:10: no columns agree with the positions of the grains (tried: "));

@@ -47,7 +47,7 @@ TEST_CASE("LIGGGHTS: pos id force, and id force") {
   check_forces(read(6, ids1 + "-0.0123 0 0", ids2 + "0.0164 0.0004 0"));
 }
 
-TEST_CASE("LIGGGHTS: forces in whole and in parts, with what follows them") {
+TEST_CASE("LIGGGHTS: total forces and their parts, with following columns") {
   const std::string f1 = "-0.0123 0 0 -0.0123 0 0 0 0 0 ", f2 = "0.0164 0.0004 0 0.0164 0 0 0 0.0004 0 ";
   const ImportedPacking twenty = read(20, pos1 + ids1 + f1 + "3e-8 1e-5", pos2 + ids2 + f2 + "4e-8 1.2e-5");
   check_forces(twenty);
@@ -57,7 +57,7 @@ TEST_CASE("LIGGGHTS: forces in whole and in parts, with what follows them") {
   check_forces(read(9, ids1 + f1.substr(12), ids2 + f2.substr(16))); // force_normal force_tangential
 }
 
-TEST_CASE("LIGGGHTS: what no order bears out is refused with a map that works") {
+TEST_CASE("LIGGGHTS: columns that fit no order are refused, and read with a map") {
   const std::string said = refusal([] { (void)read(6, "1 2 0 0.0123 0 0", "1 3 0 -0.0164 0.0004 0"); });
   const std::string map = "id1=c_fc[1],id2=c_fc[2],fx=c_fc[4],fy=c_fc[5],fz=c_fc[6]";
   REQUIRE(said.find(map) != std::string::npos);

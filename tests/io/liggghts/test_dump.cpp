@@ -25,7 +25,7 @@ std::string refused(const std::string& contact_text) {
 
 } // namespace
 
-TEST_CASE("LIGGGHTS: the chain's forces and overlaps, on the side that the dump of atoms says") {
+TEST_CASE("LIGGGHTS: the chain's forces and overlaps, with the side from the dump of atoms") {
   LammpsDump reader(data_source("liggghts_chain.atoms"), data_source("liggghts_chain.contacts"));
   const auto packing = reader.next();
   REQUIRE(packing);

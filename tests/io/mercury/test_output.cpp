@@ -60,7 +60,7 @@ TEST_CASE("MercuryDPM: the tangential force has its side, and mirror rows are ch
             .starts_with("f:5: the pair 0, 1 is also on line 4"));
 }
 
-TEST_CASE("MercuryDPM: a pair from one side only, and one from the same side twice, are told") {
+TEST_CASE("MercuryDPM: a pair from one side only, and one from the same side twice, are reported") {
   const std::string one = plain_ab.substr(0, plain_ab.find('\n') + 1);
   const auto single = read(data, with(fstat, plain_ab, one));
   REQUIRE(single);

@@ -30,7 +30,7 @@ TEST_CASE("file names: numbers in them are compared by their value") {
     }
 }
 
-TEST_CASE("file names: those that differ in numbers alone are one series") {
+TEST_CASE("file names: those that differ only in numbers are one series") {
   CHECK(series_by_name({"out/dense_p20.atoms.gz", "out/dense_p100.atoms.gz", "out/loose_p20.atoms.gz"}) ==
         Names{"dense", "dense", "loose"});
   CHECK(series_by_name({"dense/state.10.dump", "loose/state.10.dump", "dense/state.20.dump"}) ==

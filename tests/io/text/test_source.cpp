@@ -50,7 +50,7 @@ std::string numbered_lines(int count) {
 
 } // namespace
 
-TEST_CASE("a source that keeps what it reads begins anew, as often as asked") {
+TEST_CASE("a source that keeps its content can be rewound repeatedly") {
   const TemporaryFolder folder;
   const std::string text = "\xEF\xBB\xBFhead\n" + numbered_lines(100'000);
   for (const std::string& bytes : {text, packed(text)}) {
@@ -90,7 +90,7 @@ TEST_CASE("lines come without their ends, counted from 1, with or without a last
   CHECK(samples::refusal([&] { source.fail("expected more"); }) == "t:2: expected more");
 }
 
-TEST_CASE("plain and gzip files give the same lines, across the buffer's border and whatever their length") {
+TEST_CASE("plain and gzip files give the same lines, across the buffer's border and of any length") {
   const TemporaryFolder folder;
   const std::string text = numbered_lines(50000) + std::string(700000, 'x') + "\nlast";
   const auto expected = lines(TextSource::of_text("t", text));

@@ -18,7 +18,7 @@ std::string refused(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("VTK series: what granum writes is read back in the order of the times") {
+TEST_CASE("VTK series: files written by granum are read back in the order of the times") {
   const std::vector<SeriesEntry> back = read(pvd(entries));
   REQUIRE(back.size() == 3);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -50,7 +50,7 @@ TEST_CASE("VTK series: told from other files") {
   CHECK_FALSE(told(""));
 }
 
-TEST_CASE("VTK series: what is damaged is refused with its line") {
+TEST_CASE("VTK series: damaged files are refused with their line") {
   const std::string good = pvd(entries);
   CHECK(refused(good.substr(0, good.size() - 12)).find("is no XML") != std::string::npos);
   CHECK(refused(with(good, "timestep=\"20\"", "timestep=\"nan\""))

@@ -50,7 +50,7 @@ packing::Assembly chain() {
 
 } // namespace
 
-TEST_CASE("ParaView: grains keep every bit, and carry what they bear") {
+TEST_CASE("ParaView: grains keep every bit, with their forces") {
   const packing::Assembly assembly = chain();
   const std::string file = grains_vtu(assembly);
   CHECK(file.find("<Piece NumberOfPoints=\"4\" NumberOfCells=\"4\">") != std::string::npos);
@@ -118,7 +118,7 @@ TEST_CASE("ParaView: contacts with walls are lines to the walls, behind the othe
   CHECK(points[23] == assembly.position[1].z - 0.4e-3);
 }
 
-TEST_CASE("ParaView: the edges of the cell stand one after the other") {
+TEST_CASE("ParaView: the edges of the cell are listed in order") {
   packing::Assembly assembly = chain();
   assembly.cell(0, 2) = 1e-3; // of the third edge
   CHECK(array(grains_vtu(assembly), "cell") == std::vector<double>{4e-3, 0, 0, 0, 4e-3, 0, 1e-3, 0, 4e-3});

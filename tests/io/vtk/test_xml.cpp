@@ -73,7 +73,7 @@ void check_grain_order(const ImportedPacking& packing) {
 
 } // namespace
 
-TEST_CASE("VTK XML: what granum writes comes back, walls and stiffnesses with it") {
+TEST_CASE("VTK XML: files written by granum are read back, with walls and stiffnesses") {
   const ImportedPacking packing = read(own_grains(), own_contacts());
   check_grain_order(packing);
   const packing::Assembly &a = packing.assembly, expected = sample();
@@ -105,7 +105,7 @@ TEST_CASE("VTK XML: what granum writes comes back, walls and stiffnesses with it
     CHECK_FALSE(packing.has(finding));
 }
 
-TEST_CASE("VTK XML: stiffnesses that the writer did not know are not known") {
+TEST_CASE("VTK XML: stiffnesses unknown to the writer are unknown") {
   packing::Assembly a = sample();
   for (auto* contacts : {&a.contacts, &a.wall_contacts})
     for (packing::Contact& c : *contacts)
@@ -118,7 +118,7 @@ TEST_CASE("VTK XML: a stiffness below zero is refused") {
             .find("its stiffnesses must be finite and not negative") != std::string::npos);
 }
 
-TEST_CASE("VTK XML: grains alone, and a packing without contacts") {
+TEST_CASE("VTK XML: grains only, and a packing without contacts") {
   const ImportedPacking alone = read_vtk_xml(text_source("g", own_grains()));
   check_grain_order(alone);
   CHECK_FALSE(alone.time);
@@ -159,7 +159,7 @@ TEST_CASE("VTK XML: every way in which VTK packs arrays gives the same numbers")
   }
 }
 
-TEST_CASE("VTK XML: names in any case, arrays in any order, the time, and what is skipped") {
+TEST_CASE("VTK XML: names in any case, arrays in any order, the time, and skipped arrays") {
   const std::string field =
       "<FieldData><DataArray type=\"String\" Name=\"note\" format=\"ascii\">65 66</DataArray>"
       "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\">0.25</DataArray>"

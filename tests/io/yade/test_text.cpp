@@ -85,7 +85,7 @@ TEST_CASE("YADE: a pair through a face, in a sheared cell") {
         "c:2: the line of centres does not fit the positions and cellDist");
 }
 
-TEST_CASE("YADE: its own text exports give the geometry, and say that it is rough") {
+TEST_CASE("YADE: its text exports give the geometry, with a note on its few digits") {
   for (const char* name : {"yade_text.txt", "yade_text_ext.txt"}) {
     const ImportedPacking packing = read_yade(data_source(name));
     CHECK(packing.assembly.position[2] == Vec3{0.0019999, 0.002, 0.0029998});
@@ -100,7 +100,7 @@ TEST_CASE("YADE: its own text exports give the geometry, and say that it is roug
   CHECK(both.assembly.contacts[0].overlap == 9.93569733362e-08); // overlaps keep the digits of the contacts
 }
 
-TEST_CASE("YADE: a wall stands behind the sphere that is named first") {
+TEST_CASE("YADE: a wall is second in a pair, after its sphere") {
   const ImportedPacking packing =
       read_yade(data_source("yade_script.grains"), data_source("yade_script.contacts"));
   REQUIRE(packing.assembly.wall_contacts.size() == 1);
