@@ -54,12 +54,58 @@ std::array<T, n> constants(const std::array<double, n>& values) {
 }
 
 /// The largest b of the laws that the packings of the fit were made with. Beyond it networks of k_n ~ f^b on
-/// those packings, and packings of rough grains, say how the factors go on.
+/// those packings say how the factors go on.
 inline constexpr double largest_own_exponent = 0.5;
 
 template <class T>
 T up_to_half(const T& b) {
   return b > largest_own_exponent ? T(largest_own_exponent) : b;
+}
+
+/// How contacts of one kind go on where the packings of the fit end: from which b on, what G loses by then,
+/// and the power of what K loses by the scatter of forces.
+struct GoingOn {
+  double from;
+  double shear_loss;
+  double scatter_power;
+  std::array<double, 2> errors = {0, 0}; ///< further ones of G and K at b = 1, over 1 - h
+};
+/// Contacts of one b at every force.
+inline constexpr GoingOn power_laws{largest_own_exponent, power_law_losses[0], power_law_losses[1],
+                                    power_law_errors};
+/// Rough spheres in packings of their own: smooth ones under much force.
+inline constexpr GoingOn rough_spheres{1.0 / 3, rough_losses[0], rough_losses[1], rough_errors};
+
+/// How far b lies beyond `from`: 0 up to there, 1 at b = 1, where contacts are as stiff as their forces are
+/// large.
+template <class T>
+T share_beyond(const T& b, double from) {
+  if (!(b > from))
+    return T(0.0);
+  return b < 1.0 ? T((b - from) / (1.0 - from)) : T(1.0);
+}
+
+/// What b does to both factors.
+template <class T>
+struct ByExponent {
+  T own;          ///< b of the packings of the fit from which the factors go on
+  T lost;         ///< -ln of what is left of G, over 1 - h: the more, the more grains leave the mean strain
+  T scatter_left; ///< of what the scatter of forces costs K
+};
+/// Of a b that the packings of the fit have.
+template <class T>
+ByExponent<T> own_exponent(const T& b) {
+  return {b, T(0.0), T(1.0)};
+}
+template <class T>
+ByExponent<T> by_exponent(const T& b, const GoingOn& contacts) {
+  using std::pow;
+  const T beyond = share_beyond(b, contacts.from);
+  if (!(beyond > 0.0))
+    return own_exponent(b);
+  const T left = 1.0 - beyond;
+  return {T(contacts.from), T(contacts.shear_loss * beyond),
+          left > 0.0 ? T(pow(left, contacts.scatter_power)) : T(0.0)};
 }
 
 /// Shear modulus of the network without tangential stiffness over its uniform-strain value, u = z - 6 > 0: of
@@ -71,7 +117,7 @@ T frictionless_branch(const T& u, const T& slope, const T& floor) {
   return rise / damping;
 }
 
-/// G/G(uniform strain) of a packing of mechanical coordination number z, k_t = r k_n, k_n ~ f^b.
+/// G/G(uniform strain) of a packing of mechanical coordination number z, k_t = r k_n, k_n ~ f^b up to b = 1/2.
 /// With g = h (2+3r)/2, the modulus over that of the normal stiffness alone: g^2 - g_0 g = r t, where g_0 is
 /// the frictionless branch and t the coupling to the tangential stiffness, which vanishes at the isostatic
 /// point. So h is 0 there, ~ sqrt(r) at z = 6 and small r, and 1 for z -> infinity at every r and b.
@@ -89,8 +135,7 @@ T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T
   const T power = ratio * ratio * root_ratio;
   const T near_share = 1.0 / (1.0 + power);
   const T growth = x / ((1.0 + bend * x) * (1.0 + hold * r));
-  const T own = up_to_half(b);
-  const T near_coupling = strength * (1.0 - spread * own * own) * growth;
+  const T near_coupling = strength * (1.0 - spread * b * b) * growth;
   const T coupling = near_share * near_coupling + (1.5 + 2.25 * r) / (1.0 + 1.0 / power);
   const T product = r * coupling;
   const T square = g0 * g0 + 4.0 * product;
@@ -102,48 +147,19 @@ T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T
   return g / (1.0 + 1.5 * r);
 }
 
-/// (2 - 2b)^power: from 1 at b = 1/2 to 0 at b = 1, where contacts are as stiff as their forces are large.
+/// What is left beyond of that factor h of G.
 template <class T>
-T left_to_one(const T& b, double power) {
-  using std::pow;
-  if (!(b > largest_own_exponent))
-    return T(1.0);
-  const T left = 2.0 - 2.0 * b;
-  return left > 0.0 ? T(pow(left, power)) : T(0.0);
-}
-
-/// What a factor loses from b = 1/2 on, where h is that of G there: the more, the more grains leave the mean
-/// strain.
-template <class T>
-T beyond_half(const T& h, const T& b, double loss, double power) {
+T left_of_shear(const T& h, const ByExponent<T>& b) {
   using std::exp;
-  if (!(b > largest_own_exponent))
-    return T(1.0);
-  const T logarithm = -loss * (1.0 - h) * (1.0 - left_to_one(b, power));
+  const T logarithm = -b.lost * (1.0 - h);
   return exp(logarithm);
 }
-
-/// What the errors beyond b = 1/2 are multiplied by, next to 1 - h: of power laws as far beyond as b is, of
-/// rough contacts, whose packings are not those of smooth ones, from b = 1/3 on, by the root.
-inline double unknown_beyond_half(double b, bool rough) {
-  constexpr double smooth = 1.0 / 3;
-  return rough ? std::sqrt(b > smooth ? (b - smooth) / (1 - smooth) : 0.0) : 1 - left_to_one(b, 1);
-}
-
-/// Both losses of a law, and how early beyond b = 1/2 they come.
-struct LossBeyondHalf {
-  double shear, bulk, power;
-};
-/// Contacts of one b at every force, on packings that something else made.
-inline constexpr LossBeyondHalf loss_of_powers{power_law_loss, 0, 1};
-/// Rough contacts in packings of their own, whose forces scatter more.
-inline constexpr LossBeyondHalf loss_of_rough{rough_losses[0], rough_losses[1], 2};
 
 /// What the scatter of forces costs K is divided by this.
 template <class T>
 T scatter_distance(const T& z, const T& b, const BulkCoefficients<T>& c) {
   const auto& [scatter, pole, tangential, tangential_pole, own, stiffening] = c;
-  return z - pole + stiffening * up_to_half(b);
+  return z - pole + stiffening * b;
 }
 
 /// K/K(uniform strain, k_n of the mean force): the network is nearly as stiff as its forces, scaled with the
@@ -151,23 +167,30 @@ T scatter_distance(const T& z, const T& b, const BulkCoefficients<T>& c) {
 /// where contacts stiffen with their force, and nothing at b = 1; their tangential part, the softer r is the
 /// more, the second. Both fade for z -> infinity; at the isostatic point K has a jump.
 template <class T>
-T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>& c) {
+T stiffened_bulk(const T& z, const T& r, const ByExponent<T>& b, const BulkCoefficients<T>& c) {
   const auto& [scatter, scatter_pole, tangential, tangential_pole, own, stiffening] = c;
-  const T d1 = scatter_distance(z, b, c);
+  const T d1 = scatter_distance(z, b.own, c);
   const T d2 = z - tangential_pole;
   const T square = d2 * d2;
-  const T uneven = scatter * left_to_one(b, bulk_scatter_power);
+  const T uneven = scatter * b.scatter_left;
   const T lost = uneven / d1 + tangential / (square * (r + own * square));
   return 1.0 / (1.0 + lost);
 }
 
+/// That K up to b = 1/2.
+template <class T>
+T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>& c) {
+  return stiffened_bulk(z, r, own_exponent(b), c);
+}
+
 /// What unequal grains keep of that K: their forces scatter more, which costs K as the scatter of equal ones
-/// does in the first term of bulk_relaxation.
+/// does in the first term of stiffened_bulk.
 /// \param    loss   size_loss, or what a fit tries in its place
 template <class T>
-T size_bulk_share(const T& z, const T& b, const T& loss, double variance, const BulkCoefficients<T>& c) {
-  const T uneven = loss * variance * left_to_one(b, bulk_scatter_power);
-  return 1.0 / (1.0 + uneven / scatter_distance(z, b, c));
+T size_bulk_share(const T& z, const ByExponent<T>& b, const T& loss, double variance,
+                  const BulkCoefficients<T>& c) {
+  const T uneven = loss * variance * b.scatter_left;
+  return 1.0 / (1.0 + uneven / scatter_distance(z, b.own, c));
 }
 
 /// What the scatter of K between unequal grains grows with: of the powers 1/2, 3/4 and 1 of the variance 3/4

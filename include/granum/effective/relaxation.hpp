@@ -45,10 +45,10 @@ struct Relaxation {
 /// Accuracy  not measured: the share that the fit says.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double scatter_share_of_preparation();
 
-/// How contacts come to stiffen as f^b. Up to b = 1/2 the factors do not ask, only their errors do.
+/// How contacts come to stiffen as f^b. Up to b = 1/3 the factors do not ask.
 enum class Stiffening {
   power_law, ///< one b at every force; beyond 1/2 on packings that something else made
-  rough      ///< of rough spheres in their own packings, whose b falls as roughness is pressed flat
+  rough      ///< of rough spheres in their own packings, whose b falls to 1/3 as roughness is pressed flat
 };
 
 /// That of a law: rough where it has no b of its own.
@@ -57,9 +57,11 @@ enum class Stiffening {
 /// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.95; 6 for
 /// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
 /// has a jump at the isostatic point and tends to 1 as well. Both are exactly 0 at that point and below, and
-/// depend weakly on the contact law, as the scatter of its stiffnesses does. Beyond b = 1/2 they go on from
-/// there: G's falls, K's rises to what tangential forces leave of it at b = 1.
-/// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*.
+/// depend weakly on the contact law, as the scatter of its stiffnesses does. Those of power laws go on from b =
+/// 1/2, those of rough spheres from smooth ones: G's falls, K's rises to what tangential forces leave of it at
+/// b = 1.
+/// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*; of rough grains
+///           contacts less than 5 % as stiff as one of the mean force as well, as analysis::counted_part does.
 /// \param    mechanical_coordination_number   z* >= 0 [1]
 /// \param    tangential_ratio                 r = k_t/k_n >= 0 [1]
 /// \param    stiffness_exponent               b of k_n ~ f^b, contact_exponent(state), in [0, 1]
@@ -74,8 +76,8 @@ enum class Stiffening {
 ///           (1 + 2x)^2, taken from packings of LAMMPS and tested on YADE's. Grains compressed from a gas
 ///           with much friction are up to 6 % stiffer than the curve. At r = 0.1: G 4 %, K 6 %; at r = 0:
 ///           8 % both. Beyond b = 1/2, networks of k_n ~ f^b on packings never fitted: G 5, 6 and 8 % rms at
-///           b = 2/3, 0.8 and 1, K 2 %; rough packings: G 5 % and K 3 % rms, opened ones 10 to 20 %; the
-///           stated errors grow with it. Rounding: relative 1e-13.
+///           b = 2/3, 0.8 and 1, K 2 %, and the stated errors grow with it; rough packings never fitted, b from
+///           0.96 to 0.35: G 2.5 % and K 1.4 % rms, dense ones of 10 kPa up to 8 %. Rounding: relative 1e-13.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
 [[nodiscard]] Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
                                     double stiffness_exponent, Stiffening stiffening = Stiffening::power_law);
@@ -103,7 +105,7 @@ struct RelaxedEstimate {
 /// Unequal grains have G's factor of equal ones of a larger z*, by 1.6 v/(1 + 2x)^2 with v = <l^2>/<l>^2 - 1
 /// of state.contacts, K's over 1 + 0.60 v/(z* - 3.46 + 0.96 b), and errors that grow with v: 6 % of G
 /// for C_u = 2, more beyond. b is contact_exponent(state), and contacts are rough where their law
-/// has no b of its own; those state larger errors below b = 1/2 too. The exponent of the stretch has b up to
+/// has no b of its own. The exponent of the stretch has b up to
 /// 1/2 alone, as no sheared packings beyond are known.
 /// Assumes   as relaxation and uniform_strain; moduli of the packing at rest, not of one that is sheared on.
 /// \param    state    of the packing; its coordination_number counts all grains
