@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <granum/analysis/counted_part.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
@@ -77,17 +78,6 @@ Counts count(const packing::Assembly& assembly, std::size_t grains) {
   return out;
 }
 
-/// The contacts that carry force. Contacts of rough grains begin with almost no force: one with less than
-/// 1e-3 of the mean does not contribute to any modulus (validation/rough_contact), but would be counted.
-packing::Assembly bearing_part(const packing::Assembly& assembly) {
-  double mean = 0;
-  for (const packing::Contact& c : assembly.contacts)
-    mean += c.normal_force / static_cast<double>(assembly.contacts.size());
-  packing::Assembly bearing = assembly;
-  std::erase_if(bearing.contacts, [mean](const packing::Contact& c) { return c.normal_force < 1e-3 * mean; });
-  return bearing;
-}
-
 /// The contacts that press: moments of forces have no meaning in tension.
 packing::Assembly pressing_part(const packing::Assembly& assembly) {
   packing::Assembly pressing = assembly;
@@ -128,8 +118,9 @@ class Measuring {
       out_.bulk_density =
           elastic::bulk_density({.grain_density = *given_.grain_density, .void_ratio = out_.void_ratio});
     out_.sizes = sizes_of(assembly_);
-    const bool rough_grains = given_.law && given_.law->rough_sphere() != nullptr && forces_known_;
-    out_.counts = count(rough_grains ? bearing_part(moving()) : moving(), assembly_.grain_count());
+    out_.counts = given_.law && forces_known_
+                      ? count(counted_part(moving(), *given_.law), assembly_.grain_count())
+                      : count(moving(), assembly_.grain_count());
     if (out_.counts.contacts >= 2)
       out_.fabric = measure_fabric(contact_normals(assembly_), wanted_);
     if (wanted_.interior_layer)

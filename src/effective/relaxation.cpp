@@ -109,6 +109,7 @@ RelaxingFactor with_size_scatter(RelaxingFactor factor, const kernel::Scatter& s
   return factor;
 }
 
+/// \param    b   up to 1/2
 RelaxingFactor shear_factor(double z, double r, double b) {
   constexpr std::size_t n = kernel::shear_coefficients.size();
   const Dual<n> h = kernel::shear_relaxation(variable<n>(z, n), variable<n>(r, n + 1), constant<n>(b),
@@ -117,11 +118,12 @@ RelaxingFactor shear_factor(double z, double r, double b) {
   return with_scatter(factor, kernel::shear_recipes, kernel::shear_packings, factor.by_coordination);
 }
 
-RelaxingFactor bulk_factor(double z, double r, double b, double branch_variance) {
+RelaxingFactor bulk_factor(double z, double r, const kernel::ByExponent<double>& b, double branch_variance) {
   constexpr std::size_t n = kernel::bulk_coefficients.size();
   const std::array<Dual<n>, n> coefficients = variables(kernel::bulk_coefficients);
-  const Dual<n> Z = variable<n>(z, n), B = constant<n>(b);
-  const Dual<n> equal = kernel::bulk_relaxation(Z, variable<n>(r, n + 1), B, coefficients);
+  const Dual<n> Z = variable<n>(z, n);
+  const kernel::ByExponent<Dual<n>> B{constant<n>(b.own), constant<n>(b.lost), constant<n>(b.scatter_left)};
+  const Dual<n> equal = kernel::stiffened_bulk(Z, variable<n>(r, n + 1), B, coefficients);
   const Dual<n> share =
       kernel::size_bulk_share(Z, B, constant<n>(kernel::size_loss), branch_variance, coefficients);
   RelaxingFactor factor = with_slopes<n>(equal * share, kernel::bulk_covariance);
@@ -214,23 +216,26 @@ void note_bound(const kernel::RelaxedConstants<double>& strained,
 struct StiffContacts {
   double exponent; ///< b
   Stiffening stiffening;
+
+  [[nodiscard]] const kernel::GoingOn& going_on() const {
+    return stiffening == Stiffening::rough ? kernel::rough_spheres : kernel::power_laws;
+  }
+  [[nodiscard]] kernel::ByExponent<double> effect() const {
+    return kernel::by_exponent(exponent, going_on());
+  }
 };
 
 StiffContacts contacts_of(const State& s) {
   return {.exponent = kernel::local_exponent(s), .stiffening = stiffening_of(s.law)};
 }
 
-/// Subtracts the losses beyond b = 1/2 from the factors, and adds the uncertainty of this range to their
-/// errors; for rough grains also below b = 1/2.
+/// Subtracts from the factor of G its loss beyond the b of the packings of the fit, and adds the uncertainty of
+/// this range to the errors of both.
 RelaxingFactors with_stiffening(RelaxingFactors factors, const StiffContacts& contacts) {
-  const double b = contacts.exponent;
-  const bool rough = contacts.stiffening == Stiffening::rough;
-  const kernel::LossBeyondHalf& loss = rough ? kernel::loss_of_rough : kernel::loss_of_powers;
   const double h = factors.shear.value;
-  factors.shear.value *= kernel::beyond_half(h, b, loss.shear, loss.power);
-  factors.bulk.value *= kernel::beyond_half(h, b, loss.bulk, loss.power);
-  const double unknown = (1 - h) * kernel::unknown_beyond_half(b, rough);
-  const auto& [shear, bulk] = rough ? kernel::rough_errors : kernel::power_law_errors;
+  factors.shear.value *= kernel::left_of_shear(h, contacts.effect());
+  const double unknown = (1 - h) * kernel::share_beyond(contacts.exponent, contacts.going_on().from);
+  const auto& [shear, bulk] = contacts.going_on().errors;
   factors.shear.error = std::hypot(factors.shear.error, shear * unknown);
   factors.bulk.error = std::hypot(factors.bulk.error, bulk * unknown);
   return factors;
@@ -243,11 +248,11 @@ RelaxingFactors relaxing_factors(double z, double r, const StiffContacts& contac
     return {};
   const double near_z = std::min(z, infinite), near_r = std::min(r, infinite);
   const Dual<0> of_equal = kernel::coordination_of_equal(variable<0>(near_z, 0), branch_variance);
-  RelaxingFactor shear = shear_factor(of_equal.value(), near_r, contacts.exponent);
+  const kernel::ByExponent<double> b = contacts.effect();
+  RelaxingFactor shear = shear_factor(of_equal.value(), near_r, b.own);
   shear = with_size_scatter(shear, kernel::shear_sizes, kernel::looseness(near_z) * kernel::size_shift_error,
                             shear.by_coordination, branch_variance);
-  return with_stiffening(
-      {.shear = shear, .bulk = bulk_factor(near_z, near_r, contacts.exponent, branch_variance)}, contacts);
+  return with_stiffening({.shear = shear, .bulk = bulk_factor(near_z, near_r, b, branch_variance)}, contacts);
 }
 
 /// The same for a state; the errors include the effect of unequal stresses.

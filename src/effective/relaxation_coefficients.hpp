@@ -69,14 +69,12 @@ inline constexpr double stretch_scatter = 0.140960362;
 inline constexpr double shear_by_stress = 0.0603855213;
 inline constexpr double bulk_by_stress = 0.0471801532;
 
-/// Beyond b = 1/2: what G loses of power laws, G and K of rough contacts, and the power of what K loses by
-/// the scatter of forces.
-inline constexpr double power_law_loss = 0.0979290879;
-inline constexpr std::array<double, 2> rough_losses{0.564794759, 0.182490614};
-inline constexpr double bulk_scatter_power = 1.50143677;
-/// Errors of G and K there, over (1 - h) unknown_beyond_half: of power laws, of rough contacts.
+/// Where the packings of the fit end: what G loses by b = 1, and the power of what K loses by the scatter of
+/// forces; the further errors of G and K there, over 1 - h. Of power laws, of rough spheres.
+inline constexpr std::array<double, 2> power_law_losses{0.0979290879, 1.50143676};
 inline constexpr std::array<double, 2> power_law_errors{0.161809716, 0};
-inline constexpr std::array<double, 2> rough_errors{0.272531978, 0.155548407};
+inline constexpr std::array<double, 2> rough_losses{0.373358084, 0.582227715};
+inline constexpr std::array<double, 2> rough_errors{0.0136988214, 0};
 
 /// z_0, A, q, s, c, k and the scatter of z* of a ClosingGapLaw; in the comments the standard errors.
 // 0.0084, 1.7, 0.042, 0.048, 2.6, 0.37

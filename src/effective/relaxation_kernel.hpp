@@ -55,12 +55,57 @@ std::array<T, n> constants(const std::array<double, n>& values) {
 }
 
 /// The largest b of the laws with which the packings of the fit were made. Beyond it, the factors were fitted
-/// to networks of k_n ~ f^b on those packings, and to packings of rough grains.
+/// to networks of k_n ~ f^b on those packings.
 inline constexpr double largest_own_exponent = 0.5;
 
 template <class T>
 T up_to_half(const T& b) {
   return b > largest_own_exponent ? T(largest_own_exponent) : b;
+}
+
+/// How the factors of one kind of contact continue beyond the packings of the fit: from which b on, the loss of
+/// G, and the power of the loss of K by the scatter of forces.
+struct GoingOn {
+  double from;
+  double shear_loss;
+  double scatter_power;
+  std::array<double, 2> errors = {0, 0}; ///< additional ones of G and K at b = 1, over 1 - h
+};
+/// Contacts of one b at every force.
+inline constexpr GoingOn power_laws{largest_own_exponent, power_law_losses[0], power_law_losses[1],
+                                    power_law_errors};
+/// Rough spheres in their own packings: smooth ones under large forces.
+inline constexpr GoingOn rough_spheres{1.0 / 3, rough_losses[0], rough_losses[1], rough_errors};
+
+/// How far b lies beyond `from`: 0 up to there, 1 at b = 1, where stiffness is proportional to force.
+template <class T>
+T share_beyond(const T& b, double from) {
+  if (!(b > from))
+    return T(0.0);
+  return b < 1.0 ? T((b - from) / (1.0 - from)) : T(1.0);
+}
+
+/// The effect of b on both factors.
+template <class T>
+struct ByExponent {
+  T own;  ///< b in the packings of the fit, from which the factors continue
+  T lost; ///< -ln of the remaining factor of G, over 1 - h: larger the more grains leave the mean strain
+  T scatter_left; ///< remaining part of the loss of K by the scatter of forces
+};
+/// For a b that occurs in the packings of the fit.
+template <class T>
+ByExponent<T> own_exponent(const T& b) {
+  return {b, T(0.0), T(1.0)};
+}
+template <class T>
+ByExponent<T> by_exponent(const T& b, const GoingOn& contacts) {
+  using std::pow;
+  const T beyond = share_beyond(b, contacts.from);
+  if (!(beyond > 0.0))
+    return own_exponent(b);
+  const T left = 1.0 - beyond;
+  return {T(contacts.from), T(contacts.shear_loss * beyond),
+          left > 0.0 ? T(pow(left, contacts.scatter_power)) : T(0.0)};
 }
 
 /// Shear modulus of the network without tangential stiffness over its uniform-strain value, u = z - 6 > 0. It
@@ -72,7 +117,7 @@ T frictionless_branch(const T& u, const T& slope, const T& floor) {
   return rise / damping;
 }
 
-/// G/G(uniform strain) of a packing of mechanical coordination number z, k_t = r k_n, k_n ~ f^b.
+/// G/G(uniform strain) of a packing of mechanical coordination number z, k_t = r k_n, k_n ~ f^b up to b = 1/2.
 /// With g = h (2+3r)/2, the modulus over that of the normal stiffness alone: g^2 - g_0 g = r t, where g_0 is
 /// the frictionless branch and t the coupling to the tangential stiffness, which vanishes at the isostatic
 /// point. So h is 0 there, ~ sqrt(r) at z = 6 and small r, and 1 for z -> infinity at every r and b.
@@ -90,8 +135,7 @@ T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T
   const T power = ratio * ratio * root_ratio;
   const T near_share = 1.0 / (1.0 + power);
   const T growth = x / ((1.0 + bend * x) * (1.0 + hold * r));
-  const T own = up_to_half(b);
-  const T near_coupling = strength * (1.0 - spread * own * own) * growth;
+  const T near_coupling = strength * (1.0 - spread * b * b) * growth;
   const T coupling = near_share * near_coupling + (1.5 + 2.25 * r) / (1.0 + 1.0 / power);
   const T product = r * coupling;
   const T square = g0 * g0 + 4.0 * product;
@@ -103,48 +147,19 @@ T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T
   return g / (1.0 + 1.5 * r);
 }
 
-/// (2 - 2b)^power: from 1 at b = 1/2 to 0 at b = 1, where contacts are as stiff as their forces are large.
+/// Remaining share of the factor h of G beyond the packings of the fit.
 template <class T>
-T left_to_one(const T& b, double power) {
-  using std::pow;
-  if (!(b > largest_own_exponent))
-    return T(1.0);
-  const T left = 2.0 - 2.0 * b;
-  return left > 0.0 ? T(pow(left, power)) : T(0.0);
-}
-
-/// Loss of a factor beyond b = 1/2, h being the factor of G at 1/2: the larger, the more the grains deviate
-/// from the mean strain.
-template <class T>
-T beyond_half(const T& h, const T& b, double loss, double power) {
+T left_of_shear(const T& h, const ByExponent<T>& b) {
   using std::exp;
-  if (!(b > largest_own_exponent))
-    return T(1.0);
-  const T logarithm = -loss * (1.0 - h) * (1.0 - left_to_one(b, power));
+  const T logarithm = -b.lost * (1.0 - h);
   return exp(logarithm);
 }
-
-/// Factor, besides 1 - h, of the errors beyond b = 1/2. For power laws it is proportional to b - 1/2; for
-/// rough contacts, whose packings differ from smooth ones, it grows from b = 1/3 on, as a square root.
-inline double unknown_beyond_half(double b, bool rough) {
-  constexpr double smooth = 1.0 / 3;
-  return rough ? std::sqrt(b > smooth ? (b - smooth) / (1 - smooth) : 0.0) : 1 - left_to_one(b, 1);
-}
-
-/// Losses of G and K of a law, and how soon beyond b = 1/2 they set in.
-struct LossBeyondHalf {
-  double shear, bulk, power;
-};
-/// Contacts of one b at every force, in packings made with another law.
-inline constexpr LossBeyondHalf loss_of_powers{power_law_loss, 0, 1};
-/// Rough contacts in packings of their own, whose forces scatter more.
-inline constexpr LossBeyondHalf loss_of_rough{rough_losses[0], rough_losses[1], 2};
 
 /// Divisor of the reduction of K by the scatter of forces.
 template <class T>
 T scatter_distance(const T& z, const T& b, const BulkCoefficients<T>& c) {
   const auto& [scatter, pole, tangential, tangential_pole, own, stiffening] = c;
-  return z - pole + stiffening * up_to_half(b);
+  return z - pole + stiffening * b;
 }
 
 /// K/K(uniform strain, k_n of the mean force): the network is nearly as stiff as its forces, scaled with the
@@ -153,23 +168,30 @@ T scatter_distance(const T& z, const T& b, const BulkCoefficients<T>& c) {
 /// tangential forces: larger for smaller r. Both vanish for z -> infinity; at the isostatic point K has a
 /// jump.
 template <class T>
-T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>& c) {
+T stiffened_bulk(const T& z, const T& r, const ByExponent<T>& b, const BulkCoefficients<T>& c) {
   const auto& [scatter, scatter_pole, tangential, tangential_pole, own, stiffening] = c;
-  const T d1 = scatter_distance(z, b, c);
+  const T d1 = scatter_distance(z, b.own, c);
   const T d2 = z - tangential_pole;
   const T square = d2 * d2;
-  const T uneven = scatter * left_to_one(b, bulk_scatter_power);
+  const T uneven = scatter * b.scatter_left;
   const T lost = uneven / d1 + tangential / (square * (r + own * square));
   return 1.0 / (1.0 + lost);
 }
 
+/// The same for a b that occurs in the packings of the fit.
+template <class T>
+T bulk_relaxation(const T& z, const T& r, const T& b, const BulkCoefficients<T>& c) {
+  return stiffened_bulk(z, r, own_exponent(b), c);
+}
+
 /// Factor of K for unequal grains: their forces scatter more, which reduces K in the same way as the first
-/// term of bulk_relaxation.
+/// term of stiffened_bulk.
 /// \param    loss   size_loss, or a trial value of a fit
 template <class T>
-T size_bulk_share(const T& z, const T& b, const T& loss, double variance, const BulkCoefficients<T>& c) {
-  const T uneven = loss * variance * left_to_one(b, bulk_scatter_power);
-  return 1.0 / (1.0 + uneven / scatter_distance(z, b, c));
+T size_bulk_share(const T& z, const ByExponent<T>& b, const T& loss, double variance,
+                  const BulkCoefficients<T>& c) {
+  const T uneven = loss * variance * b.scatter_left;
+  return 1.0 / (1.0 + uneven / scatter_distance(z, b.own, c));
 }
 
 /// The scatter of K between packings of unequal grains is proportional to this. Among the powers 1/2, 3/4 and

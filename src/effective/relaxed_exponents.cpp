@@ -60,17 +60,16 @@ kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth
   const auto constant = [](double value) { return Dual(value, Vector2d::Zero()); };
   const Dual z_star(z, growth.mechanical_coordination_number * pressure_slopes(s));
   const Dual r = constant(s.tangential_ratio), b = growing_exponent(s, growth);
-  const kernel::LossBeyondHalf& loss =
-      s.law.constant_exponent() ? kernel::loss_of_powers : kernel::loss_of_rough;
-  const Dual of_half =
+  const kernel::ByExponent<Dual> effect =
+      kernel::by_exponent(b, s.law.constant_exponent() ? kernel::power_laws : kernel::rough_spheres);
+  const Dual own =
       kernel::shear_relaxation(kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r,
-                               b, kernel::constants<Dual>(kernel::shear_coefficients));
-  const Dual shear = of_half * kernel::beyond_half(of_half, b, loss.shear, loss.power);
+                               effect.own, kernel::constants<Dual>(kernel::shear_coefficients));
+  const Dual shear = own * kernel::left_of_shear(own, effect);
   const auto of_bulk = kernel::constants<Dual>(kernel::bulk_coefficients);
-  const Dual bulk = kernel::bulk_relaxation(z_star, r, b, of_bulk) *
-                    kernel::size_bulk_share(z_star, b, constant(kernel::size_loss),
-                                            kernel::branch_variance(s.contacts), of_bulk) *
-                    kernel::beyond_half(of_half, b, loss.bulk, loss.power);
+  const Dual bulk = kernel::stiffened_bulk(z_star, r, effect, of_bulk) *
+                    kernel::size_bulk_share(z_star, effect, constant(kernel::size_loss),
+                                            kernel::branch_variance(s.contacts), of_bulk);
   const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
   const Dual log_stress(std::log(s.stress_v / s.stress_h), Vector2d(1, -1));
   const Dual stretch = kernel::log_stretch(shear, kernel::up_to_half(b), constant(std::log(F.F33 / F.F11)),

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -284,21 +286,27 @@ Eigen::VectorXd ContactModel::residuals(const std::vector<StateGroup>& groups,
 }
 
 Inference ContactModel::solve(std::shared_ptr<const ContactModel> model, double start) {
-  const Eigen::VectorXd expected =
-      std::log(start - model->isostatic_) * Eigen::VectorXd::Unit(model->parameter_count(), 0);
-  Inference best = solve_from(model, expected);
+  std::vector<Eigen::VectorXd> starts{std::log(start - model->isostatic_) *
+                                      Eigen::VectorXd::Unit(model->parameter_count(), 0)};
   for (std::size_t number = 0; number < model->options_.contacts.numbers.size(); ++number)
     for (const double deviation : {-1.0, 1.0}) {
-      Eigen::VectorXd other = expected;
-      other[model->law_parameter(number)] = deviation;
-      try {
-        Inference found = solve_from(model, other);
-        if (found.chi_square() < best.chi_square())
-          best = std::move(found);
-      } catch (const NotConverged&) { // one minimum has been found
-      }
+      starts.push_back(starts.front());
+      starts.back()[model->law_parameter(number)] = deviation;
     }
-  return best;
+  std::optional<Inference> best;
+  std::exception_ptr failure;
+  for (const Eigen::VectorXd& from : starts)
+    try {
+      Inference found = solve_from(model, from);
+      if (!best || found.chi_square() < best->chi_square())
+        best = std::move(found);
+    } catch (const NotConverged&) { // one minimum is enough
+      if (!failure)
+        failure = std::current_exception();
+    }
+  if (!best)
+    std::rethrow_exception(failure);
+  return *std::move(best);
 }
 
 Inference ContactModel::solve_from(const std::shared_ptr<const ContactModel>& model, Eigen::VectorXd theta) {

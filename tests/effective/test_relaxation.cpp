@@ -269,35 +269,44 @@ TEST_CASE("relaxed: notes on states outside the calibration") {
   CHECK_FALSE(relaxed(state_of(2, 0, 0.15, 1e8, 1e8), 5.9).validity.ok()); // overlaps of 2 %
 }
 
-TEST_CASE(
-    "relaxation: beyond b = 1/2 the factors are continuous, for rough contacts lower than for power laws") {
+TEST_CASE("relaxation: the factors continue beyond the packings of the fit, power laws from b = 1/2, rough "
+          "contacts from smooth ones") {
   using enum effective::Stiffening;
+  const struct {
+    effective::Stiffening stiffening;
+    double from;
+  } kinds[] = {{power_law, 0.5}, {rough, 1.0 / 3}};
   for (const double r : ratios)
     for (double z = 4.1; z < 9; z += 0.1) {
       CAPTURE(z);
       CAPTURE(r);
-      for (const double b : {0.0, 1.0 / 3, 0.5})
-        CHECK(relaxation(z, r, b, rough).shear.value == shear(z, r, b));
-      for (const effective::Stiffening stiffening : {power_law, rough}) {
-        const effective::Relaxation half = relaxation(z, r, 0.5, stiffening),
-                                    more = relaxation(z, r, 0.5 + 1e-9, stiffening);
-        CHECK(more.shear.value == relative(half.shear.value, 1e-8));
-        CHECK(more.bulk.value == relative(half.bulk.value, 1e-8));
-        CHECK(more.shear.relative_error == relative(half.shear.relative_error, 1e-7));
-        CHECK(more.bulk.relative_error == relative(half.bulk.relative_error, 1e-7));
-        double before = half.shear.value;
+      for (const auto& [stiffening, from] : kinds) {
+        const effective::Relaxation start = relaxation(z, r, from, stiffening),
+                                    more = relaxation(z, r, from + 1e-9, stiffening);
+        CHECK(start.shear.value == shear(z, r, from));
+        CHECK(start.bulk.value == bulk(z, r, from));
+        CHECK(more.shear.value == relative(start.shear.value, 1e-8));
+        CHECK(more.bulk.value == relative(start.bulk.value, 1e-8));
+        CHECK(more.shear.relative_error == relative(start.shear.relative_error, 1e-7));
+        CHECK(more.bulk.relative_error == relative(start.bulk.relative_error, 1e-7));
+        double before = start.shear.value, bulk_before = start.bulk.value;
         for (const double b : {0.6, 0.8, 1.0}) {
           const effective::Relaxation at = relaxation(z, r, b, stiffening);
           CHECK(at.shear.value < before);
+          CHECK(at.bulk.value > bulk_before);
           before = at.shear.value;
-          CHECK(at.shear.relative_error > half.shear.relative_error);
+          bulk_before = at.bulk.value;
+          CHECK(at.shear.relative_error >= start.shear.relative_error);
         }
+        // Contacts as stiff as their forces are large: without tangential forces K is that of uniform strain.
+        CHECK(relaxation(z, 1e8, 1, stiffening).bulk.value == relative(1, 1e-5));
+        CHECK(relaxation(z, 1e8, from, stiffening).bulk.value < 0.96);
       }
-      CHECK(relaxation(z, r, 0.8, rough).shear.value < shear(z, r, 0.8));
-      CHECK(bulk(z, r, 0.8) > bulk(z, r, 0.5));
-      // Contacts as stiff as their forces are large: without tangential forces K is that of uniform strain.
-      CHECK(bulk(z, 1e8, 1) == relative(1, 1e-5));
-      CHECK(bulk(z, 1e8, 0.5) < 0.96);
+      // No kink where power laws have one: infer looks for roughness by slopes.
+      const double below = relaxation(z, r, 0.5 - 1e-4, rough).shear.value,
+                   at = relaxation(z, r, 0.5, rough).shear.value,
+                   above = relaxation(z, r, 0.5 + 1e-4, rough).shear.value;
+      CHECK(above - at == relative(at - below, 1e-3));
     }
 }
 
@@ -306,12 +315,12 @@ TEST_CASE("relaxed: rough packings, of other numbers of grains than those of the
   struct Row {
     double z, void_ratio, pressure, C_n, G, K;
   };
-  const std::vector<Row> rows{{5.07566, 0.559348, 10e3, 4.964, 5.89884e6, 14.02374e6},
-                              {5.05455, 0.558440, 10e3, 5.008, 5.37807e6, 13.95329e6},
-                              {5.12551, 0.562301, 10e3, 5.064, 5.87276e6, 14.11775e6},
-                              {6.27823, 0.556453, 10e3, 6.228, 13.54204e6, 15.55793e6},
-                              {6.29091, 0.554837, 10e3, 6.228, 13.14116e6, 15.52904e6},
-                              {6.28629, 0.555302, 30e3, 6.236, 38.07974e6, 41.98098e6}};
+  const std::vector<Row> rows{{4.65409, 0.559348, 10e3, 4.44, 5.89884e6, 14.02374e6},
+                              {4.62034, 0.558440, 10e3, 4.384, 5.37807e6, 13.95329e6},
+                              {4.67908, 0.562301, 10e3, 4.524, 5.87276e6, 14.11775e6},
+                              {6.10163, 0.556453, 10e3, 6.008, 13.54204e6, 15.55793e6},
+                              {6.12628, 0.554837, 10e3, 6.016, 13.14116e6, 15.52904e6},
+                              {6.12576, 0.555302, 30e3, 6.04, 38.07974e6, 41.98098e6}};
   for (const Row& row : rows) {
     CAPTURE(row.z);
     effective::State state{.law = contact::RoughSphere({30e9, 0.15}, 0.5e-3, 200e-9),
@@ -325,9 +334,7 @@ TEST_CASE("relaxed: rough packings, of other numbers of grains than those of the
     const effective::RelaxedEstimate rough = relaxed(state, row.z);
     CHECK(rough.stiffness.G_vh() == relative(row.G, 2 * rough.relative_error.G_vh));
     CHECK(rough.stiffness.bulk_modulus() == relative(row.K, 2 * rough.relative_error.bulk_modulus));
-    // Wider than of smooth contacts, and no wider than the 23 % that opened ones are off by at most.
-    CHECK(rough.relative_error.G_vh > 0.04);
-    CHECK(rough.relative_error.G_vh < 0.23);
+    CHECK(rough.relative_error.G_vh < 0.035); // hardly wider than of smooth contacts
     CHECK(rough.validity.ok());
   }
 }

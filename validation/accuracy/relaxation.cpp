@@ -26,13 +26,13 @@ Real shear_factor(const Real& z, const Real& r, const Real& b) {
   const Real t = near * c[2] * (1 - c[5] * pow(up_to_half(b), 2)) * x / ((1 + c[3] * x) * (1 + c[4] * r)) +
                  (1 - near) * (6 + 9 * r) / 4;
   const Real h = (g0 + sqrt(g0 * g0 + 4 * r * t)) / (2 + 3 * r);
-  return b > 0.5 ? Real(h * exp(-kernel::power_law_loss * (1 - h) * (2 * b - 1))) : h;
+  return b > 0.5 ? Real(h * exp(-kernel::power_law_losses[0] * (1 - h) * (2 * b - 1))) : h;
 }
 
 Real bulk_factor(const Real& z, const Real& r, const Real& b) {
   const auto& c = kernel::bulk_coefficients;
   const Real x = z - c[3];
-  const Real left = b > 0.5 ? Real(pow(2 - 2 * b, Real(kernel::bulk_scatter_power))) : Real(1);
+  const Real left = b > 0.5 ? Real(pow(2 - 2 * b, Real(kernel::power_law_losses[1]))) : Real(1);
   return 1 / (1 + c[0] * left / (z - c[1] + c[5] * up_to_half(b)) + c[2] / (x * x * (r + c[4] * x * x)));
 }
 

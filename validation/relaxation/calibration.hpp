@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beyond_half.hpp"
 #include "code_scatter.hpp"
 #include "factor_fits.hpp"
 #include "scatter.hpp"
 #include "size_fits.hpp"
+#include "stiff_contacts.hpp"
 
 namespace relaxation {
 
@@ -79,7 +79,7 @@ struct Result {
   double bulk_by_stress = 0;  ///< the same of K
   SizeEffect sizes = {};
   double bulk_codes = 0; ///< scatter of K between codes, over kernel::looseness
-  BeyondHalf beyond = {};
+  Beyond beyond = {};
   double stretch_scatter = 0; ///< what is left of ln C33/C11, over ln of the stretch
 };
 
@@ -153,7 +153,7 @@ inline Result fit_everything(const std::vector<Packing>& packings, const std::ve
   fit_sheared_scatter(packings, result);
   result.sizes = fit_size_effect(unequal, gradations, equal_fit(result), everything);
   result.bulk_codes = fit_code_scatter(of_codes, equal_fit(result), result.sizes);
-  result.beyond = fit_beyond_half(stiff, equal_fit(result), result.bulk_codes);
+  result.beyond = fit_beyond(stiff, equal_fit(result), result.bulk_codes);
   return result;
 }
 

@@ -79,19 +79,20 @@ void print_scatter(const char* name, const ScatterParts& parts) {
               parts.packings.gain);
 }
 
-void print_beyond(const BeyondHalf& b) {
+void print_beyond(const Beyond& b) {
   std::printf(
-      "/// Beyond b = 1/2: what G loses of power laws, G and K of rough contacts, and the power of what "
-      "K loses by\n"
-      "/// the scatter of forces.\n"
-      "inline constexpr double power_law_loss = %.9g;\n"
-      "inline constexpr std::array<double, 2> rough_losses{%.9g, %.9g};\n"
-      "inline constexpr double bulk_scatter_power = %.9g;\n"
-      "/// Errors of G and K there, over (1 - h) unknown_beyond_half: of power laws, of rough contacts.\n"
-      "inline constexpr std::array<double, 2> power_law_errors{%.9g, %.9g};\n"
-      "inline constexpr std::array<double, 2> rough_errors{%.9g, %.9g};\n\n",
-      b.power_law_loss, b.rough_shear_loss, b.rough_bulk_loss, b.scatter_power, b.power_law_errors[0],
-      b.power_law_errors[1], b.rough_errors[0], b.rough_errors[1]);
+      "/// Where the packings of the fit end: what G loses by b = 1, and the power of what K loses by the "
+      "scatter of\n"
+      "/// forces; the further errors of G and K there, over 1 - h. Of power laws, of rough spheres.\n");
+  const struct {
+    const char* name;
+    const kernel::GoingOn& fit;
+  } kinds[] = {{"power_law", b.power_laws}, {"rough", b.rough}};
+  for (const auto& [name, fit] : kinds)
+    std::printf("inline constexpr std::array<double, 2> %s_losses{%.9g, %.9g};\n"
+                "inline constexpr std::array<double, 2> %s_errors{%.9g, %.9g};\n",
+                name, fit.shear_loss, fit.scatter_power, name, fit.errors[0], fit.errors[1]);
+  std::printf("\n");
 }
 
 void print_coefficients(const Result& r) {
@@ -278,7 +279,7 @@ void check_codes(const std::vector<Packing>& of_codes, const std::vector<Packing
 }
 
 /// Networks with every b, and rough packings, of seeds that are never fitted.
-void check_beyond_half(const std::vector<StiffNetwork>& stiff, const Result& result, Claims& claims) {
+void check_stiff_contacts(const std::vector<StiffNetwork>& stiff, const Result& result, Claims& claims) {
   const auto judge = [&](const std::string& what, const StiffChoice& chosen) {
     const StiffReport r = report_of(stiff, equal_fit(result), result.bulk_codes, result.beyond, chosen);
     print_report(what, r);
@@ -309,13 +310,16 @@ void check_beyond_half(const std::vector<StiffNetwork>& stiff, const Result& res
     return !n.rough && !n.fitted() && n.beyond();
   });
   (void)fitted_rough;
-  const BeyondHalf& b = result.beyond;
-  claims.require(same(std::array{b.power_law_loss, b.scatter_power},
-                      std::array{kernel::power_law_loss, kernel::bulk_scatter_power}) &&
-                     same(std::array{b.rough_shear_loss, b.rough_bulk_loss}, kernel::rough_losses) &&
-                     same(b.power_law_errors, kernel::power_law_errors) &&
-                     same(b.rough_errors, kernel::rough_errors),
-                 "what the library knows beyond b = 1/2 is what these data say");
+  const auto is = [](const kernel::GoingOn& fit, const kernel::GoingOn& recorded) {
+    return same(std::array{fit.shear_loss, fit.scatter_power},
+                std::array{recorded.shear_loss, recorded.scatter_power}) &&
+           same(fit.errors, recorded.errors);
+  };
+  claims.require(is(result.beyond.power_laws, kernel::power_laws) &&
+                     is(result.beyond.rough, kernel::rough_spheres),
+                 "what the library knows beyond b = 1/2 and of rough spheres is what these data say");
+  claims.require(rough.G.count() > 0 && rough.G.rms() < 0.03 && rough.K.rms() < 0.02,
+                 "rough packings of seeds never fitted: G 3 % and K 2 % rms");
   for (const StiffReport* r : {&rough, &powers})
     for (const Coverage* c : {&r->coverage.shear, &r->coverage.bulk})
       claims.require(c->one() >= 0.55 && c->two() >= 0.90,
@@ -376,7 +380,7 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfi
                  "z* = C_n/(1-x_0) within 2 % (" + number(100 * rattler_error, 2) + " %)");
   check_sizes(unequal, gradations, result, claims);
   check_codes(of_codes, packings, result, claims);
-  check_beyond_half(stiff, result, claims);
+  check_stiff_contacts(stiff, result, claims);
   return claims.failed() == 0 ? 0 : 1;
 }
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include <granum/analysis/counted_part.hpp>
 #include <granum/analysis/measure.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/elastic/projection.hpp>
@@ -109,23 +110,38 @@ inline double mean_normal_force(const packing::Assembly& assembly) {
   return sum / static_cast<double>(assembly.contacts.size());
 }
 
-/// Of an isotropic packing whose contacts take k_n by their forces: K and G over those of uniform strain with
-/// `at_mean` at every contact, as closed forms take it.
+/// An isotropic packing, and the part of it that closed forms count: they take k_n at its mean force.
+struct CountedPacking {
+  const packing::Assembly& whole;
+  packing::Assembly counted;
+  const contact::NormalLaw& law;
+
+  CountedPacking(const packing::Assembly& assembly, const contact::NormalLaw& own_law)
+      : whole(assembly), counted(analysis::counted_part(assembly, own_law)), law(own_law) {}
+  [[nodiscard]] double mean_force() const { return mean_normal_force(counted); }
+};
+
+template <class StiffnessOfForce>
+packing::Assembly stiffened(packing::Assembly assembly, const StiffnessOfForce& stiffness, double ratio) {
+  for (packing::Contact& contact : assembly.contacts) {
+    contact.normal_stiffness = stiffness(contact.normal_force);
+    contact.tangential_stiffness = ratio * contact.normal_stiffness;
+  }
+  return assembly;
+}
+
+/// K and G of the whole network, whose contacts take k_n by their forces, over those of uniform strain as closed
+/// forms take it: the contacts that they count, each with `at_mean`.
 /// \param    suffix   of the headings, before the ratio k_t/k_n
 template <class StiffnessOfForce>
-void add_moduli(Row& row, packing::Assembly assembly, const StiffnessOfForce& stiffness, double at_mean,
+void add_moduli(Row& row, const CountedPacking& packing, const StiffnessOfForce& stiffness, double at_mean,
                 double ratio, const std::string& suffix) {
-  const auto stiffen = [&](const auto& of_force) {
-    for (packing::Contact& contact : assembly.contacts) {
-      contact.normal_stiffness = of_force(contact.normal_force);
-      contact.tangential_stiffness = ratio * contact.normal_stiffness;
-    }
-  };
-  stiffen([=](double) { return at_mean; });
+  const packing::Assembly alike = stiffened(
+      packing.counted, [=](double) { return at_mean; }, ratio);
   const elastic::Isotropic strained =
-      elastic::isotropic_projection(network::linear_response(assembly, {.iteration_limit = 1}).affine());
-  stiffen(stiffness);
-  const network::Response response = network::linear_response(assembly, {.iteration_limit = 20000});
+      elastic::isotropic_projection(network::linear_response(alike, {.iteration_limit = 1}).affine());
+  const network::Response response =
+      network::linear_response(stiffened(packing.whole, stiffness, ratio), {.iteration_limit = 20000});
   if (!response.converged())
     throw std::runtime_error("a network did not converge");
   const elastic::Isotropic relaxed = elastic::isotropic_projection(response.last_iterate());
@@ -136,23 +152,23 @@ void add_moduli(Row& row, packing::Assembly assembly, const StiffnessOfForce& st
 
 /// The same with k_n ~ f^b in place of the packing's own law: packing and forces stay, and so does the
 /// stiffness at the mean force.
-inline void add_exponents(Row& row, const packing::Assembly& assembly, const contact::NormalLaw& law) {
-  const double mean = mean_normal_force(assembly), at_mean = law.stiffness_at_force(mean);
+inline void add_exponents(Row& row, const CountedPacking& packing) {
+  const double mean = packing.mean_force(), at_mean = packing.law.stiffness_at_force(mean);
   for (const double ratio : exponent_ratios)
     for (const double b : solved_exponents)
       add_moduli(
-          row, assembly, [=](double force) { return at_mean * std::pow(force / mean, b); }, at_mean, ratio,
+          row, packing, [=](double force) { return at_mean * std::pow(force / mean, b); }, at_mean, ratio,
           short_number(b));
 }
 
 /// b at the mean force, and the same with the packing's own law.
-inline void add_own_law(Row& row, const packing::Assembly& assembly, const contact::NormalLaw& law) {
-  const double mean = mean_normal_force(assembly);
-  row.add("b", law.exponent_at_force(mean));
+inline void add_own_law(Row& row, const CountedPacking& packing) {
+  const double mean = packing.mean_force();
+  row.add("b", packing.law.exponent_at_force(mean));
   for (const double ratio : exponent_ratios)
     add_moduli(
-        row, assembly, [&](double force) { return law.stiffness_at_force(force); },
-        law.stiffness_at_force(mean), ratio, "own");
+        row, packing, [&](double force) { return packing.law.stiffness_at_force(force); },
+        packing.law.stiffness_at_force(mean), ratio, "own");
 }
 
 inline void add_assembly(Row& row, const packing::Assembly& assembly, const dem::Material& material) {
@@ -208,10 +224,12 @@ inline void describe_stiffening(Row& row, const dem::Specimen& frozen, const dem
   row.add("a", micro.fabric_anisotropy);
   row.add("stress_v_Pa", stress(2, 2));
   row.add("stress_h_Pa", (stress(0, 0) + stress(1, 1)) / 2);
-  row.add("force_moment_2", normal_force_moment(assembly, 2));
-  if (!material.law.constant_exponent())
-    add_own_law(row, assembly, material.law);
-  add_exponents(row, assembly, material.law);
+  const CountedPacking packing(assembly, material.law);
+  row.add("force_moment_2", normal_force_moment(packing.counted, 2));
+  if (material.law.constant_exponent())
+    add_exponents(row, packing);
+  else
+    add_own_law(row, packing);
 }
 
 /// What one row says of a frozen state.

@@ -80,8 +80,8 @@ inline Fit<2> fit_shift(const std::vector<Packing>& packings, const ShearFit& eq
 /// K of unequal grains over that of equal ones.
 template <class T>
 T bulk_share(const Packing& p, const BulkFit& equal, const T& loss) {
-  return kernel::size_bulk_share(T(p.mechanical_coordination), T(p.exponent()), loss, branch_variance(p),
-                                 kernel::constants<T>(equal.coefficients));
+  return kernel::size_bulk_share(T(p.mechanical_coordination), kernel::own_exponent(T(p.exponent())), loss,
+                                 branch_variance(p), kernel::constants<T>(equal.coefficients));
 }
 
 inline Fit<2> fit_loss(const std::vector<Packing>& packings, const BulkFit& equal, const Choice& chosen) {

@@ -45,10 +45,10 @@ struct Relaxation {
 /// Accuracy  not measured; the value is that of the fit.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double scatter_share_of_preparation();
 
-/// Why contacts stiffen as f^b. Up to b = 1/2 only the errors of the factors depend on it.
+/// Why contacts stiffen as f^b. Up to b = 1/3 the factors do not depend on it.
 enum class Stiffening {
   power_law, ///< one b at every force; beyond 1/2 in packings made with another law
-  rough      ///< rough spheres in their own packings; b decreases as the roughness is flattened
+  rough      ///< rough spheres in their own packings; b decreases to 1/3 as the roughness is flattened
 };
 
 /// The stiffening of a law: rough where b depends on the force.
@@ -58,9 +58,10 @@ enum class Stiffening {
 /// r = 0), the factor of G is 0 at x = 0, grows linearly in x, as sqrt(r) at z* = 6 and small r, and tends to
 /// 1 for large z*. The factor of K has a jump at the isostatic point and tends to 1 as well. Both are exactly
 /// 0 at that point and below. They depend weakly on the contact law, through the scatter of the contact
-/// stiffnesses. Beyond b = 1/2 the factor of G decreases; that of K rises to 1 less the effect of tangential
-/// forces at b = 1.
-/// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*.
+/// stiffnesses. Beyond b = 1/2 (power laws) or 1/3 (rough spheres) the factor of G decreases; that of K rises
+/// to 1 less the effect of tangential forces at b = 1.
+/// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*; for rough grains
+///           also contacts less than 5 % as stiff as one of the mean force, as in analysis::counted_part.
 /// \param    mechanical_coordination_number   z* >= 0 [1]
 /// \param    tangential_ratio                 r = k_t/k_n >= 0 [1]
 /// \param    stiffness_exponent               b of k_n ~ f^b, contact_exponent(state), in [0, 1]
@@ -75,8 +76,8 @@ enum class Stiffening {
 ///           (1 + 2x)^2, derived from packings of LAMMPS and tested on YADE's. Grains compressed from a gas
 ///           with much friction are up to 6 % stiffer than the curve. At r = 0.1: G 4 %, K 6 %; at r = 0:
 ///           8 % both. Beyond b = 1/2, networks of k_n ~ f^b on packings never fitted: G 5, 6 and 8 % rms at
-///           b = 2/3, 0.8 and 1, K 2 %; rough packings: G 5 % and K 3 % rms, opened ones 10 to 20 %; the
-///           stated errors grow with it. Rounding: relative 1e-13.
+///           b = 2/3, 0.8 and 1, K 2 %, and the stated errors grow with it; rough packings never fitted, b from
+///           0.96 to 0.35: G 2.5 % and K 1.4 % rms, dense ones of 10 kPa up to 8 %. Rounding: relative 1e-13.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
 [[nodiscard]] Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
                                     double stiffness_exponent, Stiffening stiffening = Stiffening::power_law);
@@ -105,8 +106,8 @@ struct RelaxedEstimate {
 /// Unequal grains, with v = <l^2>/<l>^2 - 1 of state.contacts: the factor of G is that of equal grains at a
 /// z* larger by 1.6 v/(1 + 2x)^2, the factor of K is divided by 1 + 0.60 v/(z* - 3.46 + 0.96 b), and the
 /// errors grow with v: 6 % of G for C_u = 2, more beyond. b is contact_exponent(state). Contacts count as
-/// rough where b depends on the force; rough contacts have larger stated errors below b = 1/2 too. In the
-/// exponent above, b is limited to 1/2, because no sheared packings beyond it were available.
+/// rough where b depends on the force. In the exponent above, b is limited to 1/2, because no sheared packings
+/// beyond it were available.
 /// Assumes   as relaxation and uniform_strain; moduli of a packing at rest, not during shear.
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]

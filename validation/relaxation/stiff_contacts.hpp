@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the factors go on where b exceeds 1/2: networks with k_n ~ f^b on recorded packings (exponents.csv),
-// and packings of rough grains (rough.csv).
+// How the factors go on where the packings of the fit end: networks with k_n ~ f^b on recorded packings beyond
+// b = 1/2 (exponents.csv), and packings of rough grains beyond b = 1/3 (rough.csv).
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct StiffNetwork {
   [[nodiscard]] std::string recipe() const { return contact + " " + preparation; }
   /// Fits see the first seed of a record, others judge.
   [[nodiscard]] bool fitted() const { return seed % 100 == 0; }
-  [[nodiscard]] bool beyond() const { return b > kernel::largest_own_exponent; }
+  [[nodiscard]] bool beyond() const { return b > (rough ? kernel::rough_spheres : kernel::power_laws).from; }
 };
 
 /// \param    rough   whether the file is rough.csv
@@ -79,20 +79,20 @@ inline std::vector<StiffNetwork> read_stiff_networks(const std::string& path, bo
   return all;
 }
 
-/// What is fitted beyond b = 1/2.
-struct BeyondHalf {
-  double power_law_loss = 0;
-  double rough_shear_loss = 0, rough_bulk_loss = 0;
-  double scatter_power = 1;
-  std::array<double, 2> power_law_errors = {0, 0}; ///< of G and of K
-  std::array<double, 2> rough_errors = {0, 0};
+/// What is fitted of both kinds of contacts.
+struct Beyond {
+  kernel::GoingOn power_laws{.from = kernel::power_laws.from, .shear_loss = 0, .scatter_power = 1};
+  kernel::GoingOn rough{.from = kernel::rough_spheres.from, .shear_loss = 0, .scatter_power = 1};
+
+  [[nodiscard]] const kernel::GoingOn& of(const StiffNetwork& n) const {
+    return n.rough ? rough : power_laws;
+  }
 };
 
-/// A packing of a power law with that b, up to 1/2, for what is known there.
-inline Packing up_to_half(const StiffNetwork& n) {
+/// A packing of a power law of that b, up to 1/2, for what is known there.
+inline Packing packing_of(const StiffNetwork& n, double b) {
   using granum::contact::PowerLaw;
   constexpr granum::contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
-  const double b = kernel::up_to_half(n.b);
   return {.contact = n.contact,
           .preparation = n.preparation,
           .recipe = n.recipe(),
@@ -109,23 +109,17 @@ struct StiffErrors {
 };
 
 inline StiffErrors errors_of(const StiffNetwork& n, const EqualFit& equal, double bulk_codes,
-                             const BeyondHalf& fit) {
-  const Packing p = up_to_half(n);
+                             const kernel::GoingOn& contacts) {
+  const kernel::ByExponent<double> b = kernel::by_exponent(n.b, contacts);
+  const Packing p = packing_of(n, b.own);
   const Network network{n.ratio, {}};
   const double h = shear_model(p, network, equal.shear.coefficients);
-  const double power = n.rough ? kernel::loss_of_rough.power : kernel::loss_of_powers.power;
-  const double shear_loss = n.rough ? fit.rough_shear_loss : fit.power_law_loss;
-  const double bulk_loss = n.rough ? fit.rough_bulk_loss : 0;
-  const auto& c = equal.bulk.coefficients;
-  // 1/K less what of the scatter of forces is left out beyond one half.
-  const double spared =
-      c[0] / kernel::scatter_distance(n.z, n.b, c) * (1 - kernel::left_to_one(n.b, fit.scatter_power));
-  const double K = 1 / (1 / kernel::bulk_relaxation(n.z, n.ratio, kernel::up_to_half(n.b), c) - spared);
+  const double K = kernel::stiffened_bulk(n.z, n.ratio, b, equal.bulk.coefficients);
   const double G_slope = shear_residual(p, network, equal.shear).sensitivity,
                K_slope = bulk_residual(p, network, equal.bulk).sensitivity;
   const double codes = bulk_codes * kernel::looseness(n.z);
-  return {.shear = std::log(h * kernel::beyond_half(h, n.b, shear_loss, power) / n.G),
-          .bulk = std::log(K * kernel::beyond_half(h, n.b, bulk_loss, power) / n.K),
+  return {.shear = std::log(h * kernel::left_of_shear(h, b) / n.G),
+          .bulk = std::log(K / n.K),
           .stated_shear = std::hypot(
               coefficient_error(equal.shear, p, network, kernel::shear_relaxation<Dual<shear_size>>),
               deviation(equal.shear_scatter, G_slope)),
@@ -134,15 +128,14 @@ inline StiffErrors errors_of(const StiffNetwork& n, const EqualFit& equal, doubl
                          deviation(equal.bulk_scatter, K_slope), codes)};
 }
 
-/// What beyond_half's losses, and what their errors are multiplied by.
-inline double lost_strain(const StiffNetwork& n, const EqualFit& equal) {
-  const double h = shear_model(up_to_half(n), {n.ratio, {}}, equal.shear.coefficients);
-  const double power = n.rough ? kernel::loss_of_rough.power : kernel::loss_of_powers.power;
-  return (1 - h) * (1 - kernel::left_to_one(n.b, power));
+/// 1 - h at the b from which a network goes on.
+inline double unstrained(const StiffNetwork& n, const EqualFit& equal, const kernel::GoingOn& contacts) {
+  const Packing p = packing_of(n, kernel::by_exponent(n.b, contacts).own);
+  return 1 - shear_model(p, {n.ratio, {}}, equal.shear.coefficients);
 }
-inline double unknown_strain(const StiffNetwork& n, const EqualFit& equal) {
-  const double h = shear_model(up_to_half(n), {n.ratio, {}}, equal.shear.coefficients);
-  return (1 - h) * kernel::unknown_beyond_half(n.b, n.rough);
+/// What losses and further errors are multiplied by.
+inline double unknown_strain(const StiffNetwork& n, const EqualFit& equal, const kernel::GoingOn& contacts) {
+  return unstrained(n, equal, contacts) * kernel::share_beyond(n.b, contacts.from);
 }
 
 using StiffChoice = std::function<bool(const StiffNetwork&)>;
@@ -159,34 +152,36 @@ inline std::map<std::string, double> weights_of(const std::vector<StiffNetwork>&
   return weights;
 }
 
-/// The loss that makes errors of the chosen networks smallest: they go with it as -(1 - h) (1 - left_to_one).
-inline double fit_loss(const std::vector<StiffNetwork>& networks, const EqualFit& equal,
-                       const BeyondHalf& without, double StiffErrors::*error, const StiffChoice& chosen) {
+/// The loss of G that makes errors of the chosen networks smallest: they fall in proportion to it.
+inline double fit_shear_loss(const std::vector<StiffNetwork>& networks, const EqualFit& equal, double from,
+                             const StiffChoice& chosen) {
   const std::map<std::string, double> weights = weights_of(networks, chosen);
+  const kernel::GoingOn without{.from = from, .shear_loss = 0, .scatter_power = 1};
   double product = 0, square = 0;
   for (const StiffNetwork& n : networks)
     if (chosen(n)) {
       const double weight = weights.at(n.recipe());
-      const double slope = lost_strain(n, equal);
-      product += weight * slope * (errors_of(n, equal, 0, without).*error);
+      const double slope = unknown_strain(n, equal, without);
+      product += weight * slope * errors_of(n, equal, 0, without).shear;
       square += weight * slope * slope;
     }
   return product / square;
 }
 
 /// The power of what K is spared of the scatter of forces, by golden section.
-inline double fit_scatter_power(const std::vector<StiffNetwork>& networks, const EqualFit& equal,
+inline double fit_scatter_power(const std::vector<StiffNetwork>& networks, const EqualFit& equal, double from,
                                 const StiffChoice& chosen) {
   const std::map<std::string, double> weights = weights_of(networks, chosen);
   const auto sum_of_squares = [&](double power) {
+    const kernel::GoingOn contacts{.from = from, .shear_loss = 0, .scatter_power = power};
     double sum = 0;
     for (const StiffNetwork& n : networks)
       if (chosen(n))
-        sum += weights.at(n.recipe()) * std::pow(errors_of(n, equal, 0, {.scatter_power = power}).bulk, 2);
+        sum += weights.at(n.recipe()) * std::pow(errors_of(n, equal, 0, contacts).bulk, 2);
     return sum;
   };
   const double golden = (std::sqrt(5.0) - 1) / 2;
-  double low = 1, high = 3;
+  double low = 0.1, high = 3;
   while (high - low > 1e-9) {
     const double a = high - golden * (high - low), b = low + golden * (high - low);
     (sum_of_squares(a) < sum_of_squares(b) ? high : low) = sum_of_squares(a) < sum_of_squares(b) ? b : a;
@@ -194,53 +189,55 @@ inline double fit_scatter_power(const std::vector<StiffNetwork>& networks, const
   return (low + high) / 2;
 }
 
-/// Means alone, from the chosen networks beyond b = 1/2.
-inline BeyondHalf fit_means_beyond_half(const std::vector<StiffNetwork>& networks, const EqualFit& equal,
-                                        const StiffChoice& chosen) {
-  const auto of = [&](bool rough) {
-    return StiffChoice(
-        [rough, chosen](const StiffNetwork& n) { return n.rough == rough && n.beyond() && chosen(n); });
+/// Means alone, from the chosen networks of one kind.
+inline kernel::GoingOn fit_going_on(const std::vector<StiffNetwork>& networks, const EqualFit& equal,
+                                    bool rough, const StiffChoice& chosen) {
+  const double from = (rough ? kernel::rough_spheres : kernel::power_laws).from;
+  const StiffChoice of_kind = [&](const StiffNetwork& n) {
+    return n.rough == rough && n.beyond() && chosen(n);
   };
-  BeyondHalf fit;
-  fit.scatter_power = fit_scatter_power(networks, equal, of(false));
-  const BeyondHalf without = fit;
-  fit.power_law_loss = fit_loss(networks, equal, without, &StiffErrors::shear, of(false));
-  fit.rough_shear_loss = fit_loss(networks, equal, without, &StiffErrors::shear, of(true));
-  fit.rough_bulk_loss = fit_loss(networks, equal, without, &StiffErrors::bulk, of(true));
-  return fit;
+  return {.from = from,
+          .shear_loss = fit_shear_loss(networks, equal, from, of_kind),
+          .scatter_power = fit_scatter_power(networks, equal, from, of_kind)};
 }
 
 /// Means of all networks of fitted seeds; errors that make those of preparations left out most likely.
-inline BeyondHalf fit_beyond_half(const std::vector<StiffNetwork>& networks, const EqualFit& equal,
-                                  double bulk_codes) {
-  const StiffChoice fitted = [](const StiffNetwork& n) { return n.fitted(); };
-  BeyondHalf fit = fit_means_beyond_half(networks, equal, fitted);
+inline kernel::GoingOn fit_kind(const std::vector<StiffNetwork>& networks, const EqualFit& equal,
+                                double bulk_codes, bool rough) {
+  const StiffChoice fitted = [rough](const StiffNetwork& n) { return n.rough == rough && n.fitted(); };
   const std::map<std::string, double> weights = weights_of(networks, fitted);
   std::set<std::string> preparations;
   for (const StiffNetwork& n : networks)
-    if (n.fitted())
+    if (fitted(n))
       preparations.insert(n.preparation);
-  std::vector<Deviation> G[2], K[2]; // of power laws, of rough contacts
+  std::vector<Deviation> G, K;
   for (const std::string& left_out : preparations) {
-    const BeyondHalf others = fit_means_beyond_half(
-        networks, equal, [&](const StiffNetwork& n) { return n.fitted() && n.preparation != left_out; });
+    const kernel::GoingOn others = fit_going_on(networks, equal, rough, [&](const StiffNetwork& n) {
+      return n.fitted() && n.preparation != left_out;
+    });
     for (const StiffNetwork& n : networks)
-      if (n.fitted() && n.preparation == left_out && unknown_strain(n, equal) > 0) {
+      if (fitted(n) && n.preparation == left_out && n.beyond()) {
         const StiffErrors e = errors_of(n, equal, bulk_codes, others);
-        const double measure = std::pow(unknown_strain(n, equal), 2), weight = weights.at(n.recipe());
-        G[n.rough].push_back({.squared = e.shear * e.shear,
-                              .weight = weight,
-                              .known = e.stated_shear * e.stated_shear,
-                              .measure = measure});
-        K[n.rough].push_back({.squared = e.bulk * e.bulk,
-                              .weight = weight,
-                              .known = e.stated_bulk * e.stated_bulk,
-                              .measure = measure});
+        const double measure = std::pow(unknown_strain(n, equal, others), 2), weight = weights.at(n.recipe());
+        G.push_back({.squared = e.shear * e.shear,
+                     .weight = weight,
+                     .known = e.stated_shear * e.stated_shear,
+                     .measure = measure});
+        K.push_back({.squared = e.bulk * e.bulk,
+                     .weight = weight,
+                     .known = e.stated_bulk * e.stated_bulk,
+                     .measure = measure});
       }
   }
-  fit.power_law_errors = {further_scatter(G[0]), further_scatter(K[0])};
-  fit.rough_errors = {further_scatter(G[1]), further_scatter(K[1])};
+  kernel::GoingOn fit = fit_going_on(networks, equal, rough, fitted);
+  fit.errors = {further_scatter(G), further_scatter(K)};
   return fit;
+}
+
+inline Beyond fit_beyond(const std::vector<StiffNetwork>& networks, const EqualFit& equal,
+                         double bulk_codes) {
+  return {.power_laws = fit_kind(networks, equal, bulk_codes, false),
+          .rough = fit_kind(networks, equal, bulk_codes, true)};
 }
 
 // ---- what is said of it ----
@@ -252,18 +249,18 @@ struct StiffReport {
 };
 
 inline StiffReport report_of(const std::vector<StiffNetwork>& networks, const EqualFit& equal,
-                             double bulk_codes, const BeyondHalf& fit, const StiffChoice& chosen) {
+                             double bulk_codes, const Beyond& fit, const StiffChoice& chosen) {
   std::map<std::string, double> at_half; // error of G there
   for (const StiffNetwork& n : networks)
     if (!n.rough && n.b == kernel::largest_own_exponent)
-      at_half[n.packing + " " + std::to_string(n.ratio)] = errors_of(n, equal, bulk_codes, fit).shear;
+      at_half[n.packing + " " + std::to_string(n.ratio)] = errors_of(n, equal, bulk_codes, fit.of(n)).shear;
   StiffReport report;
   for (const StiffNetwork& n : networks) {
     if (!chosen(n))
       continue;
-    const StiffErrors e = errors_of(n, equal, bulk_codes, fit);
-    const auto& [of_shear, of_bulk] = n.rough ? fit.rough_errors : fit.power_law_errors;
-    const double unknown = unknown_strain(n, equal);
+    const StiffErrors e = errors_of(n, equal, bulk_codes, fit.of(n));
+    const auto& [of_shear, of_bulk] = fit.of(n).errors;
+    const double unknown = unknown_strain(n, equal, fit.of(n));
     report.G.add(e.shear);
     report.K.add(e.bulk);
     report.coverage.shear.add(e.shear, std::hypot(e.stated_shear, of_shear * unknown));
