@@ -249,20 +249,20 @@ contact_means : ContactMeans, optional
 relative_error : array_like
     Standard errors of the measurements over their values [1].
 grain_density : float, optional
-    Of the grains' solid [kg/m3]; wave speeds need it.
+    Of the solid of the grains [kg/m3]; required for wave speeds.
 pore_density : float
-    Of what fills the pores of spheres, where it is not water [kg/m3].
+    Of the fluid in the pores of spheres, if it is not water [kg/m3].
 rattler_fraction : float, optional
-    x_0 of spheres at the first measurement, where it is known [1].
+    x_0 of spheres at the first measurement, if known [1].
 growth : str, optional
-    How z* of spheres follows the pressure: "packings", as in granum's own packings and by default, "fixed", or
-    "fitted". How G of a sand does: "sand", as in measured sands and by default, or "fitted".
+    Growth of z* of spheres with pressure: "packings" (as in granum's own packings; the default), "fixed" or
+    "fitted". Growth of G of a sand: "sand" (as in measured sands; the default) or "fitted".
 contacts : str
-    What is asked of spheres besides z*, in the place of smooth ones: "given" (nothing: the law stays), "rough"
-    (roughness), or "power-law" (softness, which is k_n over Hertz', and alpha).
+    Of spheres, properties of the contacts that are inferred besides z*: "given" (none), "rough" (roughness),
+    or "power-law" (softness, k_n over that of Hertz, and alpha).
 uncertainty : dict, optional
-    Standard deviations of what all measurements of spheres share, by the names of numbers above,
-    grain_shear_modulus and grain_poisson_ratio: {"void_ratio": 0.01} [their units]; without it none.
+    Standard deviations of the inputs common to all measurements of spheres, by their names above,
+    grain_shear_modulus and grain_poisson_ratio: {"void_ratio": 0.01} [their units]; none by default.
 saturation : float
     Share of the pores' volume that is water, in [0, 1] [1].
 grain_shape : str
