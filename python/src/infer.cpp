@@ -225,7 +225,7 @@ void bind_infer(py::module_& module) {
          {"infer", keywords, &infer,
           std::string() + R"(The contacts that measured moduli or wave speeds imply; of a sand, its own law.
 
-All measurements are of one packing, or of one sand, and are fitted together. Calibrate once, predict elsewhere.
+All measurements are of one packing or one sand, and are fitted together. Calibrate once, predict elsewhere.
 Spheres are those of the model; a sand (`sand`, or grain_shape "sand") follows the laws measured on sands.
 
 Parameters
