@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <granum/elastic/wave_speeds.hpp>
@@ -25,10 +26,12 @@ using granum::inverse::Quantity;
 inline constexpr double reading_error = 0.015;
 inline const char* const contact_kinds[] = {"given", "rough", "power-law"};
 
-inline granum::inverse::InferenceAnswer ask(const Grains& grains, const std::vector<Observation>& known,
-                                            const char* contacts) {
-  return granum::inverse::infer(
-      known, {.grain_density = grains.density, .contacts = granum::inverse::unknown_contacts(contacts)});
+inline granum::inverse::InferenceAnswer
+ask(const Grains& grains, const std::vector<Observation>& known, const char* contacts,
+    granum::inverse::GrowthRule growth = granum::inverse::GrowthRule::packings) {
+  return granum::inverse::infer(known, {.grain_density = grains.density,
+                                        .growth = growth,
+                                        .contacts = granum::inverse::unknown_contacts(contacts)});
 }
 
 /// Both speeds at the pressures of one half.
@@ -43,18 +46,28 @@ inline std::vector<Observation> observed(const Grains& grains, std::span<const M
   return all;
 }
 
-inline double foretold_speed(const Grains& grains, const granum::inverse::Inference& fit, double pressure) {
-  return fit.predict(Quantity::V_s, spheres(grains, void_ratio_of(porosity), pressure)).value;
+inline granum::Measured foretold_speed(const Grains& grains, const granum::inverse::Inference& fit,
+                                       double pressure) {
+  return fit.predict(Quantity::V_s, spheres(grains, void_ratio_of(porosity), pressure));
 }
 
-/// The largest |V_s/measured - 1| of V_s in one part of the pressures by contacts that the other implies.
-inline double worst_miss(const Grains& grains, std::span<const Measured> known,
-                         std::span<const Measured> asked, const char* contacts) {
-  const auto answer = ask(grains, observed(grains, known), contacts);
-  double worst = 0;
-  for (const Measured& m : asked)
-    worst =
-        std::max(worst, std::abs(foretold_speed(grains, answer.together.value(), m.pressure) / m.V_s - 1));
+/// Of V_s foretold against measured: the largest |V_s/measured - 1|, and the same over the error that is stated
+/// of both.
+struct Miss {
+  double relative = 0, in_errors = 0;
+};
+inline Miss worst_of(const Miss& a, const Miss& b) {
+  return {std::max(a.relative, b.relative), std::max(a.in_errors, b.in_errors)};
+}
+inline Miss miss_of(const Grains& grains, const granum::inverse::Inference& fit,
+                    std::span<const Measured> asked) {
+  Miss worst;
+  for (const Measured& m : asked) {
+    const granum::Measured speed = foretold_speed(grains, fit, m.pressure);
+    const double miss = std::abs(speed.value / m.V_s - 1);
+    const double stated = std::hypot(speed.standard_error / speed.value, reading_error);
+    worst = worst_of(worst, {miss, miss / stated});
+  }
   return worst;
 }
 
@@ -72,20 +85,45 @@ inline void print_numbers(const granum::inverse::Inference& fit, const State& fi
   std::printf("\n");
 }
 
-/// The worst misses, upper half from the lower and back, of every kind of contacts.
-inline std::vector<double> print_contacts(const Grains& grains, const std::vector<Measured>& measured) {
-  const std::span all(measured);
-  const auto lower = all.first(all.size() / 2), upper = all.subspan(all.size() / 2);
+/// How the upper half of the pressures and the lower one are foretold from each other.
+struct HalfByHalf {
+  Miss upper, lower;
+
+  [[nodiscard]] Miss worst() const { return worst_of(upper, lower); }
+};
+inline HalfByHalf half_by_half(const Grains& grains, std::span<const Measured> measured, const char* contacts,
+                               granum::inverse::GrowthRule growth = granum::inverse::GrowthRule::packings) {
+  const auto lower = measured.first(measured.size() / 2), upper = measured.subspan(measured.size() / 2);
+  const auto fit = [&](std::span<const Measured> known) {
+    return ask(grains, observed(grains, known), contacts, growth).together.value();
+  };
+  return {.upper = miss_of(grains, fit(lower), upper), .lower = miss_of(grains, fit(upper), lower)};
+}
+
+inline void print_misses(const char* what, const HalfByHalf& misses) {
+  std::printf("  %-22s upper %.1f %% (%.1f stated errors), lower %.1f %% (%.1f)", what,
+              100 * misses.upper.relative, misses.upper.in_errors, 100 * misses.lower.relative,
+              misses.lower.in_errors);
+}
+
+/// The worst misses of every kind of contacts.
+inline std::vector<Miss> print_contacts(const Grains& grains, const std::vector<Measured>& measured) {
+  using granum::inverse::GrowthRule;
   std::printf("\n%s, V_s and V_p: contacts implied by one half of the pressures, V_s tried on the other\n",
               grains.name);
-  std::vector<double> worst;
+  std::vector<Miss> worst;
   for (const char* kind : contact_kinds) {
-    const auto fit = ask(grains, observed(grains, all), kind).together.value();
-    const double up = worst_miss(grains, lower, upper, kind), down = worst_miss(grains, upper, lower, kind);
-    worst.push_back(std::max(up, down));
-    std::printf("  %-10s upper %.1f %%, lower %.1f %%; all: chi^2 %.1f of %zu;", kind, 100 * up, 100 * down,
-                fit.chi_square(), fit.degrees_of_freedom());
+    const auto fit = ask(grains, observed(grains, measured), kind).together.value();
+    const HalfByHalf misses = half_by_half(grains, measured, kind);
+    worst.push_back(misses.worst());
+    print_misses(kind, misses);
+    std::printf("; all: chi^2 %.1f of %zu;", fit.chi_square(), fit.degrees_of_freedom());
     print_numbers(fit, spheres(grains, void_ratio_of(porosity), measured.front().pressure));
+  }
+  for (const auto& [what, growth] : {std::pair{"rough, z* fixed", GrowthRule::fixed},
+                                     std::pair{"rough, growth fitted", GrowthRule::fitted}}) {
+    print_misses(what, half_by_half(grains, measured, "rough", growth));
+    std::printf("\n");
   }
   return worst;
 }
@@ -133,7 +171,7 @@ inline granum::plot::Chart contact_chart(const Grains& grains, const std::vector
       const double p = measured.front().pressure *
                        std::pow(measured.back().pressure / measured.front().pressure, step / 40.0);
       line.x.push_back(p);
-      line.y.push_back(foretold_speed(grains, answer.together.value(), p));
+      line.y.push_back(foretold_speed(grains, answer.together.value(), p).value);
     }
     picture.series.push_back(std::move(line));
   }
