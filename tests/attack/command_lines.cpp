@@ -152,8 +152,8 @@ class Attack {
     case 0:
       return same_row(line, answer);
     case 1:
-      // At a given C_n fewer rattlers mean fewer contacts of the others: flat ones soften by 1e-4. Unequal flat
-      // grains near the isostatic point lose up to 6 %, which rung 3 has to mend. With a given share of
+      // At a given C_n fewer rattlers mean fewer contacts of the others: flat ones soften by 1e-4. Unequal
+      // flat grains near the isostatic point lose up to 6 %, which rung 3 has to mend. With a given share of
       // rattlers z* is that of packings of this e, which were looser before a higher pressure: 1 % softer
       // once grains are no longer nearly rigid.
       if (!line.has("--coordination-number") && !line.has("--uniformity") && !line.has("--sizes") &&
