@@ -65,7 +65,7 @@ def from_yade(scene):
     ValueError
         For contacts of bodies that are neither spheres nor walls.
     InvalidArgument
-        As packing().
+        For impossible values, as packing().
 
     Notes
     -----

@@ -102,7 +102,7 @@ granum_cli_test("infer: contacts of both speeds" EXIT 0 STDERR "larger than in p
 granum_cli_test("infer: shear waves alone do not determine contacts" EXIT 0 JSON "contacts/numbers/0/determined=^(OFF|false)$"
     "contacts/would_determine=^V_p$"
   ARGS infer --table sand_shear_speeds.csv ${quartz} --contacts power-law --json)
-granum_cli_test("infer: roughness" EXIT 0 STDOUT "contacts are implied: rough.*roughness +[0-9.]+ .m \\+-"
+granum_cli_test("infer: roughness" EXIT 0 STDOUT "inferred contact law: rough.*roughness +[0-9.]+ .m \\+-"
   ARGS infer --table sand_speeds.csv ${quartz} --contacts rough)
 granum_cli_test("infer: contacts that are both given and inferred" EXIT 2 STDERR "--contacts rough"
   ARGS infer ${packing} --vs 280m/s --contact cone --contacts rough)

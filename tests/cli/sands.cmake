@@ -132,7 +132,7 @@ granum_new_user("V_s without error" "infer --sand toyoura --void-ratio 0.75 --pr
 granum_new_user("V_s and V_p" "infer --grain-shape sand --void-ratio 0.7 --pressure 100kPa --vs 250m/s+-1% --vp 400m/s+-1%" 0 "nu +0\\.1[0-9]*")
 granum_new_user("cemented ground" "infer --grain-shape sand --void-ratio 0.5 --pressure 100kPa --vs 800m/s" 0 "cemented")
 granum_new_user("a cemented log" "infer --table engineer_cemented_log_10_rows.csv --grain-shape sand" 0 "the ground is cemented")
-granum_new_user("p and G without e" "fit engineer_p_G_without_e.csv" 0 "no void ratio: f.e. = 1 is taken")
+granum_new_user("p and G without e" "fit engineer_p_G_without_e.csv" 0 "no void ratio: f.e. = 1 is used")
 granum_new_user("an empty cell" "fit engineer_fit_one_blank_G.csv" 0 "1 of 5 rows have an empty cell")
 granum_new_user("sigma'v" "fit engineer_fit_primed_headings.csv" 0 "m +0\\.[0-9]+")
 granum_new_user("G in kPa" "fit engineer_fit_kPa_slip.csv" 0 "did you mean 149 MPa")

@@ -143,7 +143,7 @@ granum_cli_test("sweep: missing table" EXIT 3 STDERR "none\\.csv: cannot be read
 granum_cli_test("sweep: truncated table" EXIT 3 STDERR "truncated\\.csv:5: expected 4 fields" ARGS sweep --table truncated.csv)
 granum_cli_test("sweep: column without unit" EXIT 3 STDERR "sweep_unitless\\.csv:1: column 'sigma_v' has no unit"
   ARGS sweep --table sweep_unitless.csv)
-granum_cli_test("sweep: a column of the results is there" EXIT 3 STDERR "sweep_again\\.csv: has a column 'K_rung2_Pa' already"
+granum_cli_test("sweep: a column of the results is there" EXIT 3 STDERR "sweep_again\\.csv: already has a column 'K_rung2_Pa'"
   ARGS sweep --table sweep_again.csv --columns all)
 granum_cli_test("sweep: unwritable output" EXIT 3 STDERR "no such folder/s\\.csv: cannot be written"
   ARGS ${iso} --out "no such folder/s.csv")

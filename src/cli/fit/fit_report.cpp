@@ -93,7 +93,7 @@ io::Items fit_items(const FitQuestion& question, const hardin::FitReport& report
              shown(fit.exponent_i ? "s = m + n" : "s", 4, "exponent of mean stress"));
   for (const auto& [name, alpha] : contact_shapes)
     io::add_item(list, std::string("one_over_one_plus_alpha/") + name, 1 / (1 + alpha),
-                 shown("1/(1+alpha)", 4, fmt::format("contacts of a {}, constant number", name)));
+                 shown("1/(1+alpha)", 4, fmt::format("contacts of a {}, fixed C_n", name)));
   io::add_item(list, "alpha", alpha_of(fit) ? io::Value(*alpha_of(fit)) : nullptr);
   if (fit.exponent_i)
     io::add_item(list, "", fit.correlation(), shown("correlation of m and n", 3));
