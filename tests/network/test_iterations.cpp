@@ -25,8 +25,8 @@ TEST_CASE("a network that is hardly rigid takes few iterations, and one lost piv
   CHECK(response.report().iterations <= 85);  // measured 67; 140 with one level of fill
 }
 
-// This test and the next, on "soft motions", count iterations of more than 20,000 grains. The preset sanitize leaves
-// them out: they take six minutes there, on code that the others run as well.
+// This test and the next, on "soft motions", count iterations of more than 20,000 grains. The preset sanitize
+// leaves them out: they take six minutes there, on code that the others run as well.
 TEST_CASE(
     "in a large network that is hardly rigid soft motions are as soft as they are, and lost ones found") {
   struct Lattice {
