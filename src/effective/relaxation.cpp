@@ -229,8 +229,8 @@ StiffContacts contacts_of(const State& s) {
   return {.exponent = kernel::local_exponent(s), .stiffening = stiffening_of(s.law)};
 }
 
-/// Subtracts from the factor of G its loss beyond the b of the packings of the fit, and adds the uncertainty of
-/// this range to the errors of both.
+/// Subtracts from the factor of G its loss beyond the b of the packings of the fit, and adds the uncertainty
+/// of this range to the errors of both.
 RelaxingFactors with_stiffening(RelaxingFactors factors, const StiffContacts& contacts) {
   const double h = factors.shear.value;
   factors.shear.value *= kernel::left_of_shear(h, contacts.effect());

@@ -60,8 +60,9 @@ enum class Stiffening {
 /// 0 at that point and below. They depend weakly on the contact law, through the scatter of the contact
 /// stiffnesses. Beyond b = 1/2 (power laws) or 1/3 (rough spheres) the factor of G decreases; that of K rises
 /// to 1 less the effect of tangential forces at b = 1.
-/// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*; for rough grains
-///           also contacts less than 5 % as stiff as one of the mean force, as in analysis::counted_part.
+/// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*; for rough
+///           grains also contacts less than 5 % as stiff as one of the mean force, as in
+///           analysis::counted_part.
 /// \param    mechanical_coordination_number   z* >= 0 [1]
 /// \param    tangential_ratio                 r = k_t/k_n >= 0 [1]
 /// \param    stiffness_exponent               b of k_n ~ f^b, contact_exponent(state), in [0, 1]
@@ -69,15 +70,15 @@ enum class Stiffening {
 /// \return   notes where z* is at or below the isostatic point or beyond the calibrated range (4.1 to 8.7),
 ///           where r exceeds 1 or lies between 0 and 0.1
 /// \throws   InvalidArgument if a value is out of its range
-/// Accuracy  of recipes left out of the fit, r >= 0.5: G 3 % rms and 10 % at worst; K 2 % rms, worse for
-///           z* < 4.3. The stated errors include the scatter of recipes and of specimens: for z* >= 4.3 they
-///           cover 64 % of G and 74 % of K, twice as large 94 and 99 %. K of loose packings made by other
-///           codes is 3 to 8 % larger: its stated error also includes a scatter between codes, 18 % over
-///           (1 + 2x)^2, derived from packings of LAMMPS and tested on YADE's. Grains compressed from a gas
-///           with much friction are up to 6 % stiffer than the curve. At r = 0.1: G 4 %, K 6 %; at r = 0:
-///           8 % both. Beyond b = 1/2, networks of k_n ~ f^b on packings never fitted: G 5, 6 and 8 % rms at
-///           b = 2/3, 0.8 and 1, K 2 %, and the stated errors grow with it; rough packings never fitted, b from
-///           0.96 to 0.35: G 2.5 % and K 1.4 % rms, dense ones of 10 kPa up to 8 %. Rounding: relative 1e-13.
+/// Accuracy  of recipes left out of the fit, r >= 0.5: G 3 % rms and 10 % at worst; K 2 % rms, worse for z* <
+///           4.3. The stated errors include the scatter of recipes and of specimens: for z* >= 4.3 they cover
+///           64 % of G and 74 % of K, twice as large 94 and 99 %. K of loose packings made by other codes is
+///           3 to 8 % larger: its stated error also includes a scatter between codes, 18 % over (1 + 2x)^2,
+///           derived from packings of LAMMPS and tested on YADE's. Grains compressed from a gas with much
+///           friction are up to 6 % stiffer than the curve. At r = 0.1: G 4 %, K 6 %; at r = 0: 8 % both.
+///           Beyond b = 1/2, networks of k_n ~ f^b on packings never fitted: G 5, 6 and 8 % rms at b = 2/3,
+///           0.8 and 1, K 2 %, and the stated errors grow with it; rough packings never fitted, b from 0.96
+///           to 0.35: G 2.5 % and K 1.4 % rms, dense ones of 10 kPa up to 8 %. Rounding: relative 1e-13.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
 [[nodiscard]] Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
                                     double stiffness_exponent, Stiffening stiffening = Stiffening::power_law);
@@ -97,17 +98,16 @@ struct RelaxedEstimate {
 };
 
 /// uniform_strain(state), relaxed. Its volumetric and its deviatoric part are reduced by the two factors.
-/// Where fabric or stresses are anisotropic, C33/C11 is then multiplied by
-/// exp((1 - h)(A ln(F33/F11) + B b ln(stress_v/stress_h))) at constant volume, h the factor of G, because
-/// directions with many or stiff contacts relax less. Far beyond the calibration this could raise K above
-/// that of uniform strain, its upper bound: then all constants are scaled down to it, with a note. The result
-/// is transversely isotropic, positive definite where uniform_strain is, and exactly isotropic where that is
-/// isotropic.
-/// Unequal grains, with v = <l^2>/<l>^2 - 1 of state.contacts: the factor of G is that of equal grains at a
-/// z* larger by 1.6 v/(1 + 2x)^2, the factor of K is divided by 1 + 0.60 v/(z* - 3.46 + 0.96 b), and the
-/// errors grow with v: 6 % of G for C_u = 2, more beyond. b is contact_exponent(state). Contacts count as
-/// rough where b depends on the force. In the exponent above, b is limited to 1/2, because no sheared packings
-/// beyond it were available.
+/// Where fabric or stresses are anisotropic, C33/C11 is then multiplied by exp((1 - h)(A ln(F33/F11) + B b
+/// ln(stress_v/stress_h))) at constant volume, h the factor of G, because directions with many or stiff
+/// contacts relax less. Far beyond the calibration this could raise K above that of uniform strain, its upper
+/// bound: then all constants are scaled down to it, with a note. The result is transversely isotropic,
+/// positive definite where uniform_strain is, and exactly isotropic where that is isotropic. Unequal grains,
+/// with v = <l^2>/<l>^2 - 1 of state.contacts: the factor of G is that of equal grains at a z* larger by 1.6
+/// v/(1 + 2x)^2, the factor of K is divided by 1 + 0.60 v/(z* - 3.46 + 0.96 b), and the errors grow with v: 6
+/// % of G for C_u = 2, more beyond. b is contact_exponent(state). Contacts count as rough where b depends on
+/// the force. In the exponent above, b is limited to 1/2, because no sheared packings beyond it were
+/// available.
 /// Assumes   as relaxation and uniform_strain; moduli of a packing at rest, not during shear.
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]

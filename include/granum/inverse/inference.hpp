@@ -89,8 +89,8 @@ class Inference {
   ///           wet pores
   [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at,
                                  AskedPacking specimen = AskedPacking::same) const;
-  /// The notes of estimate::answer on the packing, with its contacts, at that state: why a prediction there is
-  /// doubtful.
+  /// The notes of estimate::answer on the packing, with its contacts, at that state: why a prediction there
+  /// is doubtful.
   /// \throws   InvalidArgument as estimate::answer
   [[nodiscard]] Validity doubts(const effective::State& at, AskedPacking specimen = AskedPacking::same) const;
   /// The packing at a state, with its contacts, as input of any rung.

@@ -103,8 +103,8 @@ double component(const elastic::VoigtStiffness& c) {
   return c.matrix(row, column);
 }
 
-/// A probe shears one plane. A projection about axis 3 averages over planes: of 500 grains it was off by up to
-/// 6 %.
+/// A probe shears one plane. A projection about axis 3 averages over planes: of 500 grains it was off by up
+/// to 6 %.
 constexpr Probing probing_table[] = {
     {"K", [](const elastic::VoigtStiffness& c) { return elastic::isotropic_projection(c).bulk_modulus(); }},
     {"G", [](const elastic::VoigtStiffness& c) { return elastic::isotropic_projection(c).shear_modulus(); }},
