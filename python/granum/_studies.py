@@ -64,7 +64,8 @@ def verify(scene=None, *, progress=None):
     ----------
     scene : dict or path_like, optional
         Sections and keys of a scene, {"study": {"grains": 300}} or {"study.grains": 300}: numbers in SI, or texts
-        with units, "0.5mm". Or the path of a scene file, TOML. Without it the paper's six specimens.
+        with units, "0.5mm". Or the path of a scene file, TOML. Without it the paper's six specimens. All keys, with
+        their defaults, units and meaning, stand in examples/scene.toml of the source.
     progress : callable or "tqdm", optional
         Called as progress(done, what) now and then, with the share of the work that is done.
 

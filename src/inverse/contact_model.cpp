@@ -101,7 +101,7 @@ ContactModel::ContactModel(std::span<const Observation> measurements, const Infe
 
 void ContactModel::require_known_density(const QuantityRow& row) const {
   if (row.speed && !options_.grain_density)
-    throw InvalidArgument("a wave speed tells a modulus only with the density of the grains");
+    throw InvalidArgument("grain_density is not given [kg/m3]: a wave speed tells a modulus only with it");
   if (row.speed && options_.pore_density > 0 && row.modulus != Modulus::G_vh && row.modulus != Modulus::G_hh)
     throw InvalidArgument(
         "a compression wave in wet pores is that of the water above all, and tells little of "
