@@ -64,7 +64,8 @@ def verify(scene=None, *, progress=None):
     ----------
     scene : dict or path_like, optional
         Sections and keys of a scene, {"study": {"grains": 300}} or {"study.grains": 300}: numbers in SI, or texts
-        with units, "0.5mm". Or the path of a scene file, TOML. Default: the six specimens of Chung et al. 2014.
+        with units, "0.5mm". Or the path of a scene file, TOML. Default: the six specimens of Chung et al. 2014. All
+        keys, with their defaults, units and meaning, are in examples/scene.toml of the source.
     progress : callable or "tqdm", optional
         Called periodically as progress(done, what), with the finished share of the work.
 

@@ -146,6 +146,8 @@ py::object infer_spheres(const Arguments& a, const std::vector<inverse::Observat
     if (const std::size_t k = Given::numbers_of_sand + static_cast<std::size_t>(&number - numbers_of_sand);
         a.given(k))
       throw py::type_error(std::string(number.keyword) + " is a number of a sand: give sand or grain_shape");
+  if (a.given(Given::growth) && a.text(Given::growth) == "sand")
+    throw InvalidArgument("growth sand is that of sands: give sand or grain_shape");
   return sphere_inference(measurements, options_of(a, measurements.front().state));
 }
 

@@ -6,6 +6,8 @@
 #include <deque>
 #include <utility>
 
+#include <granum/core/near_miss.hpp>
+
 #include "errors.hpp"
 
 namespace granum::python {
@@ -29,8 +31,12 @@ std::size_t place_of(const Record& record, PyObject* name) {
   for (std::size_t k = 0; k < record.names.size(); ++k) // a name that was put together while running
     if (PyUnicode_Compare(record.names[k], name) == 0)
       return k;
-  throw py::type_error(std::string(record.function.name) + "() got an unexpected keyword argument '" +
-                       std::string(py::str(py::handle(name))) + "'");
+  std::vector<std::string> known;
+  for (const Keyword& keyword : record.function.keywords)
+    known.emplace_back(keyword.name);
+  const std::string typed = py::str(py::handle(name));
+  throw py::type_error(std::string(record.function.name) + "() got an unexpected keyword argument '" + typed +
+                       "'" + did_you_mean(typed, known));
 }
 
 py::object call(const Record& record, PyObject* const* arguments, Py_ssize_t positional, PyObject* names) {

@@ -151,8 +151,10 @@ def test_a_bad_element_is_nan_with_its_message_or_raises():
 
 
 def test_a_wrong_keyword_is_named():
-    with pytest.raises(TypeError, match="unexpected keyword argument 'porosity'"):
+    with pytest.raises(TypeError, match="unexpected keyword argument 'porosity'$"):
         granum.uniform_strain(**STATE, porosity=0.4)
+    with pytest.raises(TypeError, match="'Vs'; did you mean V_s"):
+        granum.infer(law=LAW, Vs=280)
     with pytest.raises(TypeError, match="needs the keyword argument 'radius'"):
         granum.uniform_strain(**{name: value for name, value in STATE.items() if name != "radius"})
     with pytest.raises(TypeError, match="keyword arguments only"):

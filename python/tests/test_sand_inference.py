@@ -118,6 +118,8 @@ def test_what_belongs_to_the_other_kind_is_refused():
             granum.infer(**measured, sand="toyoura", **wrong)
     with pytest.raises(granum.InvalidArgument, match="fixed"):
         granum.infer(**measured, sand="toyoura", growth="fixed")
+    with pytest.raises(granum.InvalidArgument, match="grain_shape"):
+        granum.infer(**{key: value for key, value in measured.items() if key != "d50"}, growth="sand")
     with pytest.raises(TypeError, match="d50"):
         granum.infer(**measured)
     with pytest.raises(granum.InvalidArgument, match="saturation"):

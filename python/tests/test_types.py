@@ -67,3 +67,23 @@ reveal_type(law.force([1e-6]))
     code, said = run("mypy", "--strict", "shapes.py", cwd=tmp_path)
     revealed = re.findall(r'Revealed type is "([\w.]+)', said)
     assert code == 0 and revealed == ["builtins.float", "numpy.ndarray"] * 2, said
+
+
+def test_a_sand_gives_a_sand_and_spheres_give_spheres(tmp_path):
+    (tmp_path / "kinds.py").write_text(
+        """
+import granum
+
+law = granum.sphere(shear_modulus=30e9, poisson_ratio=0.15, radius=5e-4)
+reveal_type(granum.infer(law=law, radius=5e-4, void_ratio=0.6, pressure=1e5, G=1e8, relative_error=0.02))
+reveal_type(
+    granum.infer(law=law, radius=5e-4, void_ratio=0.6, pressure=1e5, G=1e8, relative_error=0.02, sand="toyoura")
+)
+reveal_type(
+    granum.infer(law=law, radius=5e-4, void_ratio=0.6, pressure=1e5, G=1e8, relative_error=0.02, grain_shape="sand")
+)
+"""
+    )
+    code, said = run("mypy", "--strict", "kinds.py", cwd=tmp_path)
+    revealed = re.findall(r'Revealed type is "granum\.(\w+)', said)
+    assert code == 0 and revealed == ["Inference", "SandInference", "SandInference"], said

@@ -103,7 +103,7 @@ ContactModel::ContactModel(std::span<const Observation> measurements, const Infe
 
 void ContactModel::require_known_density(const QuantityRow& row) const {
   if (row.speed && !options_.grain_density)
-    throw InvalidArgument("a modulus follows from a wave speed only with the density of the grains");
+    throw InvalidArgument("grain_density is not given [kg/m3]: wave speeds need it");
   if (row.speed && options_.pore_density > 0 && row.modulus != Modulus::G_vh && row.modulus != Modulus::G_hh)
     throw InvalidArgument(
         "a compression wave in wet pores travels mainly in the water and depends little on the contacts: use "

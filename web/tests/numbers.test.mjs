@@ -62,6 +62,15 @@ test("the calculator's answers equal those of the shown command to 1e-12", async
   }
 });
 
+test("exponents of measured sands equal the native ones to 1e-12", async () => {
+  const ours = (await startModule()).call("sand_exponents").numbers;
+  assert.equal(ours.length, 2);
+  [1, 8].forEach((uniformity, k) => {
+    const native = granumJson("estimate", "--grain-shape", "sand", "--void-ratio", 0.6, "--uniformity", uniformity, "--pressure", "100kPa").answer;
+    close(ours[k], native.stress_exponent.value, 1e-12, `C_u ${uniformity}`);
+  });
+});
+
 test("likely mistakes give the warnings of the program, and correct numbers none", async () => {
   const granum = await startModule();
   for (const known of asked) assert.deepEqual(slipsOf(granum, known), [], JSON.stringify(known));
