@@ -132,7 +132,7 @@ void require_observations(std::span<const Observation> all, const Question& know
     require_positive(row_of(one.quantity).key, one.value.value);
     require_positive("mean stress of a measurement", one.state.mean_stress(), "Pa");
     if (row_of(one.quantity).speed && !known.grain_density)
-      throw InvalidArgument("grain_density is not given [kg/m3]: a wave speed tells a modulus only with it");
+      throw InvalidArgument("grain_density is not given [kg/m3]: wave speeds need it");
     require_wave_of_sand(one.quantity, known);
   }
   const bool one_stress = std::all_of(all.begin(), all.end(), [&](const Observation& one) {
