@@ -117,10 +117,11 @@ T frictionless_branch(const T& u, const T& slope, const T& floor) {
   return rise / damping;
 }
 
-/// G/G(uniform strain) of a packing of mechanical coordination number z, k_t = r k_n, k_n ~ f^b up to b = 1/2.
-/// With g = h (2+3r)/2, the modulus over that of the normal stiffness alone: g^2 - g_0 g = r t, where g_0 is
-/// the frictionless branch and t the coupling to the tangential stiffness, which vanishes at the isostatic
-/// point. So h is 0 there, ~ sqrt(r) at z = 6 and small r, and 1 for z -> infinity at every r and b.
+/// G/G(uniform strain) of a packing of mechanical coordination number z, k_t = r k_n, k_n ~ f^b up to b =
+/// 1/2. With g = h (2+3r)/2, the modulus over that of the normal stiffness alone: g^2 - g_0 g = r t, where
+/// g_0 is the frictionless branch and t the coupling to the tangential stiffness, which vanishes at the
+/// isostatic point. So h is 0 there, ~ sqrt(r) at z = 6 and small r, and 1 for z -> infinity at every r and
+/// b.
 template <class T>
 T shear_relaxation(const T& z, const T& r, const T& b, const ShearCoefficients<T>& c) {
   using std::sqrt;

@@ -51,8 +51,8 @@ inline granum::Measured foretold_speed(const Grains& grains, const granum::inver
   return fit.predict(Quantity::V_s, spheres(grains, void_ratio_of(porosity), pressure));
 }
 
-/// Of V_s foretold against measured: the largest |V_s/measured - 1|, and the same over the error that is stated
-/// of both.
+/// Of V_s foretold against measured: the largest |V_s/measured - 1|, and the same over the error that is
+/// stated of both.
 struct Miss {
   double relative = 0, in_errors = 0;
 };

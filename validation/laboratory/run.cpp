@@ -67,8 +67,8 @@ bool run(const std::string& folder, const char* pictures) {
   if (pictures != nullptr)
     write_pictures(pictures, beads, sand);
 
-  // Worst of both directions. The upper five pressures hardly determine roughness, and the error stated of V_s
-  // at the lower five says so.
+  // Worst of both directions. The upper five pressures hardly determine roughness, and the error stated of
+  // V_s at the lower five says so.
   const Miss &smooth = sand_misses[0], &rough = sand_misses[1], &power_law = sand_misses[2];
   const bool contacts_hold = smooth.relative > 0.10 && smooth.in_errors > 4 && rough.relative < 0.085 &&
                              rough.in_errors < 2 && power_law.relative < 0.03 && power_law.in_errors < 2;

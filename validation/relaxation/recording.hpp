@@ -130,8 +130,8 @@ packing::Assembly stiffened(packing::Assembly assembly, const StiffnessOfForce& 
   return assembly;
 }
 
-/// K and G of the whole network, whose contacts take k_n by their forces, over those of uniform strain as closed
-/// forms take it: the contacts that they count, each with `at_mean`.
+/// K and G of the whole network, whose contacts take k_n by their forces, over those of uniform strain as
+/// closed forms take it: the contacts that they count, each with `at_mean`.
 /// \param    suffix   of the headings, before the ratio k_t/k_n
 template <class StiffnessOfForce>
 void add_moduli(Row& row, const CountedPacking& packing, const StiffnessOfForce& stiffness, double at_mean,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the factors go on where the packings of the fit end: networks with k_n ~ f^b on recorded packings beyond
-// b = 1/2 (exponents.csv), and packings of rough grains beyond b = 1/3 (rough.csv).
+// How the factors go on where the packings of the fit end: networks with k_n ~ f^b on recorded packings
+// beyond b = 1/2 (exponents.csv), and packings of rough grains beyond b = 1/3 (rough.csv).
 #pragma once
 
 #include <array>

@@ -57,11 +57,12 @@ enum class Stiffening {
 /// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.95; 6 for
 /// r = 0), G's is 0 at x = 0, grows as x, as sqrt(r) at z* = 6 and small r, and tends to 1 for large z*. K's
 /// has a jump at the isostatic point and tends to 1 as well. Both are exactly 0 at that point and below, and
-/// depend weakly on the contact law, as the scatter of its stiffnesses does. Those of power laws go on from b =
-/// 1/2, those of rough spheres from smooth ones: G's falls, K's rises to what tangential forces leave of it at
-/// b = 1.
+/// depend weakly on the contact law, as the scatter of its stiffnesses does. Those of power laws go on from b
+/// = 1/2, those of rough spheres from smooth ones: G's falls, K's rises to what tangential forces leave of it
+/// at b = 1.
 /// Assumes   overlaps below 1 % of the diameter, no sliding contact, rattlers left out of z*; of rough grains
-///           contacts less than 5 % as stiff as one of the mean force as well, as analysis::counted_part does.
+///           contacts less than 5 % as stiff as one of the mean force as well, as analysis::counted_part
+///           does.
 /// \param    mechanical_coordination_number   z* >= 0 [1]
 /// \param    tangential_ratio                 r = k_t/k_n >= 0 [1]
 /// \param    stiffness_exponent               b of k_n ~ f^b, contact_exponent(state), in [0, 1]
@@ -76,8 +77,9 @@ enum class Stiffening {
 ///           (1 + 2x)^2, taken from packings of LAMMPS and tested on YADE's. Grains compressed from a gas
 ///           with much friction are up to 6 % stiffer than the curve. At r = 0.1: G 4 %, K 6 %; at r = 0:
 ///           8 % both. Beyond b = 1/2, networks of k_n ~ f^b on packings never fitted: G 5, 6 and 8 % rms at
-///           b = 2/3, 0.8 and 1, K 2 %, and the stated errors grow with it; rough packings never fitted, b from
-///           0.96 to 0.35: G 2.5 % and K 1.4 % rms, dense ones of 10 kPa up to 8 %. Rounding: relative 1e-13.
+///           b = 2/3, 0.8 and 1, K 2 %, and the stated errors grow with it; rough packings never fitted, b
+///           from 0.96 to 0.35: G 2.5 % and K 1.4 % rms, dense ones of 10 kPa up to 8 %. Rounding: relative
+///           1e-13.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
 [[nodiscard]] Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
                                     double stiffness_exponent, Stiffening stiffening = Stiffening::power_law);
