@@ -300,7 +300,7 @@ Inference ContactModel::solve(std::shared_ptr<const ContactModel> model, double 
       Inference found = solve_from(model, from);
       if (!best || found.chi_square() < best->chi_square())
         best = std::move(found);
-    } catch (const NotConverged&) { // one minimum is enough
+    } catch (const Error&) { // one minimum is enough
       if (!failure)
         failure = std::current_exception();
     }
