@@ -124,9 +124,8 @@ QuestionArguments::QuestionArguments(const Arguments& a)
     return;
   for (const auto& [name, deviation] : a.as<std::map<std::string, double>>(
            uncertainty_at, "a dict of inputs and their standard deviations")) {
-    const bool known = std::any_of(std::begin(inputs_in_order), std::end(inputs_in_order),
-                                   [&](std::string_view input) { return input == name; });
-    if (!known)
+    const auto* const end = std::end(inputs_in_order);
+    if (std::find(std::begin(inputs_in_order), end, std::string_view(name)) == end)
       throw InvalidArgument("uncertainty: " + name + " is not an input of this packing");
     deviations_[name] = require_non_negative("uncertainty of " + name, deviation);
   }
