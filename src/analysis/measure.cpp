@@ -118,9 +118,10 @@ class Measuring {
       out_.bulk_density =
           elastic::bulk_density({.grain_density = *given_.grain_density, .void_ratio = out_.void_ratio});
     out_.sizes = sizes_of(assembly_);
-    out_.counts = given_.law && forces_known_
-                      ? count(counted_part(moving(), *given_.law), assembly_.grain_count())
-                      : count(moving(), assembly_.grain_count());
+    measure_load();
+    find_law();
+    out_.counts = out_.law && forces_known_ ? count(counted_part(moving(), *out_.law), assembly_.grain_count())
+                                            : count(moving(), assembly_.grain_count());
     if (out_.counts.contacts >= 2)
       out_.fabric = measure_fabric(contact_normals(assembly_), wanted_);
     if (wanted_.interior_layer)
@@ -129,8 +130,6 @@ class Measuring {
       out_.interior =
           interior_measures(moving(), out_.counts.mechanical,
                             packing::Interior(assembly_.cell, wanted_.window->low, wanted_.window->high));
-    measure_load();
-    find_law();
     if (wanted_.work && out_.law)
       out_.pressure_by_work = pressure_by_cell_work(assembly_, *out_.law,
                                                     out_.sizes.equivalent * out_.sizes.contacts.pair_radius);

@@ -82,4 +82,10 @@ TEST_CASE("measure() counts that part, and the contacts that are left out hardly
   CHECK(counts.mechanical.coordination_number ==
         mechanical_coordination(counted, packing::ContactKind::frictional).coordination_number);
   CHECK(total_force(counted) == relative(total_force(packing), 0.01));
+  // The same law by its family and the material.
+  const LawFamily family = [](const contact::GrainMaterial& grain, double radius) {
+    return contact::NormalLaw(contact::RoughSphere(grain, radius, 1e-6));
+  };
+  const Given given{.law_family = family, .grain_shear_modulus = quartz.shear_modulus};
+  CHECK(measure(packing, given).counts.contacts == counted.contacts.size());
 }
