@@ -47,7 +47,7 @@ struct Given {
   };
 };
 
-/// Columns of the state, and of the error of what is measured there; quantities stand behind.
+/// Columns of the state, and of the error of what is measured there; quantities follow.
 struct Column {
   enum : std::size_t {
     radius,

@@ -20,7 +20,7 @@ SANDS = {
     "full pores": ({"sand": "toyoura", "saturation": 1.0}, ["--sand=toyoura", "--saturation=100%"]),
     "spheres": ({"grain_shape": "sphere"}, ["--grain-shape=sphere"]),
 }
-# Quantity, value, pressure [Pa]; void ratio 0.7. A compression wave stands last: none is measured in full pores.
+# Quantity, value, pressure [Pa]; void ratio 0.7. A compression wave is last: none is measured in full pores.
 MEASURED = [("V_s", 241.0, 103e3), ("G", 155e6, 400e3), ("V_p", 395.0, 103e3)]
 QUANTITIES = ("G", "G_hh", "K", "V_s", "V_s_hh", "V_p", "V_p_h")
 
