@@ -74,7 +74,8 @@ void bind_numbers(py::class_<Sand>& type) {
           "k/k_H, contact stiffness over that of smooth spheres, which they imply there [1].")
       .def_property_readonly(
           "tells_contacts", [](const Sand& s) { return s.found.tells_contacts(); },
-          "Whether the measurements determine Poisson's ratio, and with it contacts: V_p beside V_s, K beside G.")
+          "Whether the measurements determine Poisson's ratio, and with it contacts: V_p beside V_s, K "
+          "beside G.")
       .def_property_readonly(
           "pressure", [](const Sand& s) { return s.first.mean_stress(); },
           "Mean stress of the first measurement [Pa].")

@@ -120,8 +120,9 @@ class Measuring {
     out_.sizes = sizes_of(assembly_);
     measure_load();
     find_law();
-    out_.counts = out_.law && forces_known_ ? count(counted_part(moving(), *out_.law), assembly_.grain_count())
-                                            : count(moving(), assembly_.grain_count());
+    out_.counts = out_.law && forces_known_
+                      ? count(counted_part(moving(), *out_.law), assembly_.grain_count())
+                      : count(moving(), assembly_.grain_count());
     if (out_.counts.contacts >= 2)
       out_.fabric = measure_fabric(contact_normals(assembly_), wanted_);
     if (wanted_.interior_layer)

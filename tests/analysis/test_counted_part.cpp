@@ -20,7 +20,7 @@ constexpr contact::GrainMaterial quartz{30e9, 0.15};
 
 contact::NormalLaw rough(double roughness) { return contact::RoughSphere(quartz, grain_radius, roughness); }
 
-/// A lattice in which every fifth contact carries this share of the force of the others [N].
+/// A lattice whose every fifth contact carries this share of the force of the others [N].
 packing::Assembly with_light_contacts(double share, double force) {
   packing::Assembly assembly = samples::lattice(samples::face_centred, {.radius = grain_radius});
   for (std::size_t k = 0; k < assembly.contacts.size(); ++k)
@@ -72,7 +72,7 @@ TEST_CASE("contacts that pull do not count between rough grains; where none pres
   CHECK(counted_part(packing, rough(1e-8)).contacts.size() == all);
 }
 
-TEST_CASE("measure() counts that part, and the contacts that are left out carry almost no stress") {
+TEST_CASE("measure() counts that part; the contacts that are left out carry almost no stress") {
   const contact::NormalLaw law = rough(1e-6);
   const packing::Assembly packing = with_light_contacts(0.03, 1e-3), counted = counted_part(packing, law);
   REQUIRE(counted.contacts.size() < packing.contacts.size());
