@@ -175,7 +175,7 @@ test("errors have granum's messages, and the module continues", async () => {
   assert.deepEqual(granum.closedForms(grain, packing), before);
   assert.throws(() => granum.call("experiment_shear"), /the experiment has not begun/);
   granum.call("experiment_begin", 1, grain.shearModulus, grain.poissonRatio, grain.radius, NaN, NaN, grain.frictionAngle, 0, 0, 200, 1, 1e4);
-  assert.throws(() => granum.call("experiment_shear_begin", 0.01), /sheared after it was compressed/);
+  assert.throws(() => granum.call("experiment_shear_begin", 0.01), /sheared only after its compression/);
 });
 
 for (const density of ["dense", "loose"])
