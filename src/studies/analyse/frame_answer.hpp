@@ -53,7 +53,7 @@ struct RungResult {
 
 /// A modulus that a code's own probe found, small cycles of strain of a state [Pa].
 struct ProbedModulus {
-  std::string modulus; ///< as take_probes knows it
+  std::string modulus; ///< K, G, G_vh, G_hh, or C11 to C66
   double value = 0;
   std::optional<double> network_over_probe = std::nullopt;
 };
