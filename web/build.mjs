@@ -26,7 +26,7 @@ for (const [name, { texts }] of Object.entries(languages)) {
   if (wrong.length) throw new Error(`texts of ${name} and of en differ in ${wrong.join(", ")}`);
 }
 const scripts = ["module.js", "formula.js", "chart.js", "address.js", "lesson.js", "packing_view.js", "shear.js", "runs.js", "experiment.js", "sheet.js", "hero.js",
-  "same.js", "calculator.js", "calculator_view.js", "main.js"];
+  "same.js", "sand.js", "calculator.js", "calculator_view.js", "main.js"];
 
 /// Rows of the table of colours that all pictures have: name, on white paper, on dark.
 const table = fs.readFileSync(path.join(here, "../../include/granum/plot/palette.hpp"), "utf8");

@@ -10,14 +10,51 @@
 #include <granum/estimate/answer.hpp>
 #include <granum/inverse/inference.hpp>
 
+#include "answers.hpp"
 #include "cli/options/slips.hpp"
 #include "exports.hpp"
+
+namespace granum::web {
+
+void add(const std::optional<estimate::Range>& range) {
+  const estimate::Range of = range.value_or(estimate::Range{nothing, nothing, nothing});
+  numbers().insert(numbers().end(), {of.value, of.low, of.high});
+}
+
+void add(const Measured& number) {
+  numbers().insert(numbers().end(), {number.value, number.standard_error});
+}
+
+void add(const estimate::Answer& answer) {
+  for (const estimate::FieldRow& row : estimate::fields())
+    add(answer.find(row.field));
+  std::string names;
+  for (const estimate::Share& share : answer.shares()) {
+    numbers().push_back(share.share);
+    names += share.input + "\n";
+  }
+  say(answer.validity());
+  words() = names + words();
+}
+
+inverse::Quantity quantity_of(double place) {
+  if (!(place >= 0) || !(place < static_cast<double>(inverse::quantities().size())))
+    throw InvalidArgument("quantity", place, "", "the index of a measurable quantity");
+  return inverse::quantities()[static_cast<std::size_t>(place)].quantity;
+}
+
+double step_of_pressure(double low, double high, double k, double points) {
+  return low * std::pow(high / low, k / (points - 1));
+}
+
+} // namespace granum::web
 
 namespace {
 
 using namespace granum;
-
-constexpr double none = effective::State::unset;
+using web::add;
+using web::nothing;
+using web::quantity_of;
 
 /// The last inference, and the state of its measurement.
 struct Inferred {
@@ -25,12 +62,6 @@ struct Inferred {
   effective::State measured;
 };
 std::optional<Inferred> last_inferred;
-
-inverse::Quantity quantity_of(double place) {
-  if (!(place >= 0) || !(place < static_cast<double>(inverse::quantities().size())))
-    throw InvalidArgument("quantity", place, "", "the index of a measurable quantity");
-  return inverse::quantities()[static_cast<std::size_t>(place)].quantity;
-}
 
 /// The packing of the last inference at another pressure.
 effective::State elsewhere(const Inferred& inferred, double pressure) {
@@ -48,15 +79,6 @@ effective::Preparation preparation_of(double number) {
   throw InvalidArgument("preparation", number, "", "0 (unknown), 1 (dense) or 2 (loose)");
 }
 
-void add(const std::optional<estimate::Range>& range) {
-  const estimate::Range of = range.value_or(estimate::Range{none, none, none});
-  web::numbers().insert(web::numbers().end(), {of.value, of.low, of.high});
-}
-
-void add(const Measured& number) {
-  web::numbers().insert(web::numbers().end(), {number.value, number.standard_error});
-}
-
 /// The state of a packing, without its contacts.
 effective::State state_of(const web::PageGrain& grain, double void_ratio, double anisotropy, double stress_v,
                           double stress_h) {
@@ -71,9 +93,13 @@ effective::State state_of(const web::PageGrain& grain, double void_ratio, double
 
 } // namespace
 
-/// Value, low and high of G_vh, G_hh, K, E_v, nu, V_s, V_p, z* and C_n; then the shares of the range, whose
-/// names are the first words. NaN for the mechanical coordination number means not given; saturation is a
-/// share.
+/// The keys of the numbers of an answer, one line each.
+GRANUM_EXPORT(answer_keys) void answer_keys() {
+  for (const estimate::FieldRow& row : estimate::fields())
+    web::words() += std::string(row.key) + "\n";
+}
+
+/// The answer for beads. NaN for the mechanical coordination number means not given; saturation is a share.
 GRANUM_EXPORT(answer)
 void answer(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
             double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
@@ -87,43 +113,34 @@ void answer(double shape, double shear_modulus, double poisson_ratio, double rad
       .saturation = saturation};
   if (!std::isnan(mechanical_coordination_number))
     question.state.mechanical_coordination_number = mechanical_coordination_number;
-  const estimate::Answer found = estimate::answer(question);
-  using estimate::Field;
-  for (const Field field :
-       {Field::shear_modulus, Field::horizontal_shear_modulus, Field::bulk_modulus, Field::young_modulus,
-        Field::poisson_ratio, Field::shear_wave_speed, Field::compression_wave_speed,
-        Field::mechanical_coordination_number, Field::coordination_number})
-    add(found.find(field));
-  web::say(found.validity());
-  std::string names;
-  for (const estimate::Share& share : found.shares()) {
-    web::numbers().push_back(share.share);
-    names += share.input + "\n";
-  }
-  web::words() = names + web::words();
+  add(estimate::answer(question));
 }
 
-/// Numbers of the calculator that are probably mistakes in unit or symbol, in the words of the program.
+/// Numbers of the calculator that are probably mistakes in unit or symbol, in the words of the program; NaN
+/// for those that are not typed. `graded` is 1 for grains of several sizes.
 GRANUM_EXPORT(slips)
 void slips(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
-           double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
+           double second_number, double void_ratio, double graded, double stress_v, double stress_h,
            double mechanical_coordination_number, double grain_density) {
-  const effective::State state =
-      state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}, void_ratio,
-               anisotropy, stress_v, stress_h);
   Validity validity;
-  cli::judge_void_ratio({"--void-ratio", void_ratio}, false, validity);
+  if (!std::isnan(void_ratio))
+    cli::judge_void_ratio({"--void-ratio", void_ratio}, graded == 1, validity);
   if (!std::isnan(mechanical_coordination_number))
-    cli::judge_contacts({"--mechanical-coordination-number", mechanical_coordination_number}, true, state,
-                        validity);
+    cli::judge_contacts(
+        {"--mechanical-coordination-number", mechanical_coordination_number}, true,
+        state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}, void_ratio, 0,
+                 stress_v, stress_h),
+        validity);
   if (stress_v == stress_h)
     cli::judge_stress({"--pressure", stress_v, Dimension::pressure}, validity);
   else {
     cli::judge_stress({"--stress-v", stress_v, Dimension::pressure}, validity);
     cli::judge_stress({"--stress-h", stress_h, Dimension::pressure}, validity);
   }
-  cli::judge_length({"--radius", radius, Dimension::length}, validity);
-  cli::judge_modulus({"--grain-shear-modulus", shear_modulus, Dimension::pressure}, validity);
+  if (!std::isnan(radius))
+    cli::judge_length({"--radius", radius, Dimension::length}, validity);
+  if (!std::isnan(shear_modulus))
+    cli::judge_modulus({"--grain-shear-modulus", shear_modulus, Dimension::pressure}, validity);
   cli::judge_density({"--grain-density", grain_density, Dimension::density}, validity);
   web::say(validity);
 }
@@ -142,7 +159,7 @@ void ladder(double shape, double shear_modulus, double poisson_ratio, double rad
   for (const effective::Rung& rung : effective::closed_forms()) {
     const effective::RungAnswer found = effective::answer(rung, packing);
     web::numbers().push_back(found.stiffness.G_vh());
-    web::numbers().push_back(found.relative_error ? found.relative_error->G_vh : none);
+    web::numbers().push_back(found.relative_error ? found.relative_error->G_vh : nothing);
     web::words() += effective::label(rung) + "\n";
   }
 }
@@ -193,7 +210,7 @@ GRANUM_EXPORT(inferred_path) void inferred_path(double quantity, double low, dou
   if (!last_inferred)
     throw Error("nothing was inferred yet");
   for (double k = 0; k < points; ++k) {
-    const double pressure = low * std::pow(high / low, k / (points - 1));
+    const double pressure = web::step_of_pressure(low, high, k, points);
     web::numbers().push_back(pressure);
     add(last_inferred->packing.predict(quantity_of(quantity), elsewhere(*last_inferred, pressure)));
   }

@@ -35,15 +35,18 @@ export function found(json, name) {
 const block = (id) => page.match(new RegExp(`<script id="${id}"[^>]*>([^]*?)</script>`))[1];
 export const texts = JSON.parse(block("texts"));
 const script = (name) => fs.readFileSync(path.join(root, "web/page", name), "utf8");
-export const { Granum, grain, answerOf, inferenceOf, inferredPath, ladderOf, sameAnswer, sameInference, shearPoint, slipsOf } = vm.runInThisContext(`(() => { ${block("worker-source").split("const view = ")[0]}
+export const { Granum, grain, answerOf, inferenceOf, inferredPath, ladderOf, readKnownSands, sameAnswer, sameInference, sameSand, sameSandInference, sandAnswerOf, sandInferenceOf, sandLaws, sandPath, sandSlipsOf, shearPoint, slipsOf } = vm.runInThisContext(`(() => { ${block("worker-source").split("const view = ")[0]}
   ${page.match(/const defaultGrain = \{[^]*?\};/)[0]}
   ${script("same.js")}
+  ${script("sand.js")}
   ${script("calculator.js")}
-  return { Granum, grain: defaultGrain, answerOf, inferenceOf, inferredPath, ladderOf, sameAnswer, sameInference, shearPoint, slipsOf }; })()`);
+  return { Granum, grain: defaultGrain, answerOf, inferenceOf, inferredPath, ladderOf, readKnownSands, sameAnswer, sameInference, sameSand, sameSandInference, sandAnswerOf, sandInferenceOf, sandLaws, sandPath, sandSlipsOf, shearPoint, slipsOf }; })()`);
 
 export async function startModule(onFrame) {
   const packed = new Blob([Buffer.from(block("wasm"), "base64")]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return Granum.create(await WebAssembly.compile(await new Response(packed).arrayBuffer()), onFrame);
+  const granum = await Granum.create(await WebAssembly.compile(await new Response(packed).arrayBuffer()), onFrame);
+  readKnownSands(granum);
+  return granum;
 }
 
 export const close = (a, b, relative, what) => assert.ok(Math.abs(a - b) <= relative * Math.abs(b), `${what}: ${a} is not ${b}`);
