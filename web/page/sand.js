@@ -74,7 +74,7 @@ function commandLineSand(known) {
 
 function pythonSand(known) {
   const { leastVoidRatio, largestVoidRatio } = limitsOf(known);
-  const voidRatio = byRelativeDensity(known) ? `granum.void_ratio_of_relative_density(${[known.relativeDensity, leastVoidRatio, largestVoidRatio].map(literal).join(", ")})` : literal(known.voidRatio);
+  const voidRatio = byRelativeDensity(known) ? `granum.void_ratio_of_relative_density(relative_density=${literal(known.relativeDensity)}, least_void_ratio=${literal(leastVoidRatio)}, largest_void_ratio=${literal(largestVoidRatio)})` : literal(known.voidRatio);
   return [["law", "granum.sphere(shear_modulus=quartz.shear_modulus, poisson_ratio=quartz.poisson_ratio, radius=0.1e-3)"], ["radius", "0.1e-3"],
     isNamed(known) ? ["sand", `"${known.sand}"`] : ["grain_shape", '"sand"'], ["void_ratio", voidRatio], ...givenNumbers(known, ["uniformity", "least_void_ratio", "largest_void_ratio"])];
 }

@@ -6,7 +6,8 @@ import os from "node:os";
 import path from "node:path";
 import { test } from "node:test";
 import { execFileSync, spawnSync } from "node:child_process";
-import { answerOf, close, experiment, found, grain, granumJson, inferenceOf, inferredPath, ladderOf, prepared, pressures, program, root, sameAnswer, sameInference, shearPoint, slipsOf, startModule } from "./native.mjs";
+import { answerOf, close, experiment, found, grain, granumJson, inferenceOf, inferredPath, ladderOf, prepared, pressures, program, root, sameAnswer, sameInference, sameSand, sameSandInference,
+  sandAnswerOf, sandInferenceOf, sandLaws, sandPath, sandSlipsOf, shearPoint, slipsOf, startModule } from "./native.mjs";
 
 /// Numbers in [0, 1), the same each time.
 function* randoms(seed) {
@@ -44,21 +45,32 @@ test("closed forms equal the native ones to 1e-12", async () => {
 /// What the calculator may be told: each adds to the first.
 const asked = [{}, { preparation: "dense" }, { preparation: "loose", saturation: 1 }, { z: 5.1 }, { voidRatio: 0.9 },
   { stressRatio: 0.5, anisotropy: 0.15, preparation: "dense" }, { stressRatio: 1.7, anisotropy: -0.2, z: 4.8 }].map((change) => ({
-  voidRatio: 0.62, pressure: 2.5e5, stressRatio: 1, anisotropy: 0, grainModulus: 26e9, poissonRatio: 0.22, radius: 3e-4, density: 2480, saturation: 0, z: NaN,
+  grains: "sphere", voidRatio: 0.62, pressure: 2.5e5, stressRatio: 1, anisotropy: 0, grainModulus: 26e9, poissonRatio: 0.22, radius: 3e-4, density: 2480, saturation: 0, z: NaN,
   preparation: "unknown", quantity: "V_s", value: 320, error: 0.02, otherPressure: 8e5, ...change }));
 const inferred = [{}, { quantity: "V_p", value: 560, error: 0.01 }, { quantity: "G", value: 1.7e8, error: 0.05, otherPressure: 5e4 }].map((change) => ({ ...asked[0], ...change }));
+/// The same for sands.
+const sandsAsked = [{}, { uniformity: 2.3 }, { uniformity: 5.2, stressRatio: 0.5 }, { leastVoidRatio: 0.55, largestVoidRatio: 0.85 }, { leastVoidRatio: 0.55 }, { sand: "toyoura", voidRatio: 0.72, strain: 1e-4 },
+  { sand: "hostun", densityBy: "relativeDensity" }, { densityBy: "relativeDensity", leastVoidRatio: 0.5, largestVoidRatio: 0.9, uniformity: 1.7, saturation: 1 },
+  { sand: "ottawa", stressRatio: 1.6, pressure: 3e4, saturation: 0.4 }, { voidRatio: 1.9, pressure: 4e6 }].map((change) => ({
+  grains: "sand", sand: "unnamed", densityBy: "voidRatio", voidRatio: 0.62, relativeDensity: 0.63, uniformity: NaN, leastVoidRatio: NaN, largestVoidRatio: NaN,
+  pressure: 2.5e5, stressRatio: 1, density: 2640, saturation: 0, strain: NaN, quantity: "V_s", value: 320, error: 0.02, otherPressure: 8e5, ...change }));
+const sandsInferred = [sandsAsked[0], { ...sandsAsked[1], quantity: "V_p", value: 560, error: 0.01 }, { ...sandsAsked[5], quantity: "G", value: 1.7e8, error: 0.05, otherPressure: 3e4 }, sandsAsked[6]];
 const typed = (line) => line.split(" ").slice(1);
+
+/// Every number of an answer, and the shares of its range.
+function equalAnswers(ours, native, what) {
+  const numbers = Object.entries(native).filter(([, number]) => number !== null && Number.isFinite(number.value));
+  assert.deepEqual(Object.keys(ours.rows), numbers.map(([name]) => name), what);
+  for (const [name, number] of numbers)
+    for (const part of ["value", "low", "high"]) close(ours.rows[name][part], number[part], 1e-12, `${what} ${name} ${part}`);
+  assert.deepEqual(ours.shares.map(({ input }) => input), Object.keys(native.shares), what);
+  for (const { input, share } of ours.shares) close(share, native.shares[input], 1e-10, `${what} share of ${input}`);
+}
 
 test("the calculator's answers equal those of the shown command to 1e-12", async () => {
   const granum = await startModule();
   for (const known of asked) {
-    const ours = answerOf(granum, known);
-    const native = granumJson(...typed(sameAnswer.commandLine(known))).answer;
-    const names = ["shear_modulus", "horizontal_shear_modulus", "bulk_modulus", "young_modulus", "poisson_ratio", "shear_wave_speed", "compression_wave_speed", "mechanical_coordination_number"];
-    names.forEach((name, k) => {
-      for (const part of ["value", "low", "high"]) close(ours.rows[k][part], native[name][part], 1e-12, `${JSON.stringify(known)} ${name} ${part}`);
-    });
-    assert.equal(ours.rows.length, names.length);
+    equalAnswers(answerOf(granum, known), granumJson(...typed(sameAnswer.commandLine(known))).answer, JSON.stringify(known));
   }
 });
 
@@ -71,9 +83,69 @@ test("exponents of measured sands equal the native ones to 1e-12", async () => {
   });
 });
 
+test("answers for sands equal those of the shown command to 1e-12, published laws too", async () => {
+  const granum = await startModule();
+  for (const known of sandsAsked) {
+    const ours = sandAnswerOf(granum, known), what = JSON.stringify(known), native = granumJson(...typed(sameSand.commandLine(known)));
+    assert.equal(native.answer.grain_shape, "sand");
+    equalAnswers(ours, native.answer, what);
+    const laws = sandLaws(granum, known, 3);
+    assert.deepEqual(laws.map(({ name }) => name), native.measured_sands.map(({ law }) => law));
+    native.measured_sands.forEach(({ law, shear_modulus: G, notes }, k) => {
+      if (G === null) assert.ok(Number.isNaN(laws[k].here), law);
+      else close(laws[k].here, G, 1e-12, `${what} ${law}`);
+      assert.equal(laws[k].tested, G !== null && notes.length === 0, `${what} ${law}`);
+      if (G !== null) close(laws[k].path[1][1], G, 1e-12, `${what} ${law}, the middle of its line`);
+    });
+    // The line of the picture: other pressures, of the same command.
+    const path = sandPath(granum, known, 3), G = granumJson(...typed(sameSand.commandLine({ ...known, pressure: known.pressure * 10 }))).answer.shear_modulus;
+    for (const part of ["value", "low", "high"]) {
+      close(path[1][part], ours.rows.shear_modulus[part], 1e-12, `${what} ${part}`);
+      close(path[2][part], G[part], 1e-12, `${what} ${part}, ten times the pressure`);
+    }
+  }
+  assert.ok(sandLaws(granum, sandsAsked.at(-1), 3).some(({ here }) => Number.isNaN(here)), "a law ends before this void ratio");
+});
+
+test("a forecast for a sand equals that of the shown command to 1e-12, its errors to 1e-9", async () => {
+  const granum = await startModule();
+  for (const known of sandsInferred) {
+    const ours = sandInferenceOf(granum, known), what = JSON.stringify(known), native = granumJson(...typed(sameSandInference.commandLine(known))).sand;
+    const same = (number, theirs, name) => {
+      close(number.value, theirs.value, 1e-12, `${what} ${name}`);
+      close(number.error, theirs.standard_error, 1e-9, `${what} error of ${name}`); // by numerical derivatives
+    };
+    same(ours.level, native.level, "level");
+    same(ours.exponent, native.stress_exponent, "s");
+    same(ours.poissonRatio, native.poisson_ratio, "Poisson's ratio");
+    for (const [mine, theirs] of [["z", "mechanical_coordination_number"], ["softness", "contact_softness"]]) {
+      close(ours[mine].value, native[theirs].value, 1e-9, `${what} ${mine}`); // solved to 1e-10
+      for (const part of ["low", "high"]) close(ours[mine][part], native[theirs][part], 1e-7, `${what} ${mine} ${part}`);
+    }
+    for (const [mine, theirs] of [["G", "G"], ["V_s", "V_s"], ["V_p", "V_p"]]) same(ours.there[mine], native.predictions[0][theirs], `${theirs} elsewhere`);
+    assert.equal(ours.tellsContacts, native.tells_contacts);
+    const path = inferredPath(granum, known, known.pressure, known.otherPressure, 3);
+    for (const part of ["value", "error"]) close(path.at(-1)[part], ours.there[known.quantity][part], 1e-9, `the path's last ${part}`);
+  }
+  assert.match(sandInferenceOf(granum, { ...sandsInferred[0], value: 1500 }).notes.join(), /cemented/);
+  assert.throws(() => sandInferenceOf(granum, { ...sandsInferred[0], value: -1 }), /V_s = -1/);
+  assert.throws(() => inferredPath(granum, sandsInferred[0], 1e5, 2e5, 3), /nothing was inferred/);
+  for (const [change, message] of [[{ voidRatio: 3.2 }, /void_ratio = 3\.2/], [{ uniformity: 0.5 }, /uniformity = 0\.5/], [{ strain: 0.2 }, /strain = 0\.2/],
+    [{ leastVoidRatio: 0.9, largestVoidRatio: 0.5 }, /largest_void_ratio - least_void_ratio/], [{ densityBy: "relativeDensity", sand: "toyoura", relativeDensity: 1.4 }, /relative_density = 1\.4/]])
+    assert.throws(() => sandAnswerOf(granum, { ...sandsAsked[0], ...change }), message);
+});
+
 test("likely mistakes give the warnings of the program, and correct numbers none", async () => {
   const granum = await startModule();
   for (const known of asked) assert.deepEqual(slipsOf(granum, known), [], JSON.stringify(known));
+  for (const known of sandsAsked) assert.deepEqual(sandSlipsOf(granum, known), [], JSON.stringify(known));
+  for (const change of [{ voidRatio: 0.38 }, { pressure: 50 }, { stressRatio: 0.5, pressure: 60 }, { density: 2.48 }, { sand: "toyoura", voidRatio: 0.38 }]) {
+    const known = { ...sandsAsked[0], ...change }, ours = sandSlipsOf(granum, known);
+    assert.ok(ours.length > 0, JSON.stringify(change));
+    const { stderr } = spawnSync(program, typed(sameSand.commandLine(known)), { encoding: "utf8" });
+    for (const slip of ours) assert.ok(stderr.includes(slip), `${slip} is not in ${stderr}`);
+  }
+  assert.deepEqual(sandSlipsOf(granum, { ...sandsAsked[1], voidRatio: 0.38 }), [], "grains of several sizes can be so dense");
   const slips = [{ voidRatio: 0.38 }, { voidRatio: 0.05 }, { pressure: 50 }, { pressure: 5e8 }, { stressRatio: 0.5, pressure: 60 }, { radius: 0.3 }, { grainModulus: 26e3 }, { density: 2.48 }, { z: 9 }];
   for (const change of slips) {
     const known = { ...asked[0], ...change }, ours = slipsOf(granum, known);
@@ -88,7 +160,7 @@ test("every rung of the ladder equals the native one to 1e-12", async () => {
   for (const known of asked) {
     const answer = answerOf(granum, known), ladder = ladderOf(granum, known, answer);
     assert.deepEqual(ladder.map((rung) => rung.label), ["rung 0", "rung 1", "rung 2", "rung 3", "uniform-stress"]);
-    const native = granumJson(...typed(sameAnswer.commandLine({ ...known, z: answer.rows.at(-1).value })), "--coordination-number", answer.contacts.value);
+    const native = granumJson(...typed(sameAnswer.commandLine({ ...known, z: answer.rows.mechanical_coordination_number.value })), "--coordination-number", answer.rows.coordination_number.value);
     for (const [place, name] of [[2, "uniform_strain"], [3, "relaxed"], [4, "uniform_stress"]])
       close(ladder[place].value, found(native, name).G_vh, 1e-12, `${JSON.stringify(known)} ${name}`);
     assert.ok(ladder[3].error > 0 && ladder[3].error < 0.5, "rung 3 states its error");
@@ -128,6 +200,7 @@ test("contacts inferred from a measurement, and predictions, equal the native on
 /// What a program prints, as numbers.
 const printed = (command, args, options) => execFileSync(command, args, { encoding: "utf8", ...options }).trim().split(/\s+/).map(Number);
 const build = path.dirname(program);
+const sandInferredNumbers = ({ level, there }) => [level.value, level.error, there.G.value, there.G.error];
 const inferredNumbers = ({ z, there }) => [z.value, z.error, there.G.value, there.G.error];
 
 const pythonPackage = path.join(build, "python/granum");
@@ -138,9 +211,15 @@ test("the lines in Python run, and print the page's numbers", { skip: !pythonBui
   const [, python] = fs.readFileSync(path.join(build, "CMakeCache.txt"), "utf8").match(/^_Python_EXECUTABLE:INTERNAL=(.+)$/m);
   const run = (lines) => printed(python, ["-c", lines], { env: { ...process.env, PYTHONPATH: path.join(build, "python") } });
   for (const known of asked) {
-    const { value, low, high } = answerOf(granum, known).rows[0];
+    const { value, low, high } = answerOf(granum, known).rows.shear_modulus;
     run(sameAnswer.python(known)).forEach((number, k) => close(number, [value, low, high][k], 1e-12, `${JSON.stringify(known)}, number ${k}`));
   }
+  for (const known of sandsAsked) {
+    const { value, low, high } = sandAnswerOf(granum, known).rows.shear_modulus;
+    run(sameSand.python(known)).forEach((number, k) => close(number, [value, low, high][k], 1e-12, `${JSON.stringify(known)}, number ${k}`));
+  }
+  for (const known of sandsInferred)
+    run(sameSandInference.python(known)).forEach((number, k) => close(number, sandInferredNumbers(sandInferenceOf(granum, known))[k], k % 2 ? 1e-9 : 1e-12, `${JSON.stringify(known)}, number ${k}`));
   for (const known of inferred)
     run(sameInference.python(known)).forEach((number, k) => close(number, inferredNumbers(inferenceOf(granum, known))[k], k % 2 ? 1e-6 : 1e-9, `${JSON.stringify(known)}, number ${k}`));
 });
@@ -158,9 +237,14 @@ test("the lines in C++ compile, run, and print the page's numbers", async () => 
       return printed(made, []);
     };
     for (const known of [asked[2], asked[6]]) {
-      const { value, low, high } = answerOf(granum, known).rows[0];
+      const { value, low, high } = answerOf(granum, known).rows.shear_modulus;
       run(sameAnswer.cpp(known), `answer${known.z}`).forEach((number, k) => close(number, [value, low, high][k], 1e-12, `${JSON.stringify(known)}, number ${k}`));
     }
+    for (const known of [sandsAsked[3], sandsAsked[5], sandsAsked[6]]) {
+      const { value, low, high } = sandAnswerOf(granum, known).rows.shear_modulus;
+      run(sameSand.cpp(known), `sand${known.sand}`).forEach((number, k) => close(number, [value, low, high][k], 1e-12, `${JSON.stringify(known)}, number ${k}`));
+    }
+    run(sameSandInference.cpp(sandsInferred[1]), "forecast").forEach((number, k) => close(number, sandInferredNumbers(sandInferenceOf(granum, sandsInferred[1]))[k], k % 2 ? 1e-9 : 1e-12, `number ${k}`));
     run(sameInference.cpp(inferred[2]), "inference").forEach((number, k) => close(number, inferredNumbers(inferenceOf(granum, inferred[2]))[k], k % 2 ? 1e-6 : 1e-9, `number ${k}`));
   } finally {
     fs.rmSync(folder, { recursive: true });
