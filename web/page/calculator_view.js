@@ -112,15 +112,17 @@ const remarks = (words, notes) => (notes.length ? [element("p", { class: "remark
 const plusMinus = (number, unit = 1) => `${written(number.value / unit)} ± ${written(number.error / unit, 2)}`;
 
 /// Numbers of an answer that are shown, by granum's keys, and their units.
-const shownRows = { shear_modulus: 1e6, horizontal_shear_modulus: 1e6, bulk_modulus: 1e6, young_modulus: 1e6, poisson_ratio: 1, shear_wave_speed: 1, compression_wave_speed: 1,
-  mechanical_coordination_number: 1 };
-const shownOfSand = { ...shownRows, stress_exponent: 1, contact_softness: 1, strained_shear_modulus: 1e6, modulus_ratio: 1, damping_ratio: 0.01 };
+const shownOfBoth = { shear_modulus: 1e6, horizontal_shear_modulus: 1e6, bulk_modulus: 1e6, young_modulus: 1e6, poisson_ratio: 1, shear_wave_speed: 1, compression_wave_speed: 1 };
+const shownRows = {
+  sphere: { ...shownOfBoth, mechanical_coordination_number: 1 },
+  sand: { ...shownOfBoth, stress_exponent: 1, strained_shear_modulus: 1e6, modulus_ratio: 1, damping_ratio: 0.01, mechanical_coordination_number: 1, contact_softness: 1 },
+};
 const rangeText = (row, unit = 1) => `${written(row.low / unit)} – ${written(row.high / unit)}`;
 
 function answerParts(granum, texts, known) {
   const words = texts.calculator, sand = isSand(known);
   const slips = (sand ? sandSlipsOf : slipsOf)(granum, known), answer = (sand ? sandAnswerOf : answerOf)(granum, known);
-  const rows = Object.entries(sand ? shownOfSand : shownRows).filter(([key]) => answer.rows[key])
+  const rows = Object.entries(shownRows[known.grains]).filter(([key]) => answer.rows[key])
     .map(([key, unit]) => [(sand && words.inferredRows[key]) || words.rows[key], written(answer.rows[key].value / unit), rangeText(answer.rows[key], unit)]);
   const laws = sand ? sandLaws(granum, known, 25) : [];
   return [...slips.map((slip) => element("p", { class: "slip", role: "alert" }, slip)), element("div", { class: "panes" },
@@ -168,7 +170,7 @@ function addCalculator(granum, texts) {
   const filledWith = (place, required, parts, lines) => {
     const empty = required.filter((key) => !Number.isFinite(known[key]));
     if (empty.length) {
-      place.replaceChildren(element("p", { class: "finding", role: "status" }, filled(words.empty, { names: empty.map((key) => words[key]).join(", ") })));
+      place.replaceChildren(element("p", { class: "finding", role: "status" }, ...worded(filled(words.empty, { names: empty.map((key) => words[key].split(",")[0]).join(", ") }))));
       return;
     }
     try {
@@ -197,7 +199,7 @@ function addCalculator(granum, texts) {
       address.put(`c${key}`, input.value);
       show();
     } });
-    return element("label", {}, words[key], input);
+    return element("label", {}, element("span", {}, ...worded(words[key])), input);
   };
   const choice = (key, label, names, textOf, change = () => {}) => {
     known[key] = address.choice(`c${key}`, names[0], names);
@@ -206,7 +208,7 @@ function addCalculator(granum, texts) {
       address.put(`c${key}`, select.value);
       change();
       show();
-    } }, ...names.map((name) => element("option", { value: name, selected: name === known[key] }, textOf(name))));
+    } }, ...names.map((name) => element("option", { value: name, selected: name === known[key] }, textOf(name).replaceAll("_", ""))));
     return element("label", {}, label, select);
   };
   labels.grains = choice("grains", words.grains, grainKinds, (name) => words[name]);

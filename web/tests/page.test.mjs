@@ -115,6 +115,67 @@ test("the calculator answers while typing, and reports errors", async () => {
   await page.context().close();
 });
 
+/// Keys of the fields of the calculator that are seen.
+const seenFields = (page) => page.$$eval("#calculator .form", ([form]) => [...form.querySelectorAll("input, select")].filter((one) => one.getClientRects().length > 0).map((one) => one.id.slice(1)));
+
+test("the calculator answers for sands, with the fields that their laws use", async () => {
+  const page = await opened();
+  assert.deepEqual(await seenFields(page), ["grains", "voidRatio", "pressure", "stressRatio", "anisotropy", "grainModulus", "poissonRatio", "radius", "density", "saturation", "z", "preparation"]);
+  const answer = () => page.textContent("#answer"), beads = await answer();
+  await page.selectOption("#cgrains", "sand");
+  assert.deepEqual(await seenFields(page), ["grains", "sand", "densityBy", "voidRatio", "uniformity", "leastVoidRatio", "largestVoidRatio", "pressure", "stressRatio", "density", "saturation", "strain"]);
+  const unnamed = await answer();
+  assert.notEqual(unnamed, beads);
+  for (const what of ["z*, inferred", "exponent s", "differences between sands"]) assert.ok(unnamed.includes(what), `${what} is not in ${unnamed}`);
+  assert.doesNotMatch(unnamed, /NaN|undefined|[{}]|shear strain/);
+  assert.match(await page.textContent("#cabout"), /do not use the preparation/);
+  await page.fill("#cstrain", "0.01");
+  assert.match(await answer(), /G at the shear strain, over G0\.\d+/);
+  assert.match(await page.textContent("#clines"), /granum estimate --grain-shape sand .*--strain 0\.01%/);
+  await page.click("#answer summary");
+  assert.equal(await page.locator("#answer details tbody tr").count(), 9, "published laws");
+  // The dot is at G of the answer, on the axes of the picture.
+  const G = (await page.textContent("#answer tbody td.answer")).trim();
+  assert.ok((await page.locator("#answer circle title").textContent()).endsWith(`: 100, ${G}`));
+  assert.equal(await page.locator("#answer polyline").count(), 10, "nine laws and the sand");
+
+  await page.selectOption("#cdensityBy", "relativeDensity");
+  assert.deepEqual((await seenFields(page)).slice(0, 5), ["grains", "sand", "densityBy", "relativeDensity", "uniformity"]);
+  for (const place of ["#answer", "#inference"]) assert.match(await page.textContent(place), /^Fill in: e\W?min\W*, e\W?max\W*\.$/);
+  await page.fill("#cleastVoidRatio", "0.9");
+  await page.fill("#clargestVoidRatio", "0.5");
+  assert.match(await answer(), /largest_void_ratio - least_void_ratio = -0\.4/);
+  await page.selectOption("#csand", "toyoura");
+  assert.deepEqual(await seenFields(page), ["grains", "sand", "densityBy", "relativeDensity", "pressure", "stressRatio", "density", "saturation", "strain"]);
+  assert.match(await page.textContent("#clines"), /granum estimate --sand toyoura --relative-density 60% /);
+  await page.fill("#crelativeDensity", "");
+  assert.match(await answer(), /^Fill in: relative density Dr \[%\]/);
+  await page.fill("#crelativeDensity", "75");
+  assert.match(await answer(), /shear modulus G/);
+  await page.check("input[name=csame][value=python]");
+  assert.match(await page.textContent("#clines"), /sand="toyoura"/);
+  await page.check("input[name=isame][value=cpp]");
+  assert.match(await page.textContent("#ilines"), /infer_sand\(std::span/);
+
+  const forecast = await page.textContent("#inference");
+  assert.match(forecast, /Vs \[m\/s\] at 400 kPa/);
+  assert.doesNotMatch(forecast, /NaN|undefined|[{}]/);
+  await page.fill("#cvalue", "1500");
+  assert.match(await page.textContent("#inference"), /cemented/, "granum's own remark");
+  await page.fill("#cvalue", "280");
+  const url = page.url(), said = await answer(), other = await opened({}, url.slice(url.indexOf("#")));
+  assert.equal(await other.textContent("#answer"), said, "the address does not hold the sand");
+  await other.emulateMedia({ media: "print" });
+  assert.equal((await seenFields(other)).length, 9);
+  await other.emulateMedia({ media: null });
+  await other.click("#reset");
+  await other.waitForFunction(() => document.documentElement.dataset.ready && document.querySelector("#cgrains").value === "sphere");
+  assert.equal(await other.textContent("#answer"), beads);
+  assert.deepEqual(page.complaints.concat(other.complaints), []);
+  await page.context().close();
+  await other.context().close();
+});
+
 test("a measurement determines the contacts and predictions", async () => {
   const page = await opened();
   const said = () => page.textContent("#inference");
@@ -275,21 +336,25 @@ for (const [name, options] of Object.entries({
 }))
   test(`no barriers that axe knows, nothing beyond the edge: ${name}`, async () => {
     const page = await opened(options);
-    if (!["320 pixels, as 640 at 200 %", "forced colours"].includes(name)) {
-      await page.evaluate(axe);
-      const found = await page.evaluate(() => axe.run());
-      assert.deepEqual(found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(", ")}`), []);
+    for (const kind of ["sphere", "sand"]) {
+      await page.selectOption("#cgrains", kind);
+      if (kind === "sand") await page.click("#answer summary");
+      if (!["320 pixels, as 640 at 200 %", "forced colours"].includes(name)) {
+        await page.evaluate(axe);
+        const found = await page.evaluate(() => axe.run());
+        assert.deepEqual(found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(", ")}`), []);
+      }
+      const beyond = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      assert.ok(beyond <= 0, `${beyond} px`);
+      const cut = await page.$$eval("svg", (all) => all.flatMap((svg) => {
+        const box = svg.getBoundingClientRect();
+        return [...svg.querySelectorAll("text")].filter((text) => {
+          const own = text.getBoundingClientRect();
+          return own.left < box.left - 1 || own.right > box.right + 1 || own.top < box.top - 1 || own.bottom > box.bottom + 1;
+        }).map((text) => text.textContent);
+      }));
+      assert.deepEqual(cut, [], "text outside of its picture");
     }
-    const beyond = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-    assert.ok(beyond <= 0, `${beyond} px`);
-    const cut = await page.$$eval("svg", (all) => all.flatMap((svg) => {
-      const box = svg.getBoundingClientRect();
-      return [...svg.querySelectorAll("text")].filter((text) => {
-        const own = text.getBoundingClientRect();
-        return own.left < box.left - 1 || own.right > box.right + 1 || own.top < box.top - 1 || own.bottom > box.bottom + 1;
-      }).map((text) => text.textContent);
-    }));
-    assert.deepEqual(cut, [], "text outside of its picture");
     // What a colour means is not lost: swatches and lines of a picture have the same ones, and more than one.
     const seen = await page.evaluate(() => ["#step3 .swatch:not(.band)", "#step3 polyline"].map((all) =>
       [...document.querySelectorAll(all)].map((one) => getComputedStyle(one)[one.matches("polyline") ? "stroke" : "borderTopColor"])));
