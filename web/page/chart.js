@@ -78,7 +78,7 @@ function chart(what) {
   let free = -Infinity; // from here on a label does not overlap the last one
   for (const value of ticks(what.x)) {
     const lines = (named.get(value) ?? written(value)).split(named.has(value) ? /[ -](?=[^\d])/ : /$/);
-    const half = 4.5 * Math.max(...lines.map((line) => line.length));
+    const half = 3 + 4.5 * Math.max(...lines.map((line) => line.length));
     parts.push(`<line class="grid" x1="${X(value)}" x2="${X(value)}" y1="${top}" y2="${height - bottom}"/>`);
     if (!named.has(value) && X(value) - half < free) continue;
     free = X(value) + half;
