@@ -21,9 +21,7 @@ void add(const std::optional<estimate::Range>& range) {
   numbers().insert(numbers().end(), {of.value, of.low, of.high});
 }
 
-void add(const Measured& number) {
-  numbers().insert(numbers().end(), {number.value, number.standard_error});
-}
+void add(const Measured& number) { numbers().insert(numbers().end(), {number.value, number.standard_error}); }
 
 void add(const estimate::Answer& answer) {
   for (const estimate::FieldRow& row : estimate::fields())
@@ -126,11 +124,10 @@ void slips(double shape, double shear_modulus, double poisson_ratio, double radi
   if (!std::isnan(void_ratio))
     cli::judge_void_ratio({"--void-ratio", void_ratio}, graded == 1, validity);
   if (!std::isnan(mechanical_coordination_number))
-    cli::judge_contacts(
-        {"--mechanical-coordination-number", mechanical_coordination_number}, true,
-        state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}, void_ratio, 0,
-                 stress_v, stress_h),
-        validity);
+    cli::judge_contacts({"--mechanical-coordination-number", mechanical_coordination_number}, true,
+                        state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number},
+                                 void_ratio, 0, stress_v, stress_h),
+                        validity);
   if (stress_v == stress_h)
     cli::judge_stress({"--pressure", stress_v, Dimension::pressure}, validity);
   else {

@@ -88,13 +88,12 @@ GRANUM_EXPORT(sand_answer)
 void sand_answer(double place, double uniformity, double least_void_ratio, double largest_void_ratio,
                  double void_ratio, double stress_v, double stress_h, double grain_density, double saturation,
                  double shear_strain) {
-  const estimate::Question question{
-      .state = state_of(quartz(), void_ratio, stress_v, stress_h),
-      .grain_density = grain_density,
-      .saturation = saturation,
-      .grain_shape = estimate::GrainShape::sand,
-      .sand = sand_of(place, uniformity, least_void_ratio, largest_void_ratio),
-      .shear_strain = given(shear_strain)};
+  const estimate::Question question{.state = state_of(quartz(), void_ratio, stress_v, stress_h),
+                                    .grain_density = grain_density,
+                                    .saturation = saturation,
+                                    .grain_shape = estimate::GrainShape::sand,
+                                    .sand = sand_of(place, uniformity, least_void_ratio, largest_void_ratio),
+                                    .shear_strain = given(shear_strain)};
   // The modulus of the mineral is assumed, with its deviation.
   estimate::Spread modulus{
       .input = "grain-shear-modulus", .assumed = true, .less = question, .more = question};
@@ -149,11 +148,10 @@ void infer_sand(double place, double uniformity, double least_void_ratio, double
                                       .value = {value, relative_error * value},
                                       .state = state_of(quartz(), void_ratio, pressure, pressure)};
   inverse::SandInference sand = inverse::infer_sand(
-      std::span(&measured, 1),
-      {.state = measured.state,
-       .grain_density = grain_density,
-       .grain_shape = estimate::GrainShape::sand,
-       .sand = sand_of(place, uniformity, least_void_ratio, largest_void_ratio)});
+      std::span(&measured, 1), {.state = measured.state,
+                                .grain_density = grain_density,
+                                .grain_shape = estimate::GrainShape::sand,
+                                .sand = sand_of(place, uniformity, least_void_ratio, largest_void_ratio)});
   for (const Measured& number : {sand.level(), sand.exponent(), sand.poisson_ratio()})
     web::add(number);
   using estimate::Field;
@@ -180,7 +178,7 @@ void inferred_sand_path(double quantity, double low, double high, double points)
   for (double k = 0; k < points; ++k) {
     const double pressure = web::step_of_pressure(low, high, k, points);
     web::numbers().push_back(pressure);
-    web::add(
-        last_inferred->sand.predict(web::quantity_of(quantity), elsewhere(last_inferred->measured, pressure)));
+    web::add(last_inferred->sand.predict(web::quantity_of(quantity),
+                                         elsewhere(last_inferred->measured, pressure)));
   }
 }
