@@ -34,7 +34,8 @@ std::optional<double> given(double number) {
   return std::isnan(number) ? std::nullopt : std::optional<double>(number);
 }
 
-/// \param    place   index in sands::known_sands(); -1 for a sand without a name, with the numbers that follow
+/// \param    place   index in sands::known_sands(), or -1 for a sand without a name, with the numbers that
+///                   follow
 sands::Sand sand_of(double place, double uniformity, double least_void_ratio, double largest_void_ratio) {
   if (place == -1)
     return {.uniformity = given(uniformity),
@@ -136,9 +137,9 @@ void sand_law(double law, double place, double uniformity, double void_ratio, do
 }
 
 /// A sand with one measured number under isotropic stress, dry: its level, s and Poisson's ratio with their
-/// standard errors; z* and contact softness there, as value, low and high; G, V_s and V_p at another pressure,
-/// each with its standard error; 1 if the measurement determines the contacts. Quantities are given by their
-/// index in inverse::quantities.
+/// standard errors; z* and contact softness there, as value, low and high; G, V_s and V_p at another
+/// pressure, each with its standard error; 1 if the measurement determines the contacts. Quantities are given
+/// by their index in inverse::quantities.
 GRANUM_EXPORT(infer_sand)
 void infer_sand(double place, double uniformity, double least_void_ratio, double largest_void_ratio,
                 double void_ratio, double pressure, double grain_density, double quantity, double value,
