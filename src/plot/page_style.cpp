@@ -57,13 +57,19 @@ summary { cursor: pointer; font-weight: 600; }
   .first { grid-template-columns: minmax(0, 1fr); }
 }
 @media print {
-  body { max-width: none; font-size: 10.5pt; padding: 0; }
+  html { font-size: 10.5pt; }
+  body { max-width: none; font-size: 1rem; padding: 0; }
   .switch, .tip { display: none; }
   .unchosen { display: block; }
   .trio figure, .panel, tr { break-inside: avoid; }
+  h1, h2 { margin-top: 0.8rem; }
+  h2 { padding-top: 0.6rem; }
   h2, h3 { break-after: avoid; }
   .first { display: block; }
+  .first:not(:has(.panel + .panel)) { display: grid; gap: 0 1.2rem;
+    grid-template-columns: minmax(0, 6fr) minmax(0, 5fr); }
   .panels { grid-template-columns: 1fr 1fr; }
+  .first:not(:has(.panel + .panel)) .panels { grid-template-columns: 1fr; }
   .trio { grid-template-columns: 1fr 1fr 1fr; gap: 0 1rem; }
   .trio .panels { grid-template-columns: 1fr; }
 }
