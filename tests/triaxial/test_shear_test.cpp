@@ -262,4 +262,53 @@ TEST_CASE("a test can be stopped and taken on, and impossible options are refuse
   refused([](ShearOptions& o) { o.largest_strain = 1; });
   refused([](ShearOptions& o) { o.time_step_fraction = 0; });
   refused([](ShearOptions& o) { o.time_step_fraction = 1.5; });
+  refused([](ShearOptions& o) { o.drag_share = 0; });
+  refused([](ShearOptions& o) { o.drag_share = 1; });
+}
+
+TEST_CASE(
+    "between smooth walls q/p' hardly depends on the rate of shear, for the drag carries next to nothing") {
+  const std::vector<dem::Specimen> starts = [] {
+    std::vector<dem::Specimen> made;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      SpecimenRecipe recipe{.material = material, .radius = 0.5e-3, .grains = 300, .seed = seed};
+      recipe.wall_friction = 0;
+      made.push_back(start_of_compression(frictionless_specimen(recipe).state, Density::dense, recipe));
+      const auto keep = [&](const Snapshot& snapshot) {
+        made.back() = snapshot.state;
+        return snapshot.report.converged();
+      };
+      REQUIRE(isotropic_path(made.back(), material, {pressure}, compression_options(), keep));
+    }
+    return made;
+  }();
+  // Mean of |q/p'| from 0.5 to 1.5 % of axial strain.
+  const auto mean_ratio = [](const dem::Specimen& start, ShearOptions options) {
+    options.largest_strain = 0.015;
+    options.strain_step = 5e-5;
+    options.eta_step = 10;
+    ShearTest test(start, material, options);
+    double sum = 0, count = 0;
+    while (test.advance() == ShearEvent::snapshot)
+      if (std::abs(test.now().axial_strain) > 0.005) {
+        sum += std::abs(test.now().stress.ratio());
+        ++count;
+      }
+    return sum / count;
+  };
+  // Mean growth of it where the rate is five times as large.
+  const auto growth = [&](std::size_t specimens, double drag_share) {
+    double sum = 0;
+    for (std::size_t k = 0; k < specimens; ++k)
+      for (const ShearPath path : {ShearPath::txc, ShearPath::txe}) {
+        ShearOptions slow = options_of(path);
+        slow.drag_share = drag_share;
+        ShearOptions fast = slow;
+        fast.inertial_number = 5 * slow.inertial_number;
+        sum += std::log(mean_ratio(starts[k], fast) / mean_ratio(starts[k], slow));
+      }
+    return sum / (2 * static_cast<double>(specimens));
+  };
+  CHECK(std::abs(growth(starts.size(), ShearOptions{}.drag_share)) < 0.02);
+  CHECK(growth(1, 0.5) > 0.05); // so a drag that is too strong would be noticed
 }

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Does the friction angle depend on the rate of shear, or on the drag? Dense spheres, each specimen sheared from one
+// start at several inertial numbers, and at the default one with several drags.
+//
+//     trade_shear_rate [table.csv [specimens, by default 3 [grains, by default 1000 [lowest rate, by default 1e-5]]]]
+//
+// Exit code: 0 if all mean angles at the default rate and drag are within 0.3 degrees of those at the lowest rate, or
+// within two standard errors; 1 if not, 2 usage.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <granum/contact/friction.hpp>
+#include <granum/core/error.hpp>
+#include <granum/stress/axial_stress.hpp>
+#include <granum/triaxial/shear_test.hpp>
+#include <granum/triaxial/specimen.hpp>
+
+#include "../relaxation/specimens.hpp"
+
+namespace {
+
+using namespace granum;
+using relaxation::kPa;
+
+constexpr double pressure = 100 * kPa, degree = M_PI / 180;
+const triaxial::ShearOptions preset;
+constexpr std::array rates{1e-3, 5e-4, 2e-4, 5e-5, 1e-5};
+constexpr std::array drags{1e-4, 1e-2,
+                           0.5}; ///< beside the default; the last is limited as ShearTest limits it
+
+/// A friction angle of each kind [deg]: at the peak, and of the mean q/p' around three axial strains.
+struct Angles {
+  std::array<double, 4> value{};
+};
+constexpr std::array names{"peak", "1 %", "2 %", "3 %"};
+constexpr std::array strains{0.01, 0.02, 0.029};
+constexpr double around = 0.00105; ///< half of the width over which q/p' is averaged
+
+struct Row {
+  bool walls = false;
+  std::uint64_t seed = 0;
+  stress::ShearPath path = stress::ShearPath::txc;
+  double rate = 0, drag_share = 0;
+  Angles angles;
+};
+
+triaxial::SpecimenRecipe recipe_of(bool walls, std::uint64_t seed, std::size_t grains) {
+  triaxial::SpecimenRecipe recipe{
+      .material = {.law = contact::PowerLaw::sphere(relaxation::grain, 0.5e-3),
+                   .tangential_ratio = contact::mindlin_stiffness_ratio(relaxation::grain.poisson_ratio),
+                   .friction_coefficient = contact::Friction::from_angle(26.5 * degree).coefficient()},
+      .radius = 0.5e-3,
+      .grains = grains,
+      .seed = seed};
+  if (walls)
+    recipe.wall_friction = 0;
+  return recipe;
+}
+
+/// The specimen under isotropic pressure.
+dem::Specimen compressed(const triaxial::SpecimenRecipe& recipe) {
+  dem::Specimen state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
+                                                       triaxial::Density::dense, recipe);
+  const auto keep = [&](const triaxial::Snapshot& snapshot) {
+    state = snapshot.state;
+    return snapshot.report.converged();
+  };
+  if (!triaxial::isotropic_path(state, recipe.material, {10 * kPa, 30 * kPa, pressure},
+                                triaxial::compression_options(), keep))
+    throw Error("a specimen did not come to rest");
+  return state;
+}
+
+double angle_at(stress::ShearPath path, double eta) {
+  return stress::mobilised_friction_angle(stress::stress_on_path(path, pressure, eta)) / degree;
+}
+
+Angles sheared(const dem::Specimen& start, const dem::Material& material,
+               const triaxial::ShearOptions& options) {
+  triaxial::ShearTest test(start, material, options);
+  std::array<double, strains.size()> sum{}, count{};
+  while (test.advance() == triaxial::ShearEvent::snapshot) {
+    for (std::size_t k = 0; k < strains.size(); ++k) {
+      if (std::abs(std::abs(test.now().axial_strain) - strains[k]) > around)
+        continue;
+      sum[k] += test.now().stress.ratio();
+      ++count[k];
+    }
+  }
+  Angles angles;
+  angles.value[0] = stress::mobilised_friction_angle(test.peak().stress) / degree;
+  for (std::size_t k = 0; k < strains.size(); ++k)
+    angles.value[k + 1] = angle_at(options.path, sum[k] / count[k]);
+  return angles;
+}
+
+std::vector<Row> study(std::uint64_t specimens, std::size_t grains, double lowest) {
+  std::vector<Row> rows;
+  for (const bool walls : {true, false})
+    for (std::uint64_t seed = 1; seed <= specimens; ++seed) {
+      const triaxial::SpecimenRecipe recipe = recipe_of(walls, seed, grains);
+      const dem::Specimen start = compressed(recipe);
+      const auto add = [&](stress::ShearPath path, double rate, double drag_share) {
+        const triaxial::ShearOptions options{.path = path,
+                                             .mean_stress = pressure,
+                                             .inertial_number = rate,
+                                             .eta_step = 10,
+                                             .strain_step = 1e-5,
+                                             .drag_share = drag_share};
+        rows.push_back({walls, seed, path, rate, drag_share, sheared(start, recipe.material, options)});
+        std::fprintf(stderr, "%s, specimen %llu, %s, rate %g, drag %g: %.2f degrees\n",
+                     walls ? "walls" : "periodic", static_cast<unsigned long long>(seed),
+                     std::string(stress::name(path)).c_str(), rate, drag_share, rows.back().angles.value[0]);
+      };
+      for (const stress::ShearPath path : stress::all_shear_paths) {
+        for (const double rate : rates)
+          if (rate >= lowest)
+            add(path, rate, preset.drag_share);
+        for (const double drag : drags)
+          add(path, preset.inertial_number, drag);
+      }
+    }
+  return rows;
+}
+
+void write(const std::string& file, const std::vector<Row>& rows, std::size_t grains) {
+  std::ofstream out(file);
+  out << "boundary,grains,seed,path,inertial_number,drag_share,peak_deg,one_per_cent_deg,two_per_cent_deg,"
+         "three_per_cent_deg\n";
+  for (const Row& row : rows) {
+    out << (row.walls ? "walls" : "periodic") << ',' << grains << ',' << row.seed << ','
+        << stress::name(row.path) << ',' << row.rate << ',' << row.drag_share;
+    for (const double angle : row.angles.value)
+      out << ',' << angle;
+    out << '\n';
+  }
+  if (!out.flush())
+    throw FileError(file, 0, "cannot be written");
+}
+
+struct Mean {
+  double value = 0, error = 0;
+};
+
+Mean mean_of(const std::vector<double>& values) {
+  const double count = static_cast<double>(values.size());
+  double sum = 0, squares = 0;
+  for (const double value : values) {
+    sum += value;
+    squares += value * value;
+  }
+  const double mean = sum / count;
+  return {mean, count > 1 ? std::sqrt(std::max(0.0, squares / count - mean * mean) / (count - 1)) : 0};
+}
+
+/// Angles at a rate and drag minus those of the same specimen and path at the reference rate, in the mean.
+Mean difference(const std::vector<Row>& rows, bool walls, bool compression, const Row& of, double reference,
+                std::size_t kind) {
+  std::vector<double> differences;
+  for (const Row& a : rows) {
+    if (a.walls != walls || stress::is_compression(a.path) != compression || a.rate != of.rate ||
+        a.drag_share != of.drag_share)
+      continue;
+    for (const Row& b : rows)
+      if (b.walls == walls && b.seed == a.seed && b.path == a.path && b.rate == reference &&
+          b.drag_share == preset.drag_share)
+        differences.push_back(a.angles.value[kind] - b.angles.value[kind]);
+  }
+  return mean_of(differences);
+}
+
+/// \return   whether the default rate and drag are slow and weak enough
+bool report(const std::vector<Row>& rows) {
+  double slowest = 1;
+  for (const Row& row : rows)
+    slowest = std::min(slowest, row.rate);
+  bool holds = true;
+  for (const bool walls : {true, false})
+    for (const bool compression : {true, false}) {
+      std::printf("%s, %s: degrees above those at rate %g and drag %g\n", walls ? "walls" : "periodic",
+                  compression ? "compression" : "extension", slowest, preset.drag_share);
+      for (const Row& row : rows) { // one specimen and path lists all settings
+        if (row.walls != walls || row.seed != 1 || stress::is_compression(row.path) != compression ||
+            (row.path != stress::ShearPath::txc && row.path != stress::ShearPath::txe) || row.rate == slowest)
+          continue;
+        std::printf("  rate %-6g drag %-6g", row.rate, row.drag_share);
+        for (std::size_t k = 0; k < names.size(); ++k) {
+          const Mean d = difference(rows, walls, compression, row, slowest, k);
+          std::printf("  %s %+.2f +- %.2f", names[k], d.value, d.error);
+          if (row.rate == preset.inertial_number && row.drag_share == preset.drag_share)
+            holds = holds && std::abs(d.value) <= std::max(0.3, 2 * d.error);
+        }
+        std::printf("\n");
+      }
+    }
+  return holds;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const auto specimens = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 3;
+    const auto grains = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1000;
+    const double lowest = argc > 4 ? std::atof(argv[4]) : rates.back();
+    if (argc > 5 || specimens < 1 || grains < 40 || !(lowest > 0 && lowest < preset.inertial_number)) {
+      std::fprintf(stderr, "usage: %s [table.csv [specimens [grains, 40 or more [lowest rate, below %g]]]]\n",
+                   argv[0], preset.inertial_number);
+      return 2;
+    }
+    const std::vector<Row> rows = study(specimens, grains, lowest);
+    if (argc > 1)
+      write(argv[1], rows, grains);
+    return report(rows) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "trade_shear_rate: %s\n", error.what());
+    return 1;
+  }
+}
