@@ -42,12 +42,12 @@ void require_prior_inputs(const State& s) {
   require_non_negative("stress_h", s.stress_h, "Pa");
 }
 
-/// Overlap of the mean force over the mean branch, at C_n contacts.
+/// Closing overlap of the mean force over the mean branch, at C_n contacts.
 double relative_overlap(const State& s, double pressure, double coordination_number) {
   const double R = s.radius, branch = s.contacts.branch;
   const double load =
       4 * std::numbers::pi * R * R * (1 + s.void_ratio) * pressure * (s.contacts.grain_volume / branch);
-  return s.law.overlap(load / coordination_number) / (2 * R * branch);
+  return kernel::closing_overlap(s.law, load / coordination_number) / (2 * R * branch);
 }
 
 ContactCounts with_rattlers(double z, double overlap) {

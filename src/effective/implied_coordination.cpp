@@ -43,8 +43,8 @@ ExpectedRattlers expected_rattlers(const State& state, double mechanical_coordin
   // difference.
   for (int round = 0; round < 60; ++round) {
     const State with = with_contacts(state, z, fraction);
-    const double overlap =
-        with.law.overlap(mean_contact_force(with)) / (2 * with.radius * with.contacts.branch);
+    const double overlap = kernel::closing_overlap(with.law, mean_contact_force(with)) /
+                           (2 * with.radius * with.contacts.branch);
     const double before = fraction;
     fraction = kernel::rattlers_of_contacts(z, overlap, kernel::rattler_coefficients);
     if (std::abs(fraction - before) <= 1e-15 * fraction)

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <granum/contact/rough_sphere.hpp>
 #include <granum/core/error.hpp>
+#include <granum/effective/implied_coordination.hpp>
 #include <granum/effective/relaxation.hpp>
 
 #include "support.hpp"
@@ -57,6 +59,39 @@ TEST_CASE("contact prior: spheres at 10 kPa as granum's own packings have them")
     CHECK(z(unknown.loosest) < 4.4);
     CHECK(z(unknown.densest) == doctest::Approx(z(prior.middle)).epsilon(1e-12));
   }
+}
+
+TEST_CASE("contact prior: rough spheres as granum's own packings have them") {
+  // Counted z* of R = 0.5 mm, means of two seeds (validation/relaxation/rough.csv).
+  const struct {
+    double roughness, void_ratio, pressure, friction, z_star;
+  } measured[] = {{50e-9, 0.5661, 10e3, 0, 6.024},       {200e-9, 0.5523, 10e3, 0, 6.120},
+                  {200e-9, 0.5443, 1e6, 0, 6.337},       {50e-9, 0.5684, 10e3, 0.4986, 4.436},
+                  {50e-9, 0.5667, 100e3, 0.4986, 4.767}, {200e-9, 0.6053, 10e3, 0.1, 5.369},
+                  {200e-9, 0.6672, 10e3, 0.3, 4.657}};
+  for (const auto& [roughness, e, p, mu, z_star] : measured) {
+    CAPTURE(roughness);
+    CAPTURE(z_star);
+    const Preparation recipe = mu > 0 ? friction(mu) : dense;
+    State s = spheres(e, p);
+    s.tangential_ratio = 0.9;
+    const ContactPrior smooth = effective::contact_prior(s, recipe);
+    s.law = contact::RoughSphere({.shear_modulus = 30e9, .poisson_ratio = 0.15}, s.radius, roughness);
+    const ContactPrior prior = effective::contact_prior(s, recipe);
+    CHECK(std::abs(z(prior.middle) - z_star) < 2 * prior.coordination_error);
+    CHECK(close(z(prior.middle), z(smooth.middle), 1e-12)); // roughness makes no contacts
+    CHECK(close(effective::expected_rattlers(s, z(prior.middle)).fraction, prior.middle.rattler_fraction,
+                1e-9));
+  }
+}
+
+TEST_CASE("contact prior: rough spheres gain contacts with pressure as granum's own packings do") {
+  // 50 nm, R = 0.5 mm, friction 0.4986, opened a little: z* from 4.436 at 10 kPa to 4.767 at 100 kPa.
+  State s = spheres(0.5684, 10e3);
+  s.law = contact::RoughSphere({.shear_modulus = 30e9, .poisson_ratio = 0.15}, s.radius, 50e-9);
+  const ContactCounts counts{.mechanical_coordination_number = 4.436, .rattler_fraction = 0.094};
+  const auto carried = effective::carried_contacts(s, counts, 100e3);
+  CHECK(std::abs(z(carried.counts) - 4.767) < 2 * carried.coordination_error);
 }
 
 TEST_CASE("contact prior: the overlap is that of the mean force at its own contacts") {

@@ -3,9 +3,9 @@
 //
 //     contact_prior_fit coefficients states.csv
 //                                      writes src/effective/contact_prior_coefficients.hpp
-//     contact_prior_fit check states.csv published.csv
+//     contact_prior_fit check states.csv published.csv rough.csv ../infer/states.csv
 //                                      fits again, compares with that file, and asks whether recipes left
-//                                      out, and packings of others, lie where it says
+//                                      out, packings of others and rough ones lie where it says
 //     contact_prior_fit points states.csv
 //     contact_prior_fit lines          CSV for the picture: z* measured and by the prior; z* over void ratio
 #include <cstdio>
@@ -22,6 +22,7 @@
 #include "../relaxation/coverage.hpp"
 #include "calibration.hpp"
 #include "effective/contact_prior_coefficients.hpp"
+#include "rough.hpp"
 
 namespace {
 
@@ -250,7 +251,8 @@ bool same(const std::array<double, n>& fitted, const std::array<double, n>& reco
 bool same(double fitted, double recorded) { return std::abs(fitted / recorded - 1) < 1e-4; }
 
 int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
-          const std::vector<Packing>& unfitted, const std::vector<Published>& published) {
+          const std::vector<Packing>& unfitted, const std::vector<Published>& published,
+          const char* rough_states, const char* rough_states_of_sand) {
   const Result result = fit_everything(packings);
   Misses fitted;
   judge(packings, result.contacts.coefficients, result, fitted);
@@ -293,6 +295,7 @@ int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
                  "95 % of packings of friction up to 0.5 in the range of their void ratio (" +
                      number(100 * in_range, 3) + " %)");
   claims.require(published_inside, "so are those of others");
+  rough::check(rough_states, rough_states_of_sand, claims);
   return claims.failed() == 0 ? 0 : 1;
 }
 
@@ -337,10 +340,12 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (!((command == "coefficients" || command == "points") && argc == 3) &&
-      !(command == "check" && argc == 4)) {
-    std::fprintf(stderr,
-                 "usage: %s coefficients|points states.csv, lines, or check states.csv published.csv\n",
-                 argv[0]);
+      !(command == "check" && argc == 6)) {
+    std::fprintf(
+        stderr,
+        "usage: %s coefficients|points states.csv, lines, or check states.csv published.csv rough.csv "
+        "../infer/states.csv\n",
+        argv[0]);
     return 2;
   }
   try {
@@ -354,7 +359,7 @@ int main(int argc, char** argv) {
     else if (command == "points")
       print_points(packings);
     else
-      return check(all, packings, unfitted, read_published(argv[3]));
+      return check(all, packings, unfitted, read_published(argv[3]), argv[4], argv[5]);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

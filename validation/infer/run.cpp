@@ -2,7 +2,7 @@
 // Does inference give back the contacts of packings that are known, and foretell their moduli elsewhere? The
 // network's G and K of granum's own packings are the measurements, the counted z* and the networks at other
 // pressures the truth.
-//     infer_run <validation/relaxation/states.csv> <validation/laboratory/beads_states.csv>
+//     infer_run <validation/relaxation/states.csv> <validation/laboratory/beads_states.csv> [states.csv]
 // Exit code 0 only if what README.md promises holds.
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,7 @@
 #include <granum/io/csv/table.hpp>
 
 #include "../relaxation/reading.hpp"
+#include "contacts.hpp"
 
 namespace {
 
@@ -205,12 +206,16 @@ bool run(const std::string& states, const std::string& beads) {
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: infer_run relaxation/states.csv laboratory/beads_states.csv\n");
+  if (argc != 3 && argc != 4) {
+    std::fprintf(stderr, "usage: infer_run relaxation/states.csv laboratory/beads_states.csv [states.csv]\n");
     return 2;
   }
   try {
-    return run(argv[1], argv[2]) ? 0 : 1;
+    Claims claims;
+    claims.require(run(argv[1], argv[2]), "z* of one modulus, and moduli at other pressures");
+    if (argc == 4)
+      implied::judge(argv[3], claims);
+    return claims.failed() == 0 ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "infer_run: %s\n", error.what());
     return 2;

@@ -50,7 +50,8 @@ struct ContactPrior {
   double coordination_error = 0;
   double packing_scatter = 0; ///< the same, where packings of spheres exist [1]
   double rattler_error = 0;   ///< standard deviation of ln x_0 [1]
-  /// Overlap at the mean force over the diameter, for `middle`: determines how z* grows with stress [1].
+  /// Overlap at the mean force over the diameter, for `middle`: determines how z* grows with stress. Of rough
+  /// spheres that of smooth ones under the same force, as what roughness adds makes no counted contacts [1].
   double relative_overlap = 0;
   Validity validity;
 };
@@ -68,8 +69,8 @@ struct ContactPrior {
 /// \return   notes where no packing of equal spheres is so loose or so dense, where friction is too small
 ///           for the void ratio, of unequal grains, and where overlaps exceed those of the calibration
 /// \throws   InvalidArgument naming a member of the state or of the preparation that is out of its range
-/// Accuracy  of recipes left out of the fit see validation/contact_prior; relative overlaps below 0.01.
-///           Rounding: relative 1e-12.
+/// Accuracy  of recipes left out of the fit, and of rough spheres, see validation/contact_prior; relative
+///           overlaps below 0.01. Rounding: relative 1e-12.
 /// Checked by tests/effective/test_contact_prior.cpp, validation/contact_prior
 [[nodiscard]] ContactPrior contact_prior(const State& state, const Preparation& preparation = {});
 
