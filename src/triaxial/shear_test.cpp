@@ -37,9 +37,10 @@ double inertial_time(const dem::Engine& engine, double pressure) {
 }
 
 /// Drag coefficient of a test [1/s]. Grains that do not follow the mean strain, at worst whole blocks that
-/// slide along one another, move relative to the cell with up to rate x at a distance x from its centre. A drag
-/// c on a mass density rho then carries a stress rho c rate L^2/12 over a length L. The engine's adaptive drag is
-/// hundreds of times larger: with it friction angles at an inertial number of 2e-4 are 1 to 2 degrees too large.
+/// slide along one another, move relative to the cell with up to rate x at a distance x from its centre. A
+/// drag c on a mass density rho then carries a stress rho c rate L^2/12 over a length L. The engine's
+/// adaptive drag is hundreds of times larger: with it friction angles at an inertial number of 2e-4 are 1 to
+/// 2 degrees too large.
 double drag_coefficient(const dem::Engine& engine, const ShearOptions& options) {
   const Mat3& cell = engine.cell();
   const double length = std::max({cell(0, 0), cell(1, 1), cell(2, 2)});

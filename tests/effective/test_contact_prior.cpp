@@ -63,22 +63,23 @@ TEST_CASE("contact prior: spheres at 10 kPa as granum's own packings have them")
 
 TEST_CASE("contact prior: rough spheres as granum's own packings have them") {
   // Counted z* of R = 0.5 mm, means of two seeds (validation/relaxation/rough.csv).
-  const struct {
+  struct Row {
     double roughness, void_ratio, pressure, friction, z_star;
-  } measured[] = {{50e-9, 0.5661, 10e3, 0, 6.024},       {200e-9, 0.5523, 10e3, 0, 6.120},
-                  {200e-9, 0.5443, 1e6, 0, 6.337},       {50e-9, 0.5684, 10e3, 0.4986, 4.436},
-                  {50e-9, 0.5667, 100e3, 0.4986, 4.767}, {200e-9, 0.6053, 10e3, 0.1, 5.369},
-                  {200e-9, 0.6672, 10e3, 0.3, 4.657}};
-  for (const auto& [roughness, e, p, mu, z_star] : measured) {
-    CAPTURE(roughness);
-    CAPTURE(z_star);
-    const Preparation recipe = mu > 0 ? friction(mu) : dense;
-    State s = spheres(e, p);
+  };
+  const Row measured[] = {{50e-9, 0.5661, 10e3, 0, 6.024},       {200e-9, 0.5523, 10e3, 0, 6.120},
+                          {200e-9, 0.5443, 1e6, 0, 6.337},       {50e-9, 0.5684, 10e3, 0.4986, 4.436},
+                          {50e-9, 0.5667, 100e3, 0.4986, 4.767}, {200e-9, 0.6053, 10e3, 0.1, 5.369},
+                          {200e-9, 0.6672, 10e3, 0.3, 4.657}};
+  for (const Row& row : measured) {
+    CAPTURE(row.roughness);
+    CAPTURE(row.z_star);
+    const Preparation recipe = row.friction > 0 ? friction(row.friction) : dense;
+    State s = spheres(row.void_ratio, row.pressure);
     s.tangential_ratio = 0.9;
     const ContactPrior smooth = effective::contact_prior(s, recipe);
-    s.law = contact::RoughSphere({.shear_modulus = 30e9, .poisson_ratio = 0.15}, s.radius, roughness);
+    s.law = contact::RoughSphere({.shear_modulus = 30e9, .poisson_ratio = 0.15}, s.radius, row.roughness);
     const ContactPrior prior = effective::contact_prior(s, recipe);
-    CHECK(std::abs(z(prior.middle) - z_star) < 2 * prior.coordination_error);
+    CHECK(std::abs(z(prior.middle) - row.z_star) < 2 * prior.coordination_error);
     CHECK(close(z(prior.middle), z(smooth.middle), 1e-12)); // roughness makes no contacts
     CHECK(close(effective::expected_rattlers(s, z(prior.middle)).fraction, prior.middle.rattler_fraction,
                 1e-9));

@@ -141,7 +141,7 @@ inline void check(const std::string& relaxation_path, const std::string& infer_p
     for (const Packing& p : all)
       ++recipes[p.recipe];
     for (const auto& [recipe, count] : recipes)
-      print(recipe, judge(all, [&](const Packing& p) { return p.recipe == recipe; }));
+      print(recipe, judge(all, [name = recipe](const Packing& p) { return p.recipe == name; }));
     const Judged together = judge(all, [](const Packing&) { return true; });
     print("together", together);
     claims.require(together.of_z.one() >= 0.55 && together.of_z.two() >= 0.9,

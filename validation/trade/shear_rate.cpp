@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Does the friction angle depend on the rate of shear, or on the drag? Dense spheres, each specimen sheared from one
-// start at several inertial numbers, and at the default one with several drags.
+// Does the friction angle depend on the rate of shear, or on the drag? Dense spheres, each specimen sheared
+// from one start at several inertial numbers, and at the default one with several drags.
 //
-//     trade_shear_rate [table.csv [specimens, by default 3 [grains, by default 1000 [lowest rate, by default 1e-5]]]]
+//     trade_shear_rate [table.csv [specimens [grains [lowest rate]]]]
 //
-// Exit code: 0 if all mean angles at the default rate and drag are within 0.3 degrees of those at the lowest rate, or
-// within two standard errors; 1 if not, 2 usage.
+// By default 3 specimens of 1000 grains down to a rate of 1e-5, and no table. Exit code: 0 if all mean angles
+// at the default rate and drag are within 0.3 degrees of those at the lowest rate, or within two standard
+// errors; 1 if not, 2 usage.
 #include <algorithm>
 #include <array>
 #include <cmath>

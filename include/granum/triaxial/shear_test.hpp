@@ -53,8 +53,8 @@ enum class ShearEvent {
 /// in TXC and RTXE, equal horizontal strains of half that rate in RTXC and TXE. The other stress is kept
 /// constant by servos (proportional and integral, for a strain rate that changes slowly must not need a gap),
 /// and so is the equality of the two horizontal stresses. eta follows, past its peak as well. The drag is
-/// constant and weak (ShearOptions::drag_share): the adaptive one of the engine raises the friction angle of 1,000
-/// grains between walls by 1 to 2 degrees at an inertial number of 2e-4.
+/// constant and weak (ShearOptions::drag_share): the adaptive one of the engine raises the friction angle of
+/// 1,000 grains between walls by 1 to 2 degrees at an inertial number of 2e-4.
 /// Assumes   an orthogonal box along the axes, at rest under options.mean_stress.
 /// Same state, same options: same bits.            [Chung2014], checked by tests/triaxial/test_shear_test.cpp
 class ShearTest {
