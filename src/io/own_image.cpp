@@ -101,8 +101,10 @@ ImportedPacking doubled(const ImportedPacking& packing, int axis) {
     for (std::uint32_t copy = 0; copy < 2; ++copy)
       to.contacts.push_back(between(c, c.i + copy * count, c.j + (copy + over) % 2 * count));
   }
+  // Contacts of one pair through several images are in the order of their branches; turned ones were not.
   std::stable_sort(to.contacts.begin(), to.contacts.end(), [](const Contact& a, const Contact& b) {
-    return std::tie(a.i, a.j) < std::tie(b.i, b.j);
+    return std::tie(a.i, a.j, a.branch.x, a.branch.y, a.branch.z) <
+           std::tie(b.i, b.j, b.branch.x, b.branch.y, b.branch.z);
   });
   for (const Contact& c : from.wall_contacts) {
     to.wall_contacts.push_back(c);
