@@ -118,9 +118,10 @@ void PackingBuilder::set_grains(std::vector<GrainRow> rows) {
     packing_.id.push_back(grain.id);
     packing_.assembly.position.push_back(grain.position);
     packing_.assembly.radius.push_back(grain.radius);
-    if (grain.type)
-      packing_.type.push_back(*grain.type);
   }
+  if (std::all_of(rows.begin(), rows.end(), [](const GrainRow& g) { return g.type.has_value(); }))
+    for (const GrainRow& grain : rows)
+      packing_.type.push_back(*grain.type);
   take_bodies(rows);
   if (std::all_of(rows.begin(), rows.end(), [](const GrainRow& g) { return g.force.has_value(); }))
     for (const GrainRow& grain : rows)

@@ -46,6 +46,7 @@ inline void check(const io::ImportedPacking& packing) {
   const packing::Assembly& a = packing.assembly;
   require_valid(a);
   demand(packing.id.size() == a.grain_count());
+  demand(packing.type.empty() || packing.type.size() == a.grain_count());
   for (std::size_t k = 1; k < packing.id.size(); ++k)
     demand(packing.id[k - 1] < packing.id[k]);
   for (std::size_t k = 1; k < a.contacts.size(); ++k) {

@@ -62,7 +62,7 @@ struct Rounding {
 struct ImportedPacking {
   packing::Assembly assembly;
   std::vector<long> id;        ///< of each grain, as the files name it, ascending
-  std::vector<long> type = {}; ///< of each grain; empty if the files have no types
+  std::vector<long> type = {}; ///< of each grain; empty unless all have one
   std::array<bool, 3> periodic{true, true, true};
   long step = 0;
   std::optional<double> time; ///< [s]
