@@ -22,7 +22,7 @@ constexpr double servo_steps = 13;
 constexpr double integral_factor = 10;
 /// Strain rate that a servo may reach, in driven rates: a dilating specimen near its peak needs 1 at most.
 constexpr double largest_servo_rate = 3;
-/// Drag [1/time step] at slow rates, where the share above allows more.
+/// Largest drag [1/time step]: at slow rates ShearOptions::drag_share would allow more.
 constexpr double largest_drag = 0.1;
 /// Steps between two checks that the motion is finite.
 constexpr std::size_t watch_interval = 500;
@@ -39,8 +39,8 @@ double inertial_time(const dem::Engine& engine, double pressure) {
 /// Drag coefficient of a test [1/s]. Grains that do not follow the mean strain, at worst whole blocks that
 /// slide along one another, move relative to the cell with up to rate x at a distance x from its centre. A
 /// drag c on a mass density rho then carries a stress rho c rate L^2/12 over a length L. The engine's
-/// adaptive drag is hundreds of times larger: with it friction angles at an inertial number of 2e-4 are 1 to
-/// 2 degrees too large.
+/// adaptive drag is so much larger that friction angles at an inertial number of 2e-4 are 1 to 2 degrees too
+/// large with it.
 double drag_coefficient(const dem::Engine& engine, const ShearOptions& options) {
   const Mat3& cell = engine.cell();
   const double length = std::max({cell(0, 0), cell(1, 1), cell(2, 2)});
