@@ -3,9 +3,9 @@
 //
 //     contact_prior_fit coefficients states.csv
 //                                      writes src/effective/contact_prior_coefficients.hpp
-//     contact_prior_fit check states.csv published.csv rough.csv ../infer/states.csv
+//     contact_prior_fit check states.csv published.csv rough.csv ../infer/states.csv ../verify_default/states.csv
 //                                      fits again, compares with that file, and asks whether recipes left
-//                                      out, packings of others and rough ones lie where it says
+//                                      out, packings of others, rough ones and verify's lie where it says
 //     contact_prior_fit points states.csv
 //     contact_prior_fit lines          CSV for the picture: z* measured and by the prior; z* over void ratio
 #include <cstdio>
@@ -22,7 +22,7 @@
 #include "../relaxation/coverage.hpp"
 #include "calibration.hpp"
 #include "effective/contact_prior_coefficients.hpp"
-#include "rough.hpp"
+#include "unfitted.hpp"
 
 namespace {
 
@@ -251,8 +251,8 @@ bool same(const std::array<double, n>& fitted, const std::array<double, n>& reco
 bool same(double fitted, double recorded) { return std::abs(fitted / recorded - 1) < 1e-4; }
 
 int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
-          const std::vector<Packing>& unfitted, const std::vector<Published>& published,
-          const char* rough_states, const char* rough_states_of_sand) {
+          const std::vector<Packing>& other_shape, const std::vector<Published>& published,
+          char** unfitted_files) {
   const Result result = fit_everything(packings);
   Misses fitted;
   judge(packings, result.contacts.coefficients, result, fitted);
@@ -262,9 +262,9 @@ int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
   const Misses by_preparation = left_out(packings, result, "preparation", preparation_of);
   const Misses by_contact = left_out(packings, result, "contact", contact_of);
   const Misses by_seed = left_out(packings, result, "seed", seed_of);
-  Misses by_unfitted;
-  judge(unfitted, result.contacts.coefficients, result, by_unfitted);
-  print("a shape that no fit has seen", by_unfitted);
+  Misses by_other_shape;
+  judge(other_shape, result.contacts.coefficients, result, by_other_shape);
+  print("a shape that no fit has seen", by_other_shape);
   const Errors unloaded = cycles(all);
   std::printf("  cycles to 3 MPa and back: rms %.3f worst %.2f\n", unloaded.rms(), unloaded.worst());
   const double in_range = share_in_range(packings);
@@ -288,14 +288,15 @@ int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
     }
     claims.require(m->carried_to_next.rms() < 0.08, "z* carried to the next pressure: 0.08 rms");
   }
-  claims.require(by_unfitted.by_recipe.rms() < 2 * result.friction_scatter,
+  claims.require(by_other_shape.by_recipe.rms() < 2 * result.friction_scatter,
                  "alpha = 4 within two errors, rms");
   claims.require(unloaded.rms() < 0.15, "cycles retrace within 0.15 rms");
   claims.require(in_range >= 0.95,
                  "95 % of packings of friction up to 0.5 in the range of their void ratio (" +
                      number(100 * in_range, 3) + " %)");
   claims.require(published_inside, "so are those of others");
-  rough::check(rough_states, rough_states_of_sand, claims);
+  unfitted::check_rough(unfitted_files[0], unfitted_files[1], claims);
+  unfitted::check_verify(unfitted_files[2], claims);
   return claims.failed() == 0 ? 0 : 1;
 }
 
@@ -340,26 +341,26 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (!((command == "coefficients" || command == "points") && argc == 3) &&
-      !(command == "check" && argc == 6)) {
+      !(command == "check" && argc == 7)) {
     std::fprintf(
         stderr,
         "usage: %s coefficients|points states.csv, lines, or check states.csv published.csv rough.csv "
-        "../infer/states.csv\n",
+        "../infer/states.csv ../verify_default/states.csv\n",
         argv[0]);
     return 2;
   }
   try {
     const std::vector<Packing> all = relaxation::read_packings(argv[2]);
-    std::vector<Packing> packings, unfitted;
+    std::vector<Packing> packings, other_shape;
     for (const Packing& p : all)
       if (usable(p))
-        (p.contact == relaxation::unfitted_contact ? unfitted : packings).push_back(p);
+        (p.contact == relaxation::unfitted_contact ? other_shape : packings).push_back(p);
     if (command == "coefficients")
       print_coefficients(fit_everything(packings));
     else if (command == "points")
       print_points(packings);
     else
-      return check(all, packings, unfitted, read_published(argv[3]), argv[4], argv[5]);
+      return check(all, packings, other_shape, read_published(argv[3]), argv + 4);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -75,6 +75,36 @@ inline void print_stretch(const std::vector<Packing>& packings, const Result& re
                 100 * errors.rms(), 100 * errors.worst(), errors.count());
 }
 
+// ---- without tangential forces ----
+
+/// Factor of G of frictionless spheres with springs of one stiffness, from the fluctuations of their
+/// positions.                                                                      [ZacconeScossaRomano2011]
+inline double central_force_factor(double z) { return 1 - 6 / z; }
+
+/// G of networks whose contacts have no tangential stiffness, over uniform strain: measured, of the fit, and
+/// of that closed form.
+inline void print_central_forces(const std::vector<Packing>& packings, const ShearFit& shear) {
+  std::printf("G over uniform strain at k_t = 0: networks, the fit, 1 - 6/z*\n");
+  for (const bool equal_springs : {true, false})
+    for (const auto& [low, high] : {std::pair{6.0, 6.5}, std::pair{6.5, 7.0}, std::pair{7.0, 9.0}}) {
+      Errors coordination, measured, fitted, central;
+      for (const Packing& p : packings)
+        for (const Network& n : p.networks) {
+          const double z = p.mechanical_coordination;
+          if (!p.isotropic() || n.ratio > 0 || (p.contact == "flat") != equal_springs || z < low || z >= high)
+            continue;
+          coordination.add(z);
+          measured.add(shear_factor(p, n));
+          fitted.add(shear_model(p, n, shear.coefficients));
+          central.add(central_force_factor(z));
+        }
+      if (measured.count() > 0)
+        std::printf("  %s, z* from %.1f to %.1f (mean %.2f): %.3f, %.3f, %.3f (%d)\n",
+                    equal_springs ? "flat contacts" : "other shapes", low, high, coordination.mean(),
+                    measured.mean(), fitted.mean(), central.mean(), measured.count());
+    }
+}
+
 // ---- stated errors ----
 
 /// The least z* from which on a stated error of relaxed() is at most `largest`.

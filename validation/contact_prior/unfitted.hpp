@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Packings of rough spheres, which the prior was not fitted to, compared with what it states of them.
+// Packings that the prior was not fitted to, compared with what it states of them: of rough spheres, and of
+// `granum verify`.
 #pragma once
 
 #include <cmath>
@@ -15,16 +16,16 @@
 
 #include "../claims.hpp"
 #include "../infer/packings.hpp"
-#include "../relaxation/reading.hpp"
+#include "../relaxation/verify_states.hpp"
 
-namespace contact_prior::rough {
+namespace contact_prior::unfitted {
 
 using granum::effective::ContactCounts;
 using granum::effective::Preparation;
 using granum::effective::State;
 
 struct Packing {
-  std::string recipe; ///< with the roughness before it
+  std::string recipe; ///< with the roughness before it, or the shape
   std::string specimen;
   State state;
   Preparation preparation;
@@ -73,6 +74,25 @@ inline std::vector<Packing> read_infer(const std::string& path) {
                    .counts = {.mechanical_coordination_number = p.mechanical_coordination,
                               .rattler_fraction = p.rattler_fraction},
                    .shear_modulus = p.shear_modulus});
+  }
+  return all;
+}
+
+/// States of `granum verify`: cones, spheres and flat contacts.
+inline std::vector<Packing> read_verify(const std::string& path) {
+  std::vector<Packing> all;
+  for (const relaxation::Packing& p : relaxation::read_verify_states(path)) {
+    State state = p.state;
+    state.coordination_number.reset();
+    const bool dense = p.preparation == "dense";
+    all.push_back({.recipe = p.recipe,
+                   .specimen = p.specimen,
+                   .state = state,
+                   .preparation = {.kind = dense ? Preparation::Kind::dense : Preparation::Kind::friction,
+                                   .friction_coefficient = p.friction_coefficient},
+                   .counts = {.mechanical_coordination_number = p.mechanical_coordination,
+                              .rattler_fraction = p.rattler_fraction},
+                   .shear_modulus = relaxation::isotropic_shear_modulus(p.networks.front().stiffness)});
   }
   return all;
 }
@@ -134,16 +154,22 @@ inline void print(const std::string& what, const Judged& j) {
   std::printf("\n");
 }
 
-inline void check(const std::string& relaxation_path, const std::string& infer_path, Claims& claims) {
+/// A line for each recipe, and one for all.
+inline Judged judge_each(const std::vector<Packing>& all) {
+  std::map<std::string, int> recipes;
+  for (const Packing& p : all)
+    ++recipes[p.recipe];
+  for (const auto& [recipe, count] : recipes)
+    print(recipe, judge(all, [name = recipe](const Packing& p) { return p.recipe == name; }));
+  const Judged together = judge(all, [](const Packing&) { return true; });
+  print("together", together);
+  return together;
+}
+
+inline void check_rough(const std::string& relaxation_path, const std::string& infer_path, Claims& claims) {
   std::printf("rough spheres, of which the prior has seen none\n");
   for (const std::vector<Packing>& all : {read_relaxation(relaxation_path), read_infer(infer_path)}) {
-    std::map<std::string, int> recipes;
-    for (const Packing& p : all)
-      ++recipes[p.recipe];
-    for (const auto& [recipe, count] : recipes)
-      print(recipe, judge(all, [name = recipe](const Packing& p) { return p.recipe == name; }));
-    const Judged together = judge(all, [](const Packing&) { return true; });
-    print("together", together);
+    const Judged together = judge_each(all);
     claims.require(together.of_z.one() >= 0.55 && together.of_z.two() >= 0.9,
                    "z* of rough packings: 55 % within one stated error, 90 % within two");
     // Smooth packings of the recipes of infer/states.csv are covered no better.
@@ -155,4 +181,11 @@ inline void check(const std::string& relaxation_path, const std::string& infer_p
   }
 }
 
-} // namespace contact_prior::rough
+inline void check_verify(const std::string& path, Claims& claims) {
+  std::printf("specimens of verify, of seeds that the prior has not seen\n");
+  const Judged together = judge_each(read_verify(path));
+  claims.require(together.of_z.one() >= 0.55 && together.of_z.two() >= 0.9,
+                 "z* of verify's specimens: 55 % within one stated error, 90 % within two");
+}
+
+} // namespace contact_prior::unfitted
