@@ -12,6 +12,7 @@
 #include <granum/fabric/orientation.hpp>
 
 #include "checked_state.hpp"
+#include "contact_prior_kernel.hpp"
 #include "relaxation_kernel.hpp"
 #include "stress_derivatives.hpp"
 
@@ -148,18 +149,19 @@ PredictedPacking predict_packing(const ClosingGapLaw& law, const State& state, d
   const double load = 4 * std::numbers::pi * R * R * (1 + state.void_ratio) * pressure *
                       (state.contacts.grain_volume / state.contacts.branch); // f C_n
   const auto rattlers = [&](double z) { return law.rattlers * std::exp(-law.rattler_decay * (z - 4)); };
+  const contact::NormalLaw closing = kernel::closing_law(state.law);
   // C_n enters as C_n^(-q(1-b)) with an exponent below 1/2 and a small prefactor: each iteration gains
   // digits.
   double z = law.initial;
   for (int round = 0; round < 60; ++round) {
     const double force = load / (z * (1 - rattlers(z)));
-    const double b = kernel::up_to_half(state.law.exponent_at_force(force));
+    const double b = kernel::up_to_half(closing.exponent_at_force(force));
     const double amplitude = law.amplitude * (1 - law.spread * b);
-    z = law.initial + amplitude * std::pow(state.law.overlap(force) / diameter, law.exponent);
+    z = law.initial + amplitude * std::pow(closing.overlap(force) / diameter, law.exponent);
   }
   const double x0 = rattlers(z);
   const double relative = 1 / z + law.rattler_decay * x0 / (1 - x0); // d ln C_n/dz
-  const double free = law.exponent * overlap_exponent(state.law, load / (z * (1 - x0))) * (z - law.initial);
+  const double free = law.exponent * overlap_exponent(closing, load / (z * (1 - x0))) * (z - law.initial);
   const double slope = free / (1 + free * relative);
   return {.coordination_number = z * (1 - x0),
           .mechanical_coordination_number = z,

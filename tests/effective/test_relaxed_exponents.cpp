@@ -158,6 +158,22 @@ TEST_CASE("relaxed exponents: a closing-gap law solves for C_n and the mean forc
       }
 }
 
+TEST_CASE("relaxed exponents: gaps of rough spheres close as those of smooth ones under the same force") {
+  const contact::GrainMaterial quartz{.shear_modulus = 44e9, .poisson_ratio = 0.08};
+  for (const double roughness : {5e-9, 200e-9}) {
+    const contact::RoughSphere rough(quartz, 0.2e-3, roughness);
+    State s{.law = rough, .radius = 0.2e-3, .void_ratio = 0.6};
+    for (const double p : {1e3, 1e6}) {
+      const auto found = effective::predict_packing(effective::loose_closing_gaps(), s, p);
+      s.law = rough.smooth();
+      const auto smooth = effective::predict_packing(effective::loose_closing_gaps(), s, p);
+      s.law = rough;
+      CHECK(found.coordination_number == smooth.coordination_number);
+      CHECK(found.growth.mechanical_coordination_number == smooth.growth.mechanical_coordination_number);
+    }
+  }
+}
+
 TEST_CASE("relaxed exponents: loose specimens have a larger s than dense ones, by their laws only") {
   // Loose minus dense as in validation/verify_default: 0.17 (cone), 0.21 (sphere), 0.30 (flat).
   for (const double alpha : {1.0, 2.0, infinity}) {

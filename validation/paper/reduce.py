@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is kept here of the folder that `granum reproduce --paper` writes.
 
-    reduce.py FOLDER OUT     FOLDER of granum reproduce; OUT gets the files
+    reduce.py FOLDER OUT             FOLDER of granum reproduce; OUT gets the files
+    reduce.py seeds OUT FOLDER...    angles_by_seed.csv of runs that differ in their seeds, OUT's own the first
 
 Tables as they are; states and curves in six digits, states without their 6x6 matrices, every fifth point of the
 curves; and angles_by_strain.csv, the mobilised friction angle if each path had ended at a smaller axial strain,
@@ -13,6 +14,7 @@ import csv
 import math
 import pathlib
 import shutil
+import statistics
 import sys
 
 ENDS = (0.0025, 0.005, 0.0075, 0.01, 0.015, 0.02, 0.03)  # axial strain, either sense
@@ -58,7 +60,31 @@ def angles_by_strain(curves, table_4):
             yield [*key, end, f"{angle:.2f}", printed, f"{angle - printed:.2f}"]
 
 
+def angles_by_seed(out, folders):
+    """Means over the seeds, beside the paper's."""
+    tables = [[row for row in rows_of(folder / "table4.csv") if "deg" in row["quantity"]] for folder in [out, *folders]]
+    rows, gaps = [], collections.defaultdict(list)
+    for seeds in zip(*tables, strict=True):
+        key = seeds[0]["contact"], seeds[0]["density"], seeds[0]["quantity"].split()[0]
+        angles, printed = [float(row["granum"]) for row in seeds], float(seeds[0]["paper"])
+        mean = statistics.fmean(angles)
+        error = statistics.stdev(angles) / math.sqrt(len(angles))
+        gaps["extension" if key[2].endswith("E") else "compression"].append(mean - printed)
+        rows.append([*key, printed, *(f"{angle:.2f}" for angle in angles), f"{mean:.2f}", f"{error:.2f}", f"{mean - printed:.2f}"])
+    names = [f"seed_{k}_deg" for k in range(1, len(tables) + 1)]
+    write(out / "angles_by_seed.csv",
+          ["contact", "density", "path", "paper_deg", *names, "mean_deg", "standard_error_deg", "difference_deg"], rows)
+    for sense, off in gaps.items():
+        print(f"{sense}: {statistics.fmean(off):+.2f} deg in the mean, {min(off):+.2f} to {max(off):+.2f}")
+    off = [abs(gap) for all_of_one in gaps.values() for gap in all_of_one]
+    print(f"means of {len(tables)} seeds: {sum(g <= 1.5 for g in off)} of {len(off)} within 1.5 deg, "
+          f"{sum(g <= 2.5 for g in off)} within 2.5")
+
+
 def main():
+    if len(sys.argv) > 3 and sys.argv[1] == "seeds":
+        angles_by_seed(pathlib.Path(sys.argv[2]), [pathlib.Path(name) for name in sys.argv[3:]])
+        return
     if len(sys.argv) != 3:
         print(__doc__, file=sys.stderr)
         sys.exit(2)

@@ -75,7 +75,7 @@ struct PredictedPacking {
 };
 
 /// C_n, z* and their growth at isotropic stress. C_n and the mean force, f = 4 pi R^2 (1+e) p/C_n, depend on
-/// each other and are solved together; e is constant.
+/// each other and are solved together; e is constant. Of rough spheres the overlap of smooth ones counts.
 /// \param    state   law, radius, void_ratio; its coordination number and stresses are not used
 /// \param    pressure   p > 0 [Pa]
 /// \throws   InvalidArgument if pressure, radius or void_ratio are not positive
