@@ -380,6 +380,8 @@ class Measuring {
     const network::Response response = network::linear_response(assembly, options);
     out_.network = Network{.response = response,
                            .affine = network_matrix(response.affine(), out_.bulk_density),
+                           .affine_of_all_contacts = network_matrix(
+                               network::affine_of_all_contacts(assembly, options), out_.bulk_density),
                            .relaxed = network_matrix(response.last_iterate(), out_.bulk_density),
                            .bulk_bounds = bounds_of(assembly)};
   }

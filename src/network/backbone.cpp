@@ -196,30 +196,21 @@ void remove_units(Backbone& backbone) {
     r /= backbone.length_scale;
 }
 
-} // namespace
+bool turns(const packing::Assembly& assembly, const Grains& grains, const ResponseOptions& options) {
+  return any_contact(grains.moving(),
+                     [&](const packing::Contact& c) {
+                       return effective_tangential_stiffness(c, options.sliding) > 0 || resists_turning(c);
+                     }) ||
+         !assembly.body.empty();
+}
 
-Backbone load_bearing_network(const packing::Assembly& assembly, const ResponseOptions& options,
-                              const std::vector<bool>& soft) {
-  Backbone backbone;
-  const Grains grains(assembly);
+/// The grains that have a number, and the contacts between them.
+void fill(Backbone& backbone, const packing::Assembly& assembly, const Grains& grains,
+          const std::vector<Vec3>& centre, const std::vector<std::uint32_t>& number,
+          const ResponseOptions& options) {
   const packing::Assembly& moving = grains.moving();
-  backbone.rotations =
-      any_contact(moving,
-                  [&](const packing::Contact& c) {
-                    return effective_tangential_stiffness(c, options.sliding) > 0 || resists_turning(c);
-                  }) ||
-      !assembly.body.empty();
   const bool joined = !assembly.body.empty() || any_contact(moving, resists_turning);
-  const auto mechanics = mechanical_coordination(
-      moving, backbone.rotations ? packing::ContactKind::frictional : packing::ContactKind::frictionless);
-  backbone.grain_count = moving.grain_count() - mechanics.rattler_count;
-  if (mechanics.contact_count + mechanics.wall_contact_count == 0)
-    return backbone;
-
   backbone.cell = moving.cell;
-  const std::vector<Vec3> centre = inside(moving);
-  auto [number, stages] = number_grains(moving, mechanics.rattler, centre, soft);
-  backbone.stages = std::move(stages);
   backbone.grain.resize(backbone.grain_count);
   backbone.centre.resize(backbone.grain_count);
   backbone.radius.resize(backbone.grain_count);
@@ -260,6 +251,41 @@ Backbone load_bearing_network(const packing::Assembly& assembly, const ResponseO
              [](const Link& l, const Link& m) { return std::pair(l.b, l.a) < std::pair(m.b, m.a); });
   sort_links(backbone.wall_links, backbone.wall_joints,
              [](const Link& l, const Link& m) { return l.a < m.a; });
+}
+
+} // namespace
+
+Backbone load_bearing_network(const packing::Assembly& assembly, const ResponseOptions& options,
+                              const std::vector<bool>& soft) {
+  Backbone backbone;
+  const Grains grains(assembly);
+  const packing::Assembly& moving = grains.moving();
+  backbone.rotations = turns(assembly, grains, options);
+  const auto mechanics = mechanical_coordination(
+      moving, backbone.rotations ? packing::ContactKind::frictional : packing::ContactKind::frictionless);
+  backbone.grain_count = moving.grain_count() - mechanics.rattler_count;
+  if (mechanics.contact_count + mechanics.wall_contact_count == 0)
+    return backbone;
+
+  const std::vector<Vec3> centre = inside(moving);
+  auto [number, stages] = number_grains(moving, mechanics.rattler, centre, soft);
+  backbone.stages = std::move(stages);
+  fill(backbone, assembly, grains, centre, number, options);
+  return backbone;
+}
+
+Backbone network_with_rattlers(const packing::Assembly& assembly, const ResponseOptions& options) {
+  Backbone backbone;
+  const Grains grains(assembly);
+  const packing::Assembly& moving = grains.moving();
+  backbone.rotations = turns(assembly, grains, options);
+  backbone.grain_count = moving.grain_count();
+  if (moving.contacts.empty() && moving.wall_contacts.empty())
+    return backbone;
+
+  std::vector<std::uint32_t> number(moving.grain_count());
+  std::iota(number.begin(), number.end(), std::uint32_t{0});
+  fill(backbone, assembly, grains, inside(moving), number, options);
   return backbone;
 }
 

@@ -78,4 +78,8 @@ struct Backbone {
 [[nodiscard]] Backbone load_bearing_network(const packing::Assembly& assembly, const ResponseOptions& options,
                                             const std::vector<bool>& soft = {});
 
+/// The network of all contacts, those of rattlers too. Grains keep their order, and there are no stages.
+[[nodiscard]] Backbone network_with_rattlers(const packing::Assembly& assembly,
+                                             const ResponseOptions& options);
+
 } // namespace granum::network

@@ -79,6 +79,11 @@ Solution relaxation(const packing::Assembly& assembly, Backbone& backbone, const
   return best->solution;
 }
 
+/// Of energies of a network without units, over the volume [Pa].
+double stiffness_unit(const Backbone& network, const packing::Assembly& assembly) {
+  return network.stiffness_scale * network.length_scale * network.length_scale / assembly.volume();
+}
+
 std::string failure_text(const Response::Report& report) {
   if (report.status == Status::not_positive_definite)
     return detail::formatted("network is unstable (negative energy after %d iterations, residual %.3g)",
@@ -123,8 +128,7 @@ Response linear_response(const packing::Assembly& assembly, const ResponseOption
   if (backbone.links.empty() && backbone.wall_links.empty())
     return {{}, {}, report};
 
-  const double unit =
-      backbone.stiffness_scale * backbone.length_scale * backbone.length_scale / assembly.volume();
+  const double unit = stiffness_unit(backbone, assembly);
   const Matrix6 affine = affine_energy(backbone);
   const Solution solution = backbone.rotations ? relaxation<6>(assembly, backbone, options, report)
                                                : relaxation<3>(assembly, backbone, options, report);
@@ -136,6 +140,15 @@ Response linear_response(const packing::Assembly& assembly, const ResponseOption
   if (options.force_terms)
     by_forces = ForceTerms{{unit * solution.by_forces.geometric}, {unit * solution.by_forces.shedding}};
   return {{unit * affine}, {unit * (relaxed + relaxed.transpose()) / 2}, report, by_forces};
+}
+
+elastic::VoigtStiffness affine_of_all_contacts(const packing::Assembly& assembly,
+                                               const ResponseOptions& options) {
+  require_valid(assembly);
+  const Backbone network = network_with_rattlers(assembly, options);
+  if (network.links.empty() && network.wall_links.empty())
+    return {};
+  return {stiffness_unit(network, assembly) * affine_energy(network)};
 }
 
 } // namespace granum::network

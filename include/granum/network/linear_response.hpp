@@ -121,4 +121,12 @@ class [[nodiscard]] Response {
 ///           tests/network/test_threads.cpp
 Response linear_response(const packing::Assembly& assembly, const ResponseOptions& options = {});
 
+/// Uniform strain without spin, as Response::affine(), but of all contacts: those of rattlers too, as codes
+/// sum that do not look for rattlers [Pa]. Zero without contacts.
+/// \param    options   sliding and prestress count
+/// \throws   InvalidArgument for an assembly that require_valid rejects
+/// Checked by tests/network/test_linear_response.cpp
+[[nodiscard]] elastic::VoigtStiffness affine_of_all_contacts(const packing::Assembly& assembly,
+                                                             const ResponseOptions& options = {});
+
 } // namespace granum::network

@@ -344,11 +344,23 @@ const io::Columns<analysis::Network>& network_fields() {
   return fields;
 }
 
+namespace {
+
+/// By more than the order of sums does.
+bool differ(const analysis::NetworkMatrix& a, const analysis::NetworkMatrix& b) {
+  return elastic::Matrix6(a.stiffness.matrix - b.stiffness.matrix).cwiseAbs().maxCoeff() >
+         1e-10 * a.stiffness.matrix.cwiseAbs().maxCoeff();
+}
+
+} // namespace
+
 std::vector<NamedMatrix> network_matrices(const FrameAnswer& frame) {
   if (!frame.measured.packing.network)
     return {};
   const analysis::Network& network = *frame.measured.packing.network;
   std::vector<NamedMatrix> out{{"affine", &network.affine}};
+  if (differ(network.affine, network.affine_of_all_contacts))
+    out.push_back({"affine_of_all_contacts", &network.affine_of_all_contacts});
   if (network.response.converged())
     out.push_back({"relaxed", &network.relaxed});
   return out;
