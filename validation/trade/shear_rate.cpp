@@ -17,20 +17,17 @@
 #include <string>
 #include <vector>
 
-#include <granum/contact/friction.hpp>
 #include <granum/core/error.hpp>
 #include <granum/stress/axial_stress.hpp>
 #include <granum/triaxial/shear_test.hpp>
-#include <granum/triaxial/specimen.hpp>
 
-#include "../relaxation/specimens.hpp"
+#include "dense_spheres.hpp"
 
 namespace {
 
 using namespace granum;
-using relaxation::kPa;
+using namespace trade;
 
-constexpr double pressure = 100 * kPa, degree = M_PI / 180;
 const triaxial::ShearOptions preset;
 constexpr std::array rates{1e-3, 5e-4, 2e-4, 5e-5, 1e-5};
 constexpr std::array drags{1e-4, 1e-2,
@@ -51,37 +48,6 @@ struct Row {
   double rate = 0, drag_share = 0;
   Angles angles;
 };
-
-triaxial::SpecimenRecipe recipe_of(bool walls, std::uint64_t seed, std::size_t grains) {
-  triaxial::SpecimenRecipe recipe{
-      .material = {.law = contact::PowerLaw::sphere(relaxation::grain, 0.5e-3),
-                   .tangential_ratio = contact::mindlin_stiffness_ratio(relaxation::grain.poisson_ratio),
-                   .friction_coefficient = contact::Friction::from_angle(26.5 * degree).coefficient()},
-      .radius = 0.5e-3,
-      .grains = grains,
-      .seed = seed};
-  if (walls)
-    recipe.wall_friction = 0;
-  return recipe;
-}
-
-/// The specimen under isotropic pressure.
-dem::Specimen compressed(const triaxial::SpecimenRecipe& recipe) {
-  dem::Specimen state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
-                                                       triaxial::Density::dense, recipe);
-  const auto keep = [&](const triaxial::Snapshot& snapshot) {
-    state = snapshot.state;
-    return snapshot.report.converged();
-  };
-  if (!triaxial::isotropic_path(state, recipe.material, {10 * kPa, 30 * kPa, pressure},
-                                triaxial::compression_options(), keep))
-    throw Error("a specimen did not come to rest");
-  return state;
-}
-
-double angle_at(stress::ShearPath path, double eta) {
-  return stress::mobilised_friction_angle(stress::stress_on_path(path, pressure, eta)) / degree;
-}
 
 Angles sheared(const dem::Specimen& start, const dem::Material& material,
                const triaxial::ShearOptions& options) {
@@ -144,21 +110,6 @@ void write(const std::string& file, const std::vector<Row>& rows, std::size_t gr
   }
   if (!out.flush())
     throw FileError(file, 0, "cannot be written");
-}
-
-struct Mean {
-  double value = 0, error = 0;
-};
-
-Mean mean_of(const std::vector<double>& values) {
-  const double count = static_cast<double>(values.size());
-  double sum = 0, squares = 0;
-  for (const double value : values) {
-    sum += value;
-    squares += value * value;
-  }
-  const double mean = sum / count;
-  return {mean, count > 1 ? std::sqrt(std::max(0.0, squares / count - mean * mean) / (count - 1)) : 0};
 }
 
 /// Angles at a rate and drag minus those of the same specimen and path at the reference rate, in the mean.

@@ -344,23 +344,11 @@ const io::Columns<analysis::Network>& network_fields() {
   return fields;
 }
 
-namespace {
-
-/// By more than the order of sums does.
-bool differ(const analysis::NetworkMatrix& a, const analysis::NetworkMatrix& b) {
-  return elastic::Matrix6(a.stiffness.matrix - b.stiffness.matrix).cwiseAbs().maxCoeff() >
-         1e-10 * a.stiffness.matrix.cwiseAbs().maxCoeff();
-}
-
-} // namespace
-
 std::vector<NamedMatrix> network_matrices(const FrameAnswer& frame) {
   if (!frame.measured.packing.network)
     return {};
   const analysis::Network& network = *frame.measured.packing.network;
-  std::vector<NamedMatrix> out{{"affine", &network.affine}};
-  if (differ(network.affine, network.affine_of_all_contacts))
-    out.push_back({"affine_of_all_contacts", &network.affine_of_all_contacts});
+  std::vector<NamedMatrix> out{{"affine", &network.affine}, {"affine_all", &network.affine_of_all_contacts}};
   if (network.response.converged())
     out.push_back({"relaxed", &network.relaxed});
   return out;
@@ -370,7 +358,7 @@ const io::Columns<NamedMatrix>& matrix_fields() {
   static const io::Columns<NamedMatrix> fields = [] {
     using elastic::EngineeringModuli;
     io::Columns<NamedMatrix> list = {
-        {"", "", &NamedMatrix::name, ShownColumn{.heading = "[MPa]", .width = -10}},
+        {"", "", &NamedMatrix::name, ShownColumn{.heading = "[MPa]", .width = -11}},
         {"", "C",
          [](const NamedMatrix& m) {
            std::vector<std::vector<double>> out(6);
@@ -402,7 +390,7 @@ const io::Columns<NamedMatrix>& wave_fields() {
   static const io::Columns<NamedMatrix> fields = [] {
     using elastic::PlaneWaves;
     io::Columns<NamedMatrix> list = {
-        {"", "", &NamedMatrix::name, ShownColumn{.heading = "[m/s]", .width = -10}},
+        {"", "", &NamedMatrix::name, ShownColumn{.heading = "[m/s]", .width = -11}},
         {"", "wave_speeds",
          [](const NamedMatrix& m) { return m.matrix->waves ? io::Value() : io::Value(nullptr); }}};
     for (const std::size_t axis : {0U, 1U, 2U})

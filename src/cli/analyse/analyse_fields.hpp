@@ -29,7 +29,7 @@ struct NamedMatrix {
   const char* name;
   const analysis::NetworkMatrix* matrix;
 };
-/// Affine, and relaxed where the network was solved; none without a network.
+/// Affine, the same of all contacts, and relaxed where the network was solved; none without a network.
 [[nodiscard]] std::vector<NamedMatrix> network_matrices(const FrameAnswer& frame);
 inline constexpr const char* voigt_names[] = {"11", "22", "33", "23", "13", "12"};
 /// Moduli along the axes with the distances from symmetry, and wave speeds.

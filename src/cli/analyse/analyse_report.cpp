@@ -118,7 +118,7 @@ std::string waves_text(const std::vector<NamedMatrix>& matrices, const std::opti
                   short_text(*bulk_density, 5), io::heading_line(wave_fields()));
   for (const NamedMatrix& m : matrices)
     text += m.matrix->waves ? io::row_line(wave_fields(), m) + "\n"
-                            : fmt::format("{:<10}none: the matrix is not positive semidefinite\n", m.name);
+                            : fmt::format("{:<11}none: the matrix is not positive semidefinite\n", m.name);
   return text;
 }
 
@@ -128,7 +128,8 @@ std::string stiffness_text(const FrameAnswer& frame) {
     return "";
   std::string text = "\nstiffness of this network in the axes of the file [MPa], Voigt notation\n";
   for (const NamedMatrix& m : matrices)
-    text += matrix_text(m);
+    if (m.matrix != &frame.measured.packing.network->affine_of_all_contacts) // its moduli below suffice
+      text += matrix_text(m);
   return text + "\nalong these axes\n" + io::table_text(matrix_fields(), matrices) +
          waves_text(matrices, frame.measured.packing.bulk_density);
 }
