@@ -380,7 +380,7 @@ const io::Columns<NamedMatrix>& matrix_fields() {
       list.emplace_back(
           std::string(name) + "_Pa", std::string("engineering_moduli/") + name,
           [of = of](const NamedMatrix& m) { return m.matrix->moduli.*of; },
-          ShownColumn{.heading = name, .width = 10, .unit = MPa});
+          ShownColumn{.heading = name, .width = 9, .unit = MPa});
     return list;
   }();
   return fields;
