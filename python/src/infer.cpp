@@ -276,6 +276,8 @@ uniformity : float, optional
     C_u = d60/d10 of a sand, >= 1 [1].
 least_void_ratio, largest_void_ratio : float, optional
     e_min and e_max of a sand [1].
+relative_density : float, optional
+    D_r of a sand of void_ratio, in [0, 1.2]; its law takes it unless both limits are known [1].
 d50 : float, optional
     Of a sand [m].
 G, G_hh, K : array_like, optional

@@ -82,6 +82,8 @@ uniformity : array_like, optional
     C_u = d60/d10 of a sand, >= 1 [1].
 least_void_ratio, largest_void_ratio : array_like, optional
     e_min and e_max of a sand [1].
+relative_density : array_like, optional
+    D_r of a sand of void_ratio, in [0, 1.2]; its law takes it unless both limits are known [1].
 d50 : array_like, optional
     Of a sand [m].
 shear_strain : array_like, optional

@@ -18,8 +18,6 @@ namespace granum::python {
 /// Keywords of a question in the order in which QuestionArguments reads them, followed by those of one
 /// function.
 [[nodiscard]] std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more = {});
-/// Their number, the index of the first keyword of a function.
-inline constexpr std::size_t question_keyword_count = state_keyword_count + 11;
 /// The kind of grains, by the keywords grain_shape and sand.
 struct Grains {
   estimate::GrainShape shape = estimate::GrainShape::sphere;
@@ -39,7 +37,12 @@ struct SandNumber {
 inline constexpr SandNumber numbers_of_sand[] = {{"uniformity", &sands::Sand::uniformity},
                                                  {"least_void_ratio", &sands::Sand::least_void_ratio},
                                                  {"largest_void_ratio", &sands::Sand::largest_void_ratio},
+                                                 {"relative_density", &sands::Sand::relative_density},
                                                  {"d50", &sands::Sand::d50}};
+
+/// How many keywords a question has: the index of the first keyword of a function.
+inline constexpr std::size_t question_keyword_count =
+    state_keyword_count + 7 + std::size(numbers_of_sand);
 
 /// The docstring of these keywords.
 extern const std::string question_parameters;

@@ -94,6 +94,20 @@ def test_sands_by_name_equal_their_properties():
     assert granum.minerals()[toyoura.mineral].key == "quartz"
 
 
+def test_relative_density_is_what_a_sand_without_limits_follows():
+    state = dict(law=granum.sphere(**QUARTZ, radius=1e-4), radius=1e-4, void_ratio=0.75, pressure=100e3)
+
+    def G(**sand):
+        return granum.packing_answer(**state, grain_shape="sand", **sand).shear_modulus.value
+
+    ratios = [G(relative_density=D_r) / G(relative_density=0.3) for D_r in (0.5, 0.9)]
+    assert ratios == pytest.approx([10 ** (0.241 * 0.2), 10 ** (0.241 * 0.6)], rel=1e-12)
+    limits = dict(least_void_ratio=0.6, largest_void_ratio=0.98)
+    assert G(**limits, relative_density=0.9) == G(**limits)
+    with pytest.raises(granum.InvalidArgument, match="relative_density"):
+        G(relative_density=60)
+
+
 def test_a_fit_finds_the_constants_again():
     p = np.array([50e3, 100e3, 200e3, 400e3, 800e3])
     constants = dict(coefficient=600, exponent_i=0.25, exponent_j=0.2, atmospheric_pressure=100e3)

@@ -21,7 +21,7 @@ ARGUMENTS = {
     "pressure": "packing_answer.pressure",
     "stress-v": "packing_answer.stress_v",
     "stress-h": "packing_answer.stress_h",
-    "relative-density": "void_ratio_of_relative_density.relative_density",
+    "relative-density": "packing_answer.relative_density",
     "least-void-ratio": "packing_answer.least_void_ratio",
     "largest-void-ratio": "packing_answer.largest_void_ratio",
     "saturation": "packing_answer.saturation",
