@@ -10,13 +10,14 @@ Inside YADE, at the end of a script or in its console:
 
 Reading them: granum::io::read_yade. YADE's own text exports print six digits, too few for overlaps.
 Forces are those on the second body of a pair, normals point from the first to the second, kn and ks are the tangents
-at this state. A contact of a sphere with a wall, a facet or a box has the sphere first and -1 - the other's id second;
+at this state, kr and ktw the stiffnesses against rolling and twisting [N m], 0 where the law has none; clumpId is -1 of
+single spheres. A contact of a sphere with a wall, a facet or a box has the sphere first and -1 - the other's id second;
 contacts with other bodies are counted, not written.
 """
 
-GRAIN_COLUMNS = "id material x y z r"
+GRAIN_COLUMNS = "id material x y z r clumpId"
 CONTACT_COLUMNS = (
-    "id1 id2 cellDistX cellDistY cellDistZ cpx cpy cpz nx ny nz pd fnx fny fnz fsx fsy fsz kn ks"
+    "id1 id2 cellDistX cellDistY cellDistZ cpx cpy cpz nx ny nz pd fnx fny fnz fsx fsy fsz kn ks kr ktw"
 )
 
 
@@ -40,6 +41,7 @@ def _row_of(i, first, second, turn):
     geom, phys = i.geom, i.phys
     numbers = list(geom.contactPoint) + [turn * x for x in geom.normal] + [geom.penetrationDepth]
     numbers += [turn * x for v in (phys.normalForce, phys.shearForce) for x in v] + [phys.kn, phys.ks]
+    numbers += [getattr(phys, k) if getattr(phys, "momentRotationLaw", False) else 0 for k in ("kr", "ktw")]
     return _row([first, second] + [turn * int(k) for k in i.cellDist], numbers)
 
 
@@ -54,7 +56,7 @@ def write_grains(path, scene):
         out.write("# " + GRAIN_COLUMNS + "\n")
         for number, body in sorted(_spheres(scene).items()):
             material = body.material.id if body.material is not None else -1
-            out.write(_row([number, material], list(body.state.pos) + [body.shape.radius]))
+            out.write(_row([number, material], list(body.state.pos) + [body.shape.radius, body.clumpId]))
 
 
 def write_contacts(path, scene):

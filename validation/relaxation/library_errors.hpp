@@ -29,12 +29,14 @@ struct LibraryErrors {
 };
 
 /// Of packings for which the library is calibrated, at usual k_t/k_n.
-inline LibraryErrors library_errors(const std::vector<Packing>& packings, const Choice& chosen) {
+/// \param    least_overlap, most_overlap   mean ones over the diameter
+inline LibraryErrors library_errors(const std::vector<Packing>& packings, const Choice& chosen,
+                                    double least_overlap = 0, double most_overlap = largest_overlap) {
   LibraryErrors errors;
   for (const Packing& p : packings)
     for (const Network& n : p.networks) {
-      if (!chosen(p) || n.ratio < lowest_usual_ratio || p.relative_overlap > largest_overlap ||
-          p.mechanical_coordination < lowest_coordination)
+      if (!chosen(p) || n.ratio < lowest_usual_ratio || p.relative_overlap < least_overlap ||
+          p.relative_overlap > most_overlap || p.mechanical_coordination < lowest_coordination)
         continue;
       State state = p.state;
       state.tangential_ratio = n.ratio;

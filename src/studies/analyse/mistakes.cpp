@@ -94,8 +94,11 @@ void judge_missing_contacts(const io::ImportedPacking& packing, const MeasuredFr
         [](const Contact& a, const Contact& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); });
   };
   std::size_t there = 0, missing = 0;
+  const auto of_one_body = [&](const Contact& pair) {
+    return !assembly.body.empty() && assembly.body[pair.i] == assembly.body[pair.j];
+  };
   for (const Contact& pair : found)
-    if (pair.overlap > deep)
+    if (pair.overlap > deep && !of_one_body(pair))
       ++(listed(pair) ? there : missing);
   if (static_cast<double>(missing) <= share * static_cast<double>(there + missing))
     return;
