@@ -59,7 +59,7 @@ endif()
 
 # The first pages of the side bar, in their order.
 set(first "")
-foreach(page docs/start docs/commands docs/cluster gallery notebooks docs/python python_api docs/theory docs/laboratory
+foreach(page docs/start docs/commands docs/cluster gallery notebooks docs/python python_api docs/theory docs/literature docs/laboratory
     docs/validation docs/project)
   if(EXISTS "${OUTPUT}/pages/${page}.md")
     string(APPEND first " \"${OUTPUT}/pages/${page}.md\"")

@@ -41,15 +41,17 @@ def _contacts(scene, spheres, walls):
             + [i.geom.penetrationDepth, sum(f * turn * n for f, n in zip(i.phys.normalForce, normal))]
             + [turn * x for x in i.phys.shearForce]
             + [i.phys.kn, i.phys.ks]
+            + [getattr(i.phys, k) if getattr(i.phys, "momentRotationLaw", False) else 0 for k in ("kr", "ktw")]
         )
-    return np.array(pairs, dtype=int).reshape(-1, 2), np.array(rows, dtype=float).reshape(-1, 10)
+    return np.array(pairs, dtype=int).reshape(-1, 2), np.array(rows, dtype=float).reshape(-1, 12)
 
 
 def from_yade(scene):
     """The packing in the memory of YADE, for scripts and consoles inside YADE.
 
     Spheres are the grains, in the order of their ids. Wall, Facet and Box are walls, numbered by their ids. Forces
-    are those on the second body of a pair; kn and ks are the tangent stiffnesses at this state.
+    are those on the second body of a pair; kn and ks are the tangent stiffnesses at this state, kr and ktw those
+    against rolling and twisting. Spheres of one clump move as one.
 
     Parameters
     ----------
@@ -89,4 +91,7 @@ def from_yade(scene):
         tangential_force=rows[:, 5:8],
         normal_stiffness=rows[:, 8],
         tangential_stiffness=rows[:, 9],
+        rolling_stiffness=rows[:, 10],
+        twisting_stiffness=rows[:, 11],
+        body=[b.clumpId for b in bodies],
     )

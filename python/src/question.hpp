@@ -41,8 +41,7 @@ inline constexpr SandNumber numbers_of_sand[] = {{"uniformity", &sands::Sand::un
                                                  {"d50", &sands::Sand::d50}};
 
 /// How many keywords a question has: the index of the first keyword of a function.
-inline constexpr std::size_t question_keyword_count =
-    state_keyword_count + 7 + std::size(numbers_of_sand);
+inline constexpr std::size_t question_keyword_count = state_keyword_count + 7 + std::size(numbers_of_sand);
 
 /// The docstring of these keywords.
 extern const std::string question_parameters;

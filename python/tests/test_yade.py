@@ -21,7 +21,7 @@ class Clump(SimpleNamespace):
 
 
 def body(number, shape, position=(0, 0, 0)):
-    return SimpleNamespace(id=number, shape=shape, state=SimpleNamespace(pos=position))
+    return SimpleNamespace(id=number, shape=shape, state=SimpleNamespace(pos=position), clumpId=-1)
 
 
 def contact(first, second, normal, depth, normal_force, shear_force, real=True):
@@ -66,6 +66,17 @@ def test_spheres_walls_and_forces(scene):
     assert (walls.i[0], walls.j[0]) == (0, 0)
     np.testing.assert_allclose(walls.branch[0], [0, 0, -0.99])
     assert walls.normal_force[0] == 30 and walls.tangential_force[0].tolist() == [-1, 0, 0]
+
+
+def test_moments_and_clumps(scene):
+    assert granum.from_yade(scene).contacts.rolling_stiffness[0] == 0
+    phys = scene.interactions[1].phys
+    phys.momentRotationLaw, phys.kr, phys.ktw = True, 3.0, 4.0
+    pairs = granum.from_yade(scene).contacts
+    assert (pairs.rolling_stiffness[0], pairs.twisting_stiffness[0]) == (3, 4)
+    scene.bodies.append(body(4, Sphere(radius=0.5), (5, 0, 0)))
+    scene.bodies[2].clumpId = scene.bodies[3].clumpId = 7
+    assert granum.from_yade(scene).body.tolist() == [0, 0, 1]  # the third by itself
 
 
 def test_other_bodies_are_refused(scene):

@@ -172,12 +172,6 @@ Stretch stretch_of(const State& s, double shear) {
   return {.logarithm = logarithm, .error = std::sqrt(slopes.dot(covariance * slopes) + scatter * scatter)};
 }
 
-/// At the mean force, over the diameter.
-double relative_overlap(const State& s) {
-  const double force = *s.coordination_number > 0 ? mean_contact_force(s) : 0;
-  return s.law.overlap(force) / (2 * s.radius * s.contacts.branch);
-}
-
 void note_state(const State& s, double z, Validity& validity) {
   const double C_n = *s.coordination_number;
   if (z < 0.99 * C_n)
@@ -185,7 +179,8 @@ void note_state(const State& s, double z, Validity& validity) {
         detail::formatted("z* = %.4g is smaller than C_n = %.4g: taking rattlers out cannot lower the "
                           "coordination number",
                           z, C_n));
-  const double overlap = relative_overlap(s);
+  const double force = C_n > 0 ? mean_contact_force(s) : 0;
+  const double overlap = s.law.overlap(force) / (2 * s.radius * s.contacts.branch);
   if (overlap > largest_overlap)
     validity.add(detail::formatted(
         "mean overlap is %.3g diameters: beyond 0.01 the closed forms, which assume branches to be "
@@ -260,16 +255,13 @@ RelaxingFactors relaxing_factors(double z, double r, const StiffContacts& contac
   return with_stiffening({.shear = shear, .bulk = bulk_factor(near_z, near_r, b, branch_variance)}, contacts);
 }
 
-/// The same for a state; the errors include the effects of unequal stresses and of large overlaps.
+/// The same for a state; the errors include the effect of unequal stresses.
 RelaxingFactors relaxing_factors(const State& s, double z) {
   RelaxingFactors factors =
       relaxing_factors(z, s.tangential_ratio, contacts_of(s), kernel::branch_variance(s.contacts));
   const double stresses = std::abs(log_stress_ratio(s));
-  const double overlap = relative_overlap(s);
-  factors.shear.error = std::hypot(factors.shear.error, kernel::shear_by_stress * stresses,
-                                   kernel::shear_by_overlap * overlap);
-  factors.bulk.error = std::hypot(factors.bulk.error, kernel::bulk_by_stress * stresses,
-                                  kernel::bulk_by_overlap * overlap);
+  factors.shear.error = std::hypot(factors.shear.error, kernel::shear_by_stress * stresses);
+  factors.bulk.error = std::hypot(factors.bulk.error, kernel::bulk_by_stress * stresses);
   return factors;
 }
 

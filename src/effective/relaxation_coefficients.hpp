@@ -68,9 +68,6 @@ inline constexpr double stretch_scatter = 0.140960362;
 /// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.
 inline constexpr double shear_by_stress = 0.0603855213;
 inline constexpr double bulk_by_stress = 0.0471801532;
-/// Further errors, over the mean overlap relative to the diameter: branches are shorter than it.
-inline constexpr double shear_by_overlap = 2.09963486;
-inline constexpr double bulk_by_overlap = 1.98740045;
 
 /// Where the packings of the fit end: what G loses by b = 1, and the power of what K loses by the scatter of
 /// forces; the further errors of G and K there, over 1 - h. Of power laws, of rough spheres.

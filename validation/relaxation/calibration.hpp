@@ -77,8 +77,6 @@ struct Result {
   ClosingGaps loose;
   double shear_by_stress = 0; ///< further error of G under unequal stresses, over |ln(stress_v/stress_h)|
   double bulk_by_stress = 0;  ///< the same of K
-  double shear_by_overlap = 0; ///< further error of G where overlaps are large, over the relative overlap
-  double bulk_by_overlap = 0;  ///< the same of K
   SizeEffect sizes = {};
   double bulk_codes = 0; ///< scatter of K between codes, over kernel::looseness
   Beyond beyond = {};
@@ -128,25 +126,6 @@ inline void fit_sheared_scatter(const std::vector<Packing>& packings, Result& re
   result.bulk_by_stress = std::sqrt(std::max(0.0, K_left / stress));
 }
 
-/// How far states of overlaps beyond those of the fit are from the formula, whose branches are as long as the
-/// diameter.
-inline void fit_overlap_errors(const std::vector<Packing>& packings, Result& result) {
-  double G_left = 0, K_left = 0, squares = 0;
-  for (const Packing& p : packings)
-    for (const Network& n : p.networks)
-      if (p.isotropic() && n.ratio >= lowest_usual_ratio && p.relative_overlap > largest_overlap) {
-        const auto c = relaxed_state(p, n, result).c;
-        const TransverselyIsotropic relaxed{
-            .C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};
-        G_left +=
-            std::pow(std::log(isotropic_shear_modulus(relaxed) / isotropic_shear_modulus(n.stiffness)), 2);
-        K_left += std::pow(std::log(relaxed.bulk_modulus() / n.stiffness.bulk_modulus()), 2);
-        squares += p.relative_overlap * p.relative_overlap;
-      }
-  result.shear_by_overlap = std::sqrt(G_left / squares);
-  result.bulk_by_overlap = std::sqrt(K_left / squares);
-}
-
 inline EqualFit equal_fit(const Result& result) {
   return {.shear = result.shear,
           .bulk = result.bulk,
@@ -172,7 +151,6 @@ inline Result fit_everything(const std::vector<Packing>& packings, const std::ve
   result.shear_scatter = scatter_parts(residuals(packings, result.shear, shear_residual, everything));
   result.bulk_scatter = scatter_parts(residuals(packings, result.bulk, bulk_residual, everything));
   fit_sheared_scatter(packings, result);
-  fit_overlap_errors(packings, result);
   result.sizes = fit_size_effect(unequal, gradations, equal_fit(result), everything);
   result.bulk_codes = fit_code_scatter(of_codes, equal_fit(result), result.sizes);
   result.beyond = fit_beyond(stiff, equal_fit(result), result.bulk_codes);

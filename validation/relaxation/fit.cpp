@@ -140,12 +140,8 @@ void print_coefficients(const Result& r) {
   std::printf("inline constexpr double stretch_scatter = %.9g;\n", r.stretch_scatter);
   std::printf(
       "/// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.\n"
-      "inline constexpr double shear_by_stress = %.9g;\ninline constexpr double bulk_by_stress = %.9g;\n",
+      "inline constexpr double shear_by_stress = %.9g;\ninline constexpr double bulk_by_stress = %.9g;\n\n",
       r.shear_by_stress, r.bulk_by_stress);
-  std::printf(
-      "/// Further errors, over the mean overlap relative to the diameter: branches are shorter than it.\n"
-      "inline constexpr double shear_by_overlap = %.9g;\ninline constexpr double bulk_by_overlap = %.9g;\n\n",
-      r.shear_by_overlap, r.bulk_by_overlap);
   print_beyond(r.beyond);
   std::printf("/// z_0, A, q, s, c, k and the scatter of z* of a ClosingGapLaw; in the comments the standard "
               "errors.\n");
@@ -366,9 +362,6 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfi
                      same(result.bulk.covariance, kernel::bulk_covariance) &&
                      same(result.stretch.covariance, kernel::stretch_covariance),
                  "so are their covariances");
-  claims.require(same(std::array{result.shear_by_overlap, result.bulk_by_overlap},
-                      std::array{kernel::shear_by_overlap, kernel::bulk_by_overlap}),
-                 "so are the errors by large overlaps");
   for (const FactorErrors* e : {&by_contact, &by_preparation, &by_seed, &by_unfitted})
     claims.require(e->shear.count() > 0 && e->shear.rms() < 0.04, "G of packings left out: 4 % rms");
   // Not claimed by contact: flat ones (b = 0) are the end of the range, and K does not extrapolate to them.

@@ -29,7 +29,7 @@ class Matrix3:
 
 
 def body(number, position, shape, material=0):
-    return Record(id=number, state=Record(pos=position), shape=shape, material=Record(id=material))
+    return Record(id=number, state=Record(pos=position), shape=shape, material=Record(id=material), clumpId=-1)
 
 
 def interaction(first, second, point, normal, overlap, normal_force, shear_force, kn):
