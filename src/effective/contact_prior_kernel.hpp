@@ -13,9 +13,9 @@
 
 namespace granum::effective::kernel {
 
-/// The law whose overlap brings further grains into contact. Of smooth grains their own; of rough ones that of
-/// smooth spheres: what roughness adds to the overlap, up to 70 times as much where forces are small, makes no
-/// contact that counts (validation/contact_prior).
+/// The law whose overlap brings further grains into contact. Of smooth grains their own; of rough ones that
+/// of smooth spheres: what roughness adds to the overlap, up to 70 times as much where forces are small,
+/// makes no contact that counts (validation/contact_prior).
 inline contact::NormalLaw closing_law(const contact::NormalLaw& law) {
   const contact::RoughSphere* const rough = law.rough_sphere();
   return rough != nullptr ? contact::NormalLaw(rough->smooth()) : law;

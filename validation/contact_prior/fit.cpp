@@ -3,7 +3,8 @@
 //
 //     contact_prior_fit coefficients states.csv
 //                                      writes src/effective/contact_prior_coefficients.hpp
-//     contact_prior_fit check states.csv published.csv rough.csv ../infer/states.csv ../verify_default/states.csv
+//     contact_prior_fit check states.csv published.csv rough.csv ../infer/states.csv
+//                             ../verify_default/states.csv
 //                                      fits again, compares with that file, and asks whether recipes left
 //                                      out, packings of others, rough ones and verify's lie where it says
 //     contact_prior_fit points states.csv

@@ -92,7 +92,7 @@ void write(const std::string& file, const std::vector<Row>& rows, std::size_t gr
     throw FileError(file, 0, "cannot be written");
 }
 
-/// Printed by the paper for dense spheres [deg].                                            [Chung2014, Table 4]
+/// Printed by the paper for dense spheres [deg].                                      [Chung2014, Table 4]
 double printed(stress::ShearPath path) {
   switch (path) {
   case stress::ShearPath::txc:
