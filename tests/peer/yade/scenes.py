@@ -24,7 +24,7 @@ CAUSES = {  # the word of the cause, and what makes it
     "rolling": ("rolling", ["--law", "rolling", "--step", "0.4"]),
     "bonds": ("tension", ["--law", "bonds", "--step", "0.4", "--unload-to", "1e5"]),
     "cohesion": ("tension", ["--law", "cohesion", "--step", "0.4", "--unload-to", "1e5"]),
-    "overlaps": ("overlap", [*SPRINGS, "--pressure", "1.5e8"]),
+    "overlaps": ("overlaps are large", [*SPRINGS, "--pressure", "1.5e8"]),
     "clumps": ("bodies", [*SPRINGS, "--clumps"]),
     "walls": ("walls", ["--walls"]),
 }
@@ -48,7 +48,7 @@ def messages(name):
     """Warnings of a packing, and why rung 3 is withheld."""
     run = subprocess.run([PROGRAM, "analyse", f"{name}.grains", f"{name}.contacts", "--json"], cwd=FOLDER, capture_output=True, text=True)
     if run.returncode != 0:
-        return [run.stderr]
+        raise RuntimeError(f"{name}: exit code {run.returncode}: {run.stderr}")
     frame = json.loads(run.stdout)["frames"][0]
     return frame["warnings"] + [frame["moduli"].get("rung3", {}).get("error", "")]
 
