@@ -5,8 +5,9 @@
     scenes.py <granum> <yade> <granum>/share/yade <folder> [<scenes of each kind>]
 
 YADE makes thirty packings whose model does not hold, five of each kind, and thirty of plain spheres; `granum analyse` reads
-each. A packing is warned of if a warning, or the reason why rung 3 is withheld, has the word of its cause. Exit code: 0 if
-all bad ones are warned of and no good one is.
+each. A bad packing is judged right if a warning, or the reason why rung 3 is withheld, has the words of its cause; other causes
+beside it are not looked for, and bonds and cohesion have the same words. A good one has no warning at all. Exit code: 0 if all
+are right.
 """
 
 import concurrent.futures
@@ -28,11 +29,15 @@ CAUSES = {  # the word of the cause, and what makes it
     "clumps": ("bodies", [*SPRINGS, "--clumps"]),
     "walls": ("walls", ["--walls"]),
 }
+# Springs of unequal grains are no good ones: their stiffness goes with the size, which no one law of granum's has, and it says so.
 GOOD = [
-    [*sizes, *friction, *law]
-    for law in ([], ["--pressure", "2e5"], [*SPRINGS, "--pressure", "2e6"])
-    for sizes in ([], ["--sizes", "uniform:0.6:1.4"])
-    for friction in (["--friction", "0.05"], ["--friction", "0.2"])
+    *([*pressure, *sizes, *friction]
+      for pressure in ([], ["--pressure", "2e5"])
+      for sizes in ([], ["--sizes", "uniform:0.6:1.4"], ["--sizes", "lognormal:0.25"])
+      for friction in (["--friction", "0.05"], ["--friction", "0.2"])),
+    [*SPRINGS, "--pressure", "2e6", "--friction", "0.05"],
+    [*SPRINGS, "--pressure", "2e6", "--friction", "0.2"],
+    ["--friction", "0.46"],
 ]
 
 
@@ -59,8 +64,7 @@ def judged(scene):
     subprocess.run([YADE, "-j1", "-n", "-x", HERE / "make_packing.py", name, SHARE, "--seed", str(seed), *options],
                    cwd=FOLDER, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     said = messages(name)
-    causes = {its for its, _ in CAUSES.values()}
-    right = any(word in text for text in said) if word else not any(its in text for its in causes for text in said)
+    right = any(word in text for text in said) if word else not any(said)
     return right, f"{name} (seed {seed}, {' '.join(options)}): {'right' if right else 'WRONG'}: {said}"
 
 
