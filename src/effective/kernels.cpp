@@ -2,7 +2,6 @@
 #include "kernels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,27 +12,24 @@ namespace granum::effective::kernel {
 
 namespace {
 
-/// The integrand is even: half of the symmetric rule is enough.
-std::vector<QuadratureNode> positive_half(int order) {
-  const std::vector<QuadratureNode> rule = gauss_legendre(order);
-  return {rule.begin() + order / 2, rule.end()};
+/// The integrand is even: half of the symmetric rule is enough. Each rule is made when it is first needed, for
+/// its nodes cost milliseconds where long double is emulated.
+template <int order>
+std::span<const QuadratureNode> positive_half() {
+  static const std::vector<QuadratureNode> rule = gauss_legendre(order);
+  return std::span(rule).last(order / 2);
 }
-
-struct Rule {
-  double largest_ratio; ///< up to it, means of weights f^(-1/2) to f^(1/2) are accurate to 2e-14 (measured)
-  std::vector<QuadratureNode> nodes;
-};
 
 } // namespace
 
+/// Means of weights f^(-1/2) to f^(1/2) are accurate to 2e-14 (measured) up to each ratio.
 std::span<const QuadratureNode> rule_for(double ratio) {
-  static const std::array<Rule, 4> rules{
-      {{3, positive_half(24)}, {25, positive_half(48)}, {300, positive_half(96)}, {1e4, positive_half(256)}}};
   const double larger = std::max(ratio, 1 / ratio);
-  for (const Rule& rule : rules)
-    if (larger <= rule.largest_ratio)
-      return rule.nodes;
-  return rules.back().nodes;
+  if (larger <= 3)
+    return positive_half<24>();
+  if (larger <= 25)
+    return positive_half<48>();
+  return larger <= 300 ? positive_half<96>() : positive_half<256>();
 }
 
 double contact_stiffness(const contact::NormalLaw& law, double area, double load) {

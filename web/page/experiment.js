@@ -86,16 +86,21 @@ class ExperimentPanel {
         element("div", {}, this.canvas, show, element("label", { class: "control" }, w.slice, slice), exaggerated, this.rose),
         element("div", {}, modulus, this.picture, saveButton(this.texts, this.picture, "experiment"), this.compared)),
       this.table, (this.curves = new ShearCurves(this.texts)).place);
-    try {
-      this.view = new PackingView(this.canvas);
-      this.view.slice = 1.1;
-    } catch (error) {
-      this.canvas.replaceWith(element("p", { class: "remarks" }, error.message));
-    }
+    this.looks = { slice: 1.1 }; // of the view, which the first specimen opens: WebGL takes a tenth of a second to start
   }
 
   viewed(change) {
+    Object.assign(this.looks, change);
     if (this.view) Object.assign(this.view, change).ask();
+  }
+  openView() {
+    if (this.view !== undefined) return;
+    try {
+      this.view = Object.assign(new PackingView(this.canvas), this.looks);
+    } catch (error) {
+      this.view = null;
+      this.canvas.replaceWith(element("p", { class: "remarks" }, error.message));
+    }
   }
 
   /// The number in a field, or nothing if it is not allowed; the allowed range is then shown.
@@ -125,6 +130,7 @@ class ExperimentPanel {
     this.runs = this.runs.filter((run) => run.done);
     this.runs.push({ setup, guess, states: [] });
     this.notAtRest = "";
+    this.openView();
     this.viewed({ shape: shapeColourName(setup.grain.shape), reference: null });
     this.worker = new Worker(URL.createObjectURL(new Blob([document.getElementById("worker-source").textContent], { type: "text/javascript" })));
     this.worker.onmessage = ({ data }) => this.hear(data);
