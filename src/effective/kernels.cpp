@@ -51,6 +51,16 @@ double local_exponent(const State& state) {
   return state.law.exponent_at_force(state.coordination_number.value_or(0) > 0 ? force : 0);
 }
 
+double mean_overlap(const State& state) {
+  const double force = state.coordination_number.value_or(0) > 0 ? mean_contact_force(state) : 0;
+  if (force == 0)
+    return 0;
+  const double diameter = 2 * state.radius * state.contacts.branch;
+  if (state.law.constant_exponent().value_or(0) > 0.5)
+    return 2 * force / (state.law.stiffness_at_force(force) * diameter);
+  return state.law.overlap(force) / diameter;
+}
+
 const contact::PowerLaw& power_law_of(const State& state, const char* asked) {
   if (const contact::PowerLaw* law = state.law.power_law())
     return *law;

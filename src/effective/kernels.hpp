@@ -157,6 +157,10 @@ double contact_stiffness(const contact::NormalLaw& law, double area, double load
 /// b at the mean contact force of a valid state; without contacts at zero force.
 double local_exponent(const State& state);
 
+/// Overlap at the mean contact force over the mean branch; 0 without contacts. Power laws beyond b = 1/2 are
+/// given by k_n(f) alone: for them it is the overlap of b = 1/2 at the same stiffness, 2 f/k_n.
+double mean_overlap(const State& state);
+
 /// The law as a member of the power family, for results that only this family has.
 /// \throws   InvalidArgument for another law, naming the result
 const contact::PowerLaw& power_law_of(const State& state, const char* asked);

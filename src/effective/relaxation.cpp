@@ -44,7 +44,7 @@ struct Stretch {
 // Range of the calibration; see validation/relaxation/README.md.
 constexpr double smallest_coordination = 4.1, largest_coordination = 8.7;
 constexpr double smallest_ratio = 0.1, largest_ratio = 1;
-constexpr double largest_overlap = 0.01;
+constexpr double largest_overlap = 0.055;
 /// Far beyond it the factors no longer change, and powers of larger numbers would overflow.
 constexpr double infinite = 1e9;
 constexpr double largest_stress_ratio = 2.2, largest_anisotropy = 0.25;
@@ -172,20 +172,16 @@ Stretch stretch_of(const State& s, double shear) {
   return {.logarithm = logarithm, .error = std::sqrt(slopes.dot(covariance * slopes) + scatter * scatter)};
 }
 
-void note_state(const State& s, double z, Validity& validity) {
+void note_state(const State& s, double z, double overlap, Validity& validity) {
   const double C_n = *s.coordination_number;
   if (z < 0.99 * C_n)
     validity.add(
         detail::formatted("z* = %.4g is smaller than C_n = %.4g: taking rattlers out cannot lower the "
                           "coordination number",
                           z, C_n));
-  const double force = C_n > 0 ? mean_contact_force(s) : 0;
-  const double overlap = s.law.overlap(force) / (2 * s.radius * s.contacts.branch);
   if (overlap > largest_overlap)
     validity.add(detail::formatted(
-        "mean overlap is %.3g diameters: beyond 0.01 the closed forms, which assume branches to be "
-        "as long as the diameter, are too stiff",
-        overlap));
+        "mean overlap is %.3g diameters: the relaxation factors were tested up to 0.055", overlap));
   const double ratio = s.stress_h > 0 ? std::max(s.stress_v / s.stress_h, s.stress_h / s.stress_v) : 1;
   if (ratio > largest_stress_ratio || std::abs(s.fabric_anisotropy) > largest_anisotropy)
     validity.add(detail::formatted(
@@ -265,6 +261,13 @@ RelaxingFactors relaxing_factors(const State& s, double z) {
   return factors;
 }
 
+/// The stiffness at branches that overlaps shorten.
+kernel::RelaxedConstants<double> with_shortened_branches(const kernel::RelaxedConstants<double>& c,
+                                                         double overlap, double b) {
+  const double left = kernel::shortened_branches(std::min(overlap, kernel::longest_shortening), b);
+  return {left * c.C11, left * c.C33, left * c.C12, left * c.C13, left * c.C44};
+}
+
 RelaxationFactor published(const RelaxingFactor& factor) { return {factor.value, factor.error}; }
 
 } // namespace
@@ -305,14 +308,16 @@ RelaxedEstimate relaxed(const State& state, double mechanical_coordination_numbe
   const Stretch stretch = stretch_of(state, shear.value);
   RelaxedEstimate estimate{.stiffness = {}, .relative_error = {}, .validity = uniform.validity};
   estimate.validity.merge(notes_of(z, state.tangential_ratio));
-  note_state(state, z, estimate.validity);
+  const double overlap = kernel::mean_overlap(state);
+  note_state(state, z, overlap, estimate.validity);
   note_sizes(state, estimate.validity);
   if (!(shear.value > 0))
     return estimate;
   const elastic::TransverselyIsotropic& u = uniform.stiffness;
   const kernel::RelaxedConstants<double> strained{u.C11, u.C33, u.C12, u.C13, u.C44};
-  const kernel::RelaxedConstants<double> c =
-      kernel::relax(strained, bulk.value, shear.value, stretch.logarithm);
+  const kernel::RelaxedConstants<double> c = with_shortened_branches(
+      kernel::relax(strained, bulk.value, shear.value, stretch.logarithm), overlap,
+      kernel::local_exponent(state));
   note_bound(strained, kernel::unbounded_relax(strained, bulk.value, shear.value, stretch.logarithm),
              estimate.validity);
   estimate.stiffness = {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};

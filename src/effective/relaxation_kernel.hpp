@@ -199,6 +199,21 @@ T size_bulk_share(const T& z, const ByExponent<T>& b, const T& loss, double vari
 /// 1 of the variance, 3/4 gives the largest likelihood of the errors of all packings of the fit.
 inline double bulk_size_measure(double variance) { return std::pow(variance, 0.75); }
 
+/// Overlap over the diameter up to which branches are shortened: beyond, grains are no longer grains.
+inline constexpr double longest_shortening = 0.1;
+
+/// Factor of all moduli for branches l = D (1 - w) that overlaps shorten, where uniform strain takes l = D: the
+/// moduli go as k_n l^2, k_n as f^b, and the force as 1/l at a given stress. K of uniform strain of recorded
+/// packings agrees within 3 % of the change [validation/relaxation].
+/// \param  w   mean overlap over the diameter, up to longest_shortening
+template <class T>
+T shortened_branches(const T& w, const T& b) {
+  using std::exp;
+  using std::log;
+  const T left = 1.0 - w, power = 2.0 - b;
+  return exp(T(power * log(left)));
+}
+
 /// The relaxed stiffness from that of uniform strain. The amplitudes of volumetric and deviatoric strain are
 /// multiplied by sqrt(bulk) and sqrt(shear); then the axis is stretched against the plane at constant volume,
 /// so that C33/C11 grows by the factor stretch. Both steps are congruences: they preserve symmetry, positive

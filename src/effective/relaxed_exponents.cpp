@@ -57,6 +57,23 @@ Dual growing_exponent(const State& s, const Growth& growth) {
   return {b, by_force * (1 - density_growth(s, growth)) * pressure_slopes(s)};
 }
 
+/// d ln d/d ln f of two grains.
+double overlap_exponent(const contact::NormalLaw& law, double force) {
+  if (const std::optional<double> b = law.constant_exponent())
+    return 1 - *b;
+  return force / (law.overlap(force) * law.stiffness_at_force(force));
+}
+
+/// kernel::shortened_branches with its derivatives by the stresses.
+Dual shortened_branches(const State& s, const Dual& b, const Growth& growth) {
+  const double w = kernel::mean_overlap(s);
+  if (w > kernel::longest_shortening)
+    return kernel::shortened_branches(Dual(kernel::longest_shortening, Vector2d::Zero()), b);
+  const double by_pressure =
+      w > 0 ? w * overlap_exponent(s.law, mean_contact_force(s)) * (1 - density_growth(s, growth)) : 0;
+  return kernel::shortened_branches(Dual(w, by_pressure * pressure_slopes(s)), b);
+}
+
 kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth& growth) {
   const auto constant = [](double value) { return Dual(value, Vector2d::Zero()); };
   const Dual z_star(z, growth.mechanical_coordination_number * pressure_slopes(s));
@@ -77,7 +94,8 @@ kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth
                                            log_stress, kernel::constants<Dual>(kernel::stretch_coefficients));
   const kernel::RelaxedConstants<Dual> c =
       kernel::relax<Dual>(uniform_constants(s, growth), bulk, shear, stretch);
-  return {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};
+  const Dual left = shortened_branches(s, b, growth);
+  return {.C11 = left * c.C11, .C33 = left * c.C33, .C12 = left * c.C12, .C13 = left * c.C13, .C44 = left * c.C44};
 }
 
 void require_finite(const Growth& growth) {
@@ -94,13 +112,6 @@ constexpr ClosingGapLaw law_of(const std::array<double, 7>& c) {
           .rattlers = c[4],
           .rattler_decay = c[5],
           .scatter = c[6]};
-}
-
-/// d ln d/d ln f of two grains.
-double overlap_exponent(const contact::NormalLaw& law, double force) {
-  if (const std::optional<double> b = law.constant_exponent())
-    return 1 - *b;
-  return force / (law.overlap(force) * law.stiffness_at_force(force));
 }
 
 void require_valid(const MeasuredPacking& packing) {

@@ -44,6 +44,13 @@ inline State state_of(double alpha, double anisotropy, double poisson_ratio, dou
           .stress_h = stress_h};
 }
 
+/// What is left of the moduli at branches D (1 - w) in place of D, w the overlap at the mean force: (1 - w)^(2-b).
+inline double shortened(const State& s) {
+  const double force = effective::mean_contact_force(s);
+  const double w = force > 0 ? s.law.overlap(force) / (2 * s.radius) : 0;
+  return std::pow(1 - w, 2 - effective::contact_exponent(s));
+}
+
 /// One direction of contacts: its share of all contacts and its stiffnesses.
 struct Direction {
   Eigen::Vector3d normal;

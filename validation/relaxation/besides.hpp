@@ -3,6 +3,7 @@
 // where its stated errors grow.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include <granum/effective/relaxation.hpp>
+#include <granum/effective/uniform_field.hpp>
 #include <gsl/gsl_fit.h>
 
 #include "calibration.hpp"
@@ -73,6 +75,27 @@ inline void print_stretch(const std::vector<Packing>& packings, const Result& re
         std::pair{"with the stretch", errors_of_axis_ratio(packings, result)}})
     std::printf("ln C33/C11 of sheared states %s: rms %.1f %%, worst %.1f %%, %d values\n", what,
                 100 * errors.rms(), 100 * errors.worst(), errors.count());
+}
+
+// ---- shortened branches ----
+
+/// How much K of uniform strain, added up over the contacts of a packing, is less than the closed form with branches of
+/// the diameter, over what the factor of shortened branches takes: logarithms, of equal grains.
+inline void print_shortening(const std::vector<Packing>& packings) {
+  std::printf("ln K of uniform strain, contacts added up over closed form, over (2 - b) ln(1 - w); w from 0.1 %%\n");
+  std::map<std::string, Errors> shares;
+  std::map<std::string, double> largest;
+  for (const Packing& p : packings) {
+    if (!p.isotropic() || p.relative_overlap < 1e-3)
+      continue;
+    const double closed = granum::effective::uniform_strain(p.state).stiffness.bulk_modulus() * p.affine_share;
+    const double expected = kernel::shortened_branches(p.relative_overlap, p.exponent());
+    shares[p.contact].add(std::log(p.strain_bulk_modulus / closed) / std::log(expected));
+    largest[p.contact] = std::max(largest[p.contact], p.relative_overlap);
+  }
+  for (const auto& [contact, share] : shares)
+    std::printf("  %-9s %.2f (%d, w up to %.1f %%)\n", contact.c_str(), share.mean(), share.count(),
+                100 * largest[contact]);
 }
 
 // ---- without tangential forces ----

@@ -424,6 +424,7 @@ int main(int argc, char** argv) {
     if (std::strcmp(argv[1], "besides") == 0) {
       print_void_ratio(packings, result.shear);
       print_stretch(packings, result);
+      print_shortening(packings);
       print_central_forces(packings, result.shear);
       print_stated(packings, unequal, result);
       return 0;

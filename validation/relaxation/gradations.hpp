@@ -42,9 +42,9 @@ inline std::vector<Packing> read_gradations(const std::string& path) {
               .rattler_fraction = row.at("rattler_fraction"),
               .uniformity = row.at("C_u"),
               .affine_share = 1,
-              .strain_bulk_modulus = granum::effective::uniform_strain(state).stiffness.bulk_modulus(),
               .networks = {}};
     p.relative_overlap = detail::relative_overlap(state);
+    p.strain_bulk_modulus = detail::closed_strain_bulk_modulus(p);
     p.networks.push_back(
         {state.tangential_ratio,
          {.C11 = K + 4 * G / 3, .C33 = K + 4 * G / 3, .C12 = K - 2 * G / 3, .C13 = K - 2 * G / 3, .C44 = G}});

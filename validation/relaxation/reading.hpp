@@ -14,6 +14,7 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/io/csv/table.hpp>
 
+#include "effective/relaxation_kernel.hpp"
 #include "packings.hpp"
 
 namespace relaxation {
@@ -88,6 +89,12 @@ inline double relative_overlap(const State& state) {
          (2 * state.radius * state.contacts.branch);
 }
 
+/// K of uniform strain in closed form, of the branches that overlaps leave [Pa].
+inline double closed_strain_bulk_modulus(const Packing& p) {
+  return granum::effective::uniform_strain(p.state).stiffness.bulk_modulus() *
+         granum::effective::kernel::shortened_branches(p.relative_overlap, p.exponent());
+}
+
 inline Packing packing(const Row& row, const std::string& sizes, const std::string& contact,
                        const std::string& preparation) {
   static const std::map<std::string, double> ratios{
@@ -110,10 +117,9 @@ inline Packing packing(const Row& row, const std::string& sizes, const std::stri
             .affine_share = row.at("force_moment_b"),
             .strain_bulk_modulus = stiffness(row, "affine").bulk_modulus(),
             .networks = {}};
-  if (sizes != "equal")
-    p.affine_share =
-        p.strain_bulk_modulus / granum::effective::uniform_strain(p.state).stiffness.bulk_modulus();
   p.relative_overlap = relative_overlap(p.state);
+  if (sizes != "equal")
+    p.affine_share = p.strain_bulk_modulus / closed_strain_bulk_modulus(p);
   for (const auto& [name, ratio] : ratios)
     p.networks.push_back({ratio, stiffness(row, name)});
   return p;
