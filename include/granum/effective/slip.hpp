@@ -47,9 +47,9 @@ inline constexpr double largest_slip_loss = 0.05;
 /// \return   at most 1; underestimated beyond largest_slip_loss
 /// \throws   InvalidArgument for a negative strain
 /// Accuracy  sliding contacts in dense packings (z* 6): within 0.5 % of G0 of DEM, up to a loss of 5 %. Loose
-///           packings (z* 4.6) lose 1 % at a tenth of the strain predicted here, and 5 % at a quarter of it.
-///           Partial slip: the first order differs by 5 % of the loss at a loss of 5 %. Rounding: relative
-///           1e-12.
+///           packings (z* 4.6) lose 1 % at a seventh and a 25th of the strain predicted here (two seeds), 5 %
+///           at a quarter of it. Partial slip: the first order differs by 5 % of the loss at a loss of 5 %.
+///           Rounding: relative 1e-12.
 /// Checked by tests/effective/test_slip.cpp, validation/slip_onset
 [[nodiscard]] double slip_loss(const SlipOnset& onset, double strain, ContactSlip slip);
 
