@@ -53,16 +53,16 @@ inline constexpr Scatter bulk_recipes{0, 0.178222977};
 inline constexpr Scatter bulk_packings{0.0130856473, 0.190067984};
 /// Shift of z* in G at the isostatic point and its standard error, over the relative variance of the
 /// lengths of branches.
-inline constexpr double size_shift = 1.63505719;
-inline constexpr double size_shift_error = 0.277644142;
+inline constexpr double size_shift = 1.6285264;
+inline constexpr double size_shift_error = 0.278480098;
 /// What unequal grains lose of K, and its standard error.
-inline constexpr double size_loss = 0.597944703;
-inline constexpr double size_loss_error = 0.0661497784;
+inline constexpr double size_loss = 0.596426666;
+inline constexpr double size_loss_error = 0.0662060459;
 /// What they add to the scatter: of G over the root of that variance, of K over bulk_size_measure.
-inline constexpr Scatter shear_sizes{0.0732320691, 0.144482586};
-inline constexpr double bulk_sizes = 0.159397562;
+inline constexpr Scatter shear_sizes{0.0779395464, 0.14738172};
+inline constexpr double bulk_sizes = 0.163176421;
 /// Scatter of K between codes: this times the looseness.
-inline constexpr double bulk_codes = 0.179333251;
+inline constexpr double bulk_codes = 0.179925756;
 /// Scatter of ln C33/C11 over ln of the stretch.
 inline constexpr double stretch_scatter = 0.140960362;
 /// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.
