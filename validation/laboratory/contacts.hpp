@@ -119,6 +119,10 @@ inline std::vector<Miss> print_contacts(const Grains& grains, const std::vector<
     print_misses(kind, misses);
     std::printf("; all: chi^2 %.1f of %zu;", fit.chi_square(), fit.degrees_of_freedom());
     print_numbers(fit, spheres(grains, void_ratio_of(porosity), measured.front().pressure));
+    const auto upper = std::span(measured).subspan(measured.size() / 2);
+    std::printf("%26s", "upper half alone:");
+    print_numbers(ask(grains, observed(grains, upper), kind).together.value(),
+                  spheres(grains, void_ratio_of(porosity), upper.front().pressure));
   }
   for (const auto& [what, growth] : {std::pair{"rough, z* fixed", GrowthRule::fixed},
                                      std::pair{"rough, growth fitted", GrowthRule::fitted}}) {

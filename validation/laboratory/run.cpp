@@ -70,7 +70,7 @@ bool run(const std::string& folder, const char* pictures) {
   // Worst of both directions. The upper five pressures hardly determine roughness; the stated error of V_s at
   // the lower five includes that.
   const Miss &smooth = sand_misses[0], &rough = sand_misses[1], &power_law = sand_misses[2];
-  const bool contacts_hold = smooth.relative > 0.10 && smooth.in_errors > 4 && rough.relative < 0.085 &&
+  const bool contacts_hold = smooth.relative > 0.10 && smooth.in_errors > 4 && rough.relative < 0.03 &&
                              rough.in_errors < 2 && power_law.relative < 0.03 && power_law.in_errors < 2;
   const bool holds = grown.largest() < 0.10 && contacts_hold;
   std::printf("\n%s\n", holds ? "holds" : "DOES NOT HOLD: see README.md");
