@@ -4,7 +4,7 @@
 # Glass beads of a laboratory: 150 MPa lie in the range, whose ends differ by a factor of 3.04 (62 and 188 MPa).
 set(beads estimate --void-ratio 0.58 --pressure 100kPa --grain-shear-modulus 26GPa --grain-poisson-ratio 0.22
   --radius 0.5mm)
-granum_cli_test("answer: glass beads" EXIT 0 STDOUT "  G +128\\.1 MPa +61\\.8[0-9]* MPa +188\\.[0-9]* MPa  shear modulus\n"
+granum_cli_test("answer: glass beads" EXIT 0 STDOUT "  G +128\\.1 MPa +61\\.8[0-9]* MPa +188[.0-9]* MPa  shear modulus\n"
   ARGS ${beads})
 granum_cli_test("answer: its numbers" EXIT 0 JSON "answer/shear_modulus/low=^618[0-9]+\\." "answer/shear_modulus/high=^1880[0-9]+\\."
   "answer/shares/contacts=^0\\.99" "answer/preparation=^unknown$" "answer/stress_exponent/value=^0\\.3[5-9]"
@@ -12,7 +12,7 @@ granum_cli_test("answer: its numbers" EXIT 0 JSON "answer/shear_modulus/low=^618
 granum_cli_test("answer: the share of each input" EXIT 0 STDOUT "contacts 100 %\n.*--preparation" ARGS ${beads})
 # V_s = sqrt(G/rho), rho = 2650/1.58
 granum_cli_test("answer: wave speeds of the assumed density" EXIT 0
-  STDOUT "V_s +276\\.4 m/s.*V_p +445\\.2 m/s.*density +1677 kg/m3.*assumed --grain-density 2650 kg/m3 \\+- 50 kg/m3" ARGS ${beads})
+  STDOUT "V_s +276\\.3 m/s.*V_p +445\\.1 m/s.*density +1677 kg/m3.*assumed --grain-density 2650 kg/m3 \\+- 50 kg/m3" ARGS ${beads})
 
 # A preparation narrows it, and so do counted contacts.
 granum_cli_test("answer: dense" EXIT 0 JSON "answer/shear_modulus/low=^1[78][0-9][0-9]+\\." ARGS ${beads} --preparation dense --json)
@@ -23,7 +23,7 @@ granum_cli_test("answer: only z*" EXIT 0 JSON "answer/mechanical_coordination_nu
 granum_cli_test("answer: only C_n" EXIT 0 JSON "answer/coordination_number/value=^(4\\.8999999|4\\.9)"
   ARGS ${beads} --coordination-number 4.9 --json)
 granum_cli_test("answer: only rattlers" EXIT 0 JSON "answer/rattler_fraction/value=^0\\.0(3|29999)" ARGS ${beads} --rattler-fraction 3% --json)
-granum_cli_test("answer: C_n and rattlers are rung 3" EXIT 0 STDOUT "  G +203\\.9 MPa .*G_vh = C44 .* 203\\.9 MPa \\+- 3 %"
+granum_cli_test("answer: C_n and rattlers are rung 3" EXIT 0 STDOUT "  G +203\\.8 MPa .*G_vh = C44 .* 203\\.8 MPa \\+- 3 %"
   ARGS estimate --void-ratio 0.56 --pressure 100kPa --coordination-number 5.9 --rattler-fraction 2% --bounds)
 foreach(preparation tapped "friction:" "friction:-1")
   granum_cli_test("answer: no preparation '${preparation}'" EXIT 2 STDERR "error: [^\n]*(preparation|friction_coefficient)"
@@ -59,7 +59,7 @@ granum_cli_test("answer: unknown sand" EXIT 2 STDERR "sand 'sahara' is unknown; 
 granum_cli_test("answer: saturated" EXIT 0 JSON "answer/compression_wave_speed/value=^1668\\.7" "answer/bulk_density/value=^2043\\.56"
   "answer/saturation=^1(\\.0)?$" ARGS ${beads} --saturation 100% --json)
 granum_cli_test("answer: saturated, on the screen" EXIT 0 STDOUT "V_p +1669 m/s .*density +2044 kg/m3" ARGS ${beads} --saturation 100%)
-granum_cli_test("answer: nearly saturated" EXIT 0 STDOUT "V_p +409\\.4 m/s.*menisci between grains are left out"
+granum_cli_test("answer: nearly saturated" EXIT 0 STDOUT "V_p +409\\.3 m/s.*menisci between grains are left out"
   ARGS ${beads} --saturation 0.9)
 granum_cli_test("answer: saturation 2" EXIT 2 STDERR "--saturation = 2 is outside \\[0, 1\\]" ARGS ${beads} --saturation 2)
 granum_cli_test("answer: by direction" EXIT 0 STDOUT "G_vh .*V_s .*shear wave, vertical.*G_hh .*V_p,h .*compression wave, horizontal"

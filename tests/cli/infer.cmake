@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What estimate says of known contacts gives the contacts back: C_n = 5 and 2 % of rattlers make z* = 5.1020408163265.
 set(packing --grain-shape sphere --void-ratio 0.6 --pressure 100kPa)
-set(G 122946301.70086603Pa)
+set(G 122892352.46641797Pa)
 set(glass --grain-shear-modulus 29GPa --grain-poisson-ratio 0.2 --radius 0.05mm --grain-density 2480kg/m3)
 set(beads infer --grain-shape sphere --void-ratio 0.613 --pressure 2.76MPa ${glass})
 granum_cli_test("infer: there and back" EXIT 0 JSON
     "answer/mechanical_coordination_number/value=^5\\.10204081(6326|6327)"
     "answer/coordination_number/value=^(5\\.0$|5\\.0000000000|4\\.999999999)"
-    "answer/rattler_fraction/standard_error=^0(\\.0)?$" "predictions/0/K/value=^1626730(92\\.8|9[23]\\.)"
-    "predictions/0/G/value=^12294630[12]\\." "measurements/0/explained=^yes$" "reference_stress=^100000(\\.0)?$"
+    "answer/rattler_fraction/standard_error=^0(\\.0)?$" "predictions/0/K/value=^1626017(11\\.|10\\.9)"
+    "predictions/0/G/value=^1228923(52\\.|51\\.9)" "measurements/0/explained=^yes$" "reference_stress=^100000(\\.0)?$"
     "degrees_of_freedom=^0$" "growth_exponent=^$" "error_shares/rung 3=^0\\.0"
   ARGS infer ${packing} --shear-modulus ${G} --rattler-fraction 2% --json)
 granum_cli_test("infer: table" EXIT 0 STDERR "prediction at p = 34\\.47 MPa"

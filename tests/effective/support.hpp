@@ -51,6 +51,13 @@ inline double shortened(const State& s) {
   return std::pow(1 - w, 2 - effective::contact_exponent(s));
 }
 
+/// What that takes from the sum of the exponents of stress at constant contacts, at one b: (2-b)(1-b) w/(1-w).
+inline double lost_exponent(const State& s) {
+  const double b = s.law.constant_exponent().value(), force = effective::mean_contact_force(s);
+  const double w = force > 0 ? s.law.overlap(force) / (2 * s.radius) : 0;
+  return (2 - b) * (1 - b) * w / (1 - w);
+}
+
 /// One direction of contacts: its share of all contacts and its stiffnesses.
 struct Direction {
   Eigen::Vector3d normal;

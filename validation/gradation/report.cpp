@@ -4,11 +4,13 @@
 //     gradation_report table states.csv      G at equal void ratio and relative density, as in README.md
 //     gradation_report check states.csv      exit code 0 if the routes agree and G falls with C_u at equal e
 //     gradation_report picture states.csv    the same as SVG
+//     gradation_report restate states.csv    the record again, with what the closed forms say of it now
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -115,6 +117,25 @@ void print_packings(const std::vector<Curve>& all) {
                   percent_text(p.stated).c_str(), short_text(p.network_bulk_modulus / 1e6, 3).c_str(),
                   p.closed_bulk_modulus / p.network_bulk_modulus, percent_text(p.stated_bulk_error).c_str());
     }
+}
+
+/// The record with the closed forms of now.
+void print_restated(const io::CsvTable& table, const std::vector<State>& states) {
+  const std::vector<std::string>& headings = table.headings();
+  std::printf("%s", io::csv_line({headings.begin(), headings.end()}).c_str());
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const gradation::ClosedForms now = gradation::closed_forms(states[k]);
+    const std::map<std::string, double> numbers{{"G_closed_Pa", now.relaxed},
+                                                {"G_closed_stated", now.stated_error},
+                                                {"G_closed_sizes_Pa", now.relaxed_from_sizes},
+                                                {"G_uniform_strain_Pa", now.uniform_strain}};
+    const std::vector<std::string>& fields = table.fields(k);
+    std::vector<io::CsvCell> cells(fields.begin(), fields.end());
+    for (std::size_t column = 0; column < headings.size(); ++column)
+      if (const auto number = numbers.find(headings[column]); number != numbers.end())
+        cells[column] = short_text(number->second, 7);
+    std::printf("%s", io::csv_line(cells).c_str());
+  }
 }
 
 // ---- the questions ----
@@ -332,13 +353,17 @@ int check(const std::vector<State>& states) {
 
 int run(int argc, char** argv) {
   const std::string what = argc == 3 ? argv[1] : "";
-  if (what != "table" && what != "check" && what != "picture") {
-    std::fprintf(stderr, "usage: %s table|check|picture states.csv\n", argv[0]);
+  if (what != "table" && what != "check" && what != "picture" && what != "restate") {
+    std::fprintf(stderr, "usage: %s table|check|picture|restate states.csv\n", argv[0]);
     return 2;
   }
   const std::vector<State> states = gradation::read_states(argv[2]);
   if (what == "check")
     return check(states);
+  if (what == "restate") {
+    print_restated(io::read_csv(argv[2]), states);
+    return 0;
+  }
   const std::vector<Curve> all = gradation::curves(states);
   if (what == "picture") {
     const plot::Chart charts[] = {over_void_ratio(all), at_equal_void_ratio(all), at_equal_density(all)};

@@ -335,8 +335,6 @@ void check_calibration_packings(Claims& claims, const std::string& path) {
   std::map<std::string, std::array<Coverage, 4>> coverage;
   int packings = 0;
   for (const relaxation::Packing& p : relaxation::read_packings(path)) {
-    if (p.relative_overlap > 0.01) // beyond, the closed forms are too stiff, and rung 3 remarks it
-      continue;
     ++packings;
     const auto own = std::find_if(p.networks.begin(), p.networks.end(), [](const relaxation::Network& n) {
       return n.ratio == ladder::tangential_ratio;
