@@ -182,7 +182,7 @@ class Measuring {
       if (form.rung->name == effective::RungName::relaxed) {
         form.answer.reset();
         form.refusal =
-            "withheld: " + out_.moments + ", and its calibration knows single spheres without moments";
+            "not evaluated: " + out_.moments + "; the calibration is for single spheres without moments";
       }
   }
 
@@ -226,8 +226,8 @@ class Measuring {
       out_.notes.push_back("G_g of the grains = " + pretty(found, Dimension::pressure) + " with nu_g = " +
                            short_text(nu) + ", from the forces, which determine G_g/(1 - nu_g) only");
     } else if (!take_hertz()) {
-      out_.notes.emplace_back("G_g of the grains is not given, and does not follow from forces and overlaps: "
-                              "no stiffnesses, no closed forms");
+      out_.notes.emplace_back("G_g of the grains is not given and cannot be found from forces and overlaps: "
+                              "no stiffness and no closed forms are computed");
     }
     if (out_.grain)
       out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent * out_.sizes.contacts.pair_radius);

@@ -90,7 +90,7 @@ LawRow power_law() {
       {.key = "alpha",
        .name = "alpha",
        .symbol = "alpha",
-       .help = "> 0, of the profile A r^alpha; simulations need 1 or more",
+       .help = "exponent > 0 of the profile A r^alpha; simulations need 1 or more",
        .value = 1.5,
        .low = 1,
        .high = 100,
@@ -98,12 +98,12 @@ LawRow power_law() {
       {.key = "profile_constant",
        .name = "profile_constant",
        .symbol = "A",
-       .help = "of one grain",
+       .help = "factor of the profile A r^alpha of one grain",
        .unit = "m^(1-alpha)",
        .value = 180,
        .low = 1e-300,
        .high = 1e300,
-       .reason = "its powers fit"}};
+       .reason = "its powers must fit into a double"}};
   row.make = [](const GrainMaterial& grain, double, Numbers x) {
     return PowerLaw::general(grain, x[0], x[1]);
   };

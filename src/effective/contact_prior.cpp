@@ -131,8 +131,9 @@ void note_density(double void_ratio, double rigid_void_ratio, const Beyond& beyo
             ? "no sphere packing is so loose: void ratio %.3g, at most 0.87. In a sand this loose, angular "
               "or rough grains support each other where spheres would roll away; contacts of the loosest "
               "spheres are used"
-            : "at void ratio %.3g spheres are stable only if they can hardly roll, as angular grains: "
-              "with friction alone they pack down to 0.75. Contacts of the loosest spheres with friction are "
+            : "at void ratio %.3g spheres are stable only if they can hardly roll, like angular grains: "
+              "with friction alone their loosest packing has 0.75. Contacts of the loosest spheres with "
+              "friction are "
               "used",
         void_ratio));
   if (beyond.dense > 0)
@@ -151,16 +152,17 @@ void note_friction(const State& s, const Preparation& preparation, double rigid_
       kernel::rigid_contacts_of_friction(preparation.friction_coefficient, kernel::contact_coefficients);
   const double line = kernel::densest_rigid_contacts(rigid_void_ratio, kernel::contact_coefficients);
   if (own > line + 2 * kernel::friction_scatter)
-    validity.add(detail::formatted("friction %.3g cannot keep grains apart at void ratio %.3g: the "
-                                   "contacts are those of the smallest friction that can",
+    validity.add(detail::formatted("friction %.3g is too small for a packing of void ratio %.3g: the "
+                                   "contacts are those of the smallest sufficient friction",
                                    preparation.friction_coefficient, s.void_ratio));
 }
 
 void note_sizes(const State& s, Validity& validity) {
   if (unequal(s))
     validity.add(
-        "contacts of unequal grains are assumed to be those of equal ones: at one void ratio they "
-        "have fewer, and more rattlers (validation/sizes: 13 % dense, 39 % loose); give them if known");
+        "contacts of unequal grains are assumed to be those of equal ones: at the same void ratio unequal "
+        "grains have fewer contacts, and more rattlers (validation/sizes: 13 % dense, 39 % loose); give them "
+        "if known");
 }
 
 void note_overlap(double overlap, Validity& validity) {

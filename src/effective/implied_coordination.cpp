@@ -30,8 +30,9 @@ void require_growing(Modulus which) {
   if (which == Modulus::K || which == Modulus::G_hh || which == Modulus::G_vh || which == Modulus::C11 ||
       which == Modulus::C33)
     return;
-  throw InvalidArgument("a contact number follows from K, G_hh, G_vh, C11 or C33, which grow with it; this "
-                        "modulus need not");
+  throw InvalidArgument(
+      "a contact number follows from K, G_hh, G_vh, C11 or C33, which grow with it; the given "
+      "modulus may not");
 }
 
 } // namespace

@@ -91,7 +91,7 @@ constexpr FieldRow table[] = {
     pure(Field::coordination_number, "coordination_number", "C_n", "C_n", "coordination number",
          Shown::in_full, Spreading::logarithmic, 0, unlimited),
     pure(Field::contact_softness, "contact_softness", "k/k_H", "k_over_k_hertz",
-         "contact stiffness over smooth spheres', inferred", Shown::always, Spreading::logarithmic, 0,
+         "contact stiffness over that of smooth spheres, inferred", Shown::always, Spreading::logarithmic, 0,
          unlimited),
     pure(Field::vertical_exponent, "vertical_exponent", "n", "n", "exponent of sigma_v in G",
          Shown::by_direction, Spreading::difference, -unlimited, unlimited),
@@ -106,7 +106,7 @@ constexpr FieldRow table[] = {
     pure(Field::damping_ratio, "damping_ratio", "D", "damping", "damping ratio at the strain", Shown::always,
          Spreading::difference, 0, 1),
     pure(Field::slip_strain, "slip_strain", "g_slip", "slip_strain",
-         "strain at which slip at contacts takes 1 % of G", Shown::always, Spreading::logarithmic, 0,
+         "strain at which slip at contacts reduces G by 1 %", Shown::always, Spreading::logarithmic, 0,
          unlimited),
 };
 static_assert(std::size(table) == field_count);

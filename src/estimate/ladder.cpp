@@ -197,7 +197,7 @@ void advise_tolerance(Ladder& ladder) {
     const auto error = ladder.rungs[k].largest_error();
     if (!error || !(*error < 0.95 * least))
       continue;
-    ladder.advice.push_back("rung " + number_of(ladder, k) + " would do for a tolerance of " +
+    ladder.advice.push_back("rung " + number_of(ladder, k) + " would be enough for a tolerance of " +
                             percent_text(*error));
     least = *error;
   }

@@ -16,7 +16,8 @@ constexpr std::array<std::string_view, 3> all_names{"given", "rough", "power-law
 const contact::PowerLaw& smooth_sphere(const contact::NormalLaw& given) {
   const contact::PowerLaw* const law = given.power_law();
   if (law == nullptr || law->alpha() != 2)
-    throw InvalidArgument("inferred contacts replace the law of smooth spheres: give that law");
+    throw InvalidArgument(
+        "inferred contacts replace the law of smooth spheres: the given law must be of smooth spheres");
   return *law;
 }
 

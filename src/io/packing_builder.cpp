@@ -96,7 +96,7 @@ void PackingBuilder::set_grains(std::vector<GrainRow> rows) {
   if (rows.empty())
     throw FileError(grain_file_, 0, "contains no grains");
   if (rows.size() >= std::numeric_limits<std::uint32_t>::max())
-    throw FileError(grain_file_, 0, "contains more grains than an assembly can");
+    throw FileError(grain_file_, 0, "contains more than 4294967294 grains");
   const auto by_id = [](const GrainRow& a, const GrainRow& b) { return a.id < b.id; };
   if (!std::is_sorted(rows.begin(), rows.end(), by_id))
     std::stable_sort(rows.begin(), rows.end(), by_id);
@@ -315,11 +315,11 @@ void PackingBuilder::add(const PairRow& row) {
     return;
   }
   if (row.a == row.b)
-    fail_contact(row.line,
-                 "the grain " + std::to_string(packing_.id[row.a]) + " is in contact with itself" +
-                     (ambiguous(row.a, row.b) ? ": through a face of so narrow a cell; write two copies "
-                                                "of the packing side by side"
-                                              : ""));
+    fail_contact(row.line, "the grain " + std::to_string(packing_.id[row.a]) + " is in contact with itself" +
+                               (ambiguous(row.a, row.b)
+                                    ? ": through a face of a narrow periodic cell; write two copies "
+                                      "of the packing side by side"
+                                    : ""));
   require_finite(row, [&] { return pair_text(row.a, row.b); });
   if (row.overlap <= 0) {
     if (forces_known_ && row.normal_force == 0 && row.tangential_force == Vec3{} && row.overlap < 0) {
@@ -433,7 +433,9 @@ void PackingBuilder::note_counts() {
   if (through_faces_ > 0)
     note(Finding::through_faces, many(through_faces_, "rows of contacts reach through periodic faces"));
   if (open_ > 0)
-    note(Finding::open_contacts, many(open_, "rows carry a force without an overlap, or touch with none"));
+    note(Finding::open_contacts,
+         many(open_,
+              "rows without an overlap are kept as contacts: they carry a force, or the grains just touch"));
   if (neighbours_ > 0)
     note(Finding::open_contacts,
          many(neighbours_, "rows without overlap and force are neighbours, not contacts; left out"));

@@ -45,11 +45,11 @@ function(granum_depth_refuses what message)
 endfunction()
 granum_depth_refuses("one depth" "--depth = '30m' must be two depths, such as 0m\\.\\.30m" --void-ratio 0.6 --depth 30m)
 granum_depth_refuses("three points, or 0.30 m" "--depth = '0m\\.\\.\\.30m'" --void-ratio 0.6 --depth 0m...30m)
-granum_depth_refuses("upwards" "--depth = '3m\\.\\.1m' must end below its beginning" --void-ratio 0.6 --depth 3m..1m)
+granum_depth_refuses("upwards" "--depth = '3m\\.\\.1m' must be the smaller depth" --void-ratio 0.6 --depth 3m..1m)
 granum_depth_refuses("above the ground" "--depth = -1 m is outside" --void-ratio 0.6 --depth -1m..3m)
 granum_depth_refuses("a weight without depth" "--unit-weight goes with --depth" --void-ratio 0.6 --from 1kPa --to 2kPa
   --unit-weight 19kN/m3)
-granum_depth_refuses("a stress as well" "--pressure goes with --table; in the ground" --void-ratio 0.6 --depth 0m..3m --pressure 1kPa)
+granum_depth_refuses("a stress as well" "--pressure goes with --table; with --depth" --void-ratio 0.6 --depth 0m..3m --pressure 1kPa)
 granum_depth_refuses("saturated weight without water" "--saturated-unit-weight goes with --water-table" --void-ratio 0.6
   --depth 0m..3m --saturated-unit-weight 20kN/m3)
 granum_depth_refuses("a path as well" "--depth excludes --from|--from excludes --depth" --void-ratio 0.6 --depth 0m..3m --from 1kPa)

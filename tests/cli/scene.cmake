@@ -87,7 +87,7 @@ file(WRITE "${hostile}/two_shapes.toml" "[study]\ncontacts = [\"sphere\", \"cone
 granum_cli_test("scene: a file's slope, its cones left out by --set" EXIT 0 JSON "scene/contact/cone_slope=^0\\.5"
   ARGS plan --scene "${hostile}/two_shapes.toml" --set study.contacts=sphere --json)
 granum_scene_refuses("every key at its default passes in trade, which wants one contact" 2
-  "study\\.contacts: speed against accuracy is of one contact shape"
+  "study\\.contacts: trade measures one contact shape"
   trade --scene "${PROJECT_SOURCE_DIR}/examples/scene.toml" --seeds 2)
 granum_scene_refuses("every key at its default passes in export, which wants spheres" 2 "LAMMPS has no contact law"
   export lammps --scene "${PROJECT_SOURCE_DIR}/examples/scene.toml" --out refused)

@@ -2,7 +2,7 @@
 function(granum_trade_refuses what code message)
   granum_cli_test("trade: ${what}" EXIT ${code} STDERR "^granum: error: ${message}" ARGS trade ${ARGN})
 endfunction()
-granum_trade_refuses("two contact shapes" 2 "study\\.contacts: speed against accuracy is of one contact shape at a time"
+granum_trade_refuses("two contact shapes" 2 "study\\.contacts: trade measures one contact shape"
   --set study.contacts=sphere,cone)
 granum_trade_refuses("one seed has no scatter" 2 "study\\.seeds = 1 is outside \\[2, 1000\\]" --seeds 1)
 granum_trade_refuses("quick and full at once" 2 "--quick cannot go with --full or --budget" --quick --full)

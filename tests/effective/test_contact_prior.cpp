@@ -204,10 +204,10 @@ TEST_CASE("contact prior: notes on friction, sizes and overlaps") {
         return true;
     return false;
   };
-  CHECK(
-      has(effective::contact_prior(spheres(0.7, 1e5), friction(0.05)).validity, "cannot keep grains apart"));
-  CHECK(
-      !has(effective::contact_prior(spheres(0.7, 1e5), friction(0.5)).validity, "cannot keep grains apart"));
+  CHECK(has(effective::contact_prior(spheres(0.7, 1e5), friction(0.05)).validity,
+            "is too small for a packing of void ratio 0.7"));
+  CHECK(!has(effective::contact_prior(spheres(0.7, 1e5), friction(0.5)).validity,
+             "is too small for a packing of void ratio 0.7"));
   CHECK(has(effective::contact_prior(spheres(0.6, 1e9)).validity, "calibrated up to 0.01"));
   State unequal = spheres(0.5, 1e5);
   unequal.contacts.branch = 1.1;

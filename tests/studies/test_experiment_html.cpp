@@ -39,7 +39,7 @@ TEST_CASE("a report opens with the question, the answer and one figure, and fold
                            "id=\"why\"",
                            "One contact",
                            "Contacts of a grain",
-                           "What is left of uniform strain",
+                           "G relative to uniform strain",
                            "id=\"verdicts\"",
                            "<details>",
                            "Table 2:",

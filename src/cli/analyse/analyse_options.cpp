@@ -297,14 +297,14 @@ void add_grain_options(Command& command, AnalyseOptions& o) {
 
 void add_moment_options(Command& command, AnalyseOptions& o) {
   const auto row = [](const char* name, std::string& to, const char* what) {
-    return OptionRow{
-        .name = name,
-        .value = text(to, "STIFFNESS"),
-        .group = law_group,
-        .meaning = fmt::format(
-            "Resistance of all contacts to {}: 2e4N/m, times R*^2 (LAMMPS' sds); 1e-3Nm, per radian "
-            "(YADE's kr); a number, times k_n R*^2; marshall, k_t R* d/2",
-            what)};
+    return OptionRow{.name = name,
+                     .value = text(to, "STIFFNESS"),
+                     .group = law_group,
+                     .meaning = fmt::format("Stiffness of all contacts against {}, in one of four forms: "
+                                            "2e4N/m, times R*^2 (LAMMPS' sds); 1e-3Nm, per radian "
+                                            "(YADE's kr); a number, times k_n R*^2; marshall, which is k_t "
+                                            "R* d/2. 1/R* = 1/R_i + 1/R_j, d is the overlap",
+                                            what)};
   };
   command.add({row("--rolling-stiffness", o.rolling_stiffness, "rolling"),
                row("--twisting-stiffness", o.twisting_stiffness, "twisting")});
@@ -316,7 +316,7 @@ void add_file_options(Command& command, AnalyseOptions& o) {
       {{.name = "--column-map",
         .value = text(o.column_map, "MAP"),
         .group = group,
-        .meaning = "Meaning of the columns of dumps, if their values do not show it: "
+        .meaning = "Meaning of the columns of dumps, if granum does not find it from their values: "
                    "id1=c_cl[1],id2=c_cl[2],force=c_cp[2]"},
        {.name = "--stress",
         .value = spaced(texts(o.stress, "PRESSURES|FILE"), Dimension::pressure),
@@ -338,7 +338,7 @@ void add_file_options(Command& command, AnalyseOptions& o) {
        {.name = "--frames",
         .value = text(o.frames),
         .group = group,
-        .meaning = "all, last, N, FIRST:LAST or FIRST:LAST:STRIDE, from 0"},
+        .meaning = "Frames to read, counted from 0: all, last, N, FIRST:LAST or FIRST:LAST:STRIDE"},
        {.name = "--series",
         .value = choice({"name", "all"}, o.series),
         .group = group,
@@ -359,11 +359,11 @@ void add_measuring_options(Command& command, AnalyseOptions& o) {
         .value = text(o.window, "RANGES"),
         .group = group,
         .meaning = "Part of the packing used for e, C_n, z*, fabric and stress: x0..x1,y0..y1,z0..z1, "
-                   "lengths, .. for a whole axis"},
+                   "each end a length; .. is the whole axis"},
        {.name = "--depth",
         .value = text(o.depth, "RANGE"),
         .group = group,
-        .meaning = "The same part, given by depth below the highest grain: 2mm..6mm",
+        .meaning = "Range of z of that part, by depth below the highest grain: 2mm..6mm",
         .synonyms = {{"z"}}},
        {.name = "--no-network",
         .value = flag(o.no_network),

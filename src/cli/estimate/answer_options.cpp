@@ -234,17 +234,18 @@ void add_answer_options(Command& command, AnswerOptions& o) {
        {.name = "--relative-density",
         .value = number_without_default(o.relative_density),
         .group = state_group,
-        .meaning = "D_r instead of --void-ratio, 60%; more accurate with e_min and e_max, or --sand",
+        .meaning = "Relative density D_r, such as 60%, instead of --void-ratio; more accurate with e_min and "
+                   "e_max, or --sand",
         .synonyms = {{"dr id rd densityindex"}}},
        {.name = "--least-void-ratio",
         .value = number_without_default(o.least_void_ratio),
         .group = state_group,
-        .meaning = "e_min, for --relative-density",
+        .meaning = "Smallest void ratio e_min, for --relative-density",
         .synonyms = {{"emin"}}},
        {.name = "--largest-void-ratio",
         .value = number_without_default(o.largest_void_ratio),
         .group = state_group,
-        .meaning = "e_max, for --relative-density",
+        .meaning = "Largest void ratio e_max, for --relative-density",
         .synonyms = {{"emax"}}},
        {.name = "--grain-density",
         .value = number(o.grain_density),
@@ -272,7 +273,7 @@ OptionRow strain_row(AnswerOptions& o) {
   return {.name = "--strain",
           .value = number_without_default(o.strain),
           .group = state_group,
-          .meaning = "For sands: also G at this shear strain, 0.01%; small strain is 0.001% "
+          .meaning = "For sands: also G at this shear strain, such as 0.01%; small strain is 0.001% "
                      "and less",
           .synonyms = {{"shearstrain"}}};
 }
@@ -305,12 +306,11 @@ void apply_presets(PackingOptions& packing, AnswerOptions& o) {
 OptionRow uncertainty_row(std::vector<std::string>& settings) {
   Value value = texts(settings, "KEY=SD");
   value.joins_units = true;
-  return {
-      .name = "--uncertainty",
-      .value = std::move(value),
-      .group = "More results",
-      .meaning =
-          "Standard deviation of an input, may be repeated: void-ratio=0.02, pressure=5%; % of its value"};
+  return {.name = "--uncertainty",
+          .value = std::move(value),
+          .group = "More results",
+          .meaning = "Standard deviation of an input, may be repeated: void-ratio=0.02; in per cent of the "
+                     "value: pressure=5%"};
 }
 
 estimate::Question question_of(const PackingOptions& packing, const AnswerOptions& o) {

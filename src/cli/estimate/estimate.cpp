@@ -127,11 +127,12 @@ Command make_estimate() {
        {.name = "--tolerance",
         .value = number_without_default(options->tolerance),
         .group = "More results",
-        .meaning = "Choose the cheapest closed form (rung) whose stated error is within this tolerance, 5%"},
+        .meaning =
+            "Choose the cheapest closed form (rung) whose stated error is within this tolerance, such as 5%"},
        {.name = "--cement",
         .value = number_without_default(options->cement),
         .group = "More results",
-        .meaning = "Also show the packing with cement, this share of the total volume, 2%",
+        .meaning = "Also show the packing with cement that fills this share of the total volume, such as 2%",
         .synonyms = {{"cementation bond"}}},
        uncertainty_row(options->uncertain)});
   add_output_options(command, options->output);

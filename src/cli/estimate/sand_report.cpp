@@ -159,7 +159,7 @@ std::vector<std::string> sand_notes(const AnswerCase& c, const AnswerOptions& op
     return notes;
   estimate::Question q = c.question;
   notes.push_back(
-      fmt::format("sand: G = {}, s = {}; one deviation is a factor of {} [Lo2021]",
+      fmt::format("sand: G = {}, s = {}; one standard deviation is a factor of {} [Lo2021]",
                   sands::formula(sands::form_of(q.sand)),
                   short_text(sands::growth_exponent(q.sand, q.state.mean_stress()).value, 3),
                   short_text(sands::stated_factor(q.sand, q.state.void_ratio, q.state.mean_stress()), 3)));
@@ -169,10 +169,10 @@ std::vector<std::string> sand_notes(const AnswerCase& c, const AnswerOptions& op
       "sand: nu follows from measurements; it changes E little, V_p by about 10 %, and K by a factor "
       "of 1.5");
   if (q.state.mean_stress() > 0)
-    notes.emplace_back(
-        "sand: z* and k/k_H are inferred: with them rung 3 has this nu and this G. Without nu, few "
-        "contacts and soft contacts cannot be distinguished; k_t/k_n is assumed as that of smooth "
-        "spheres");
+    notes.emplace_back("sand: z* and k/k_H, the contact stiffness over that of smooth spheres, are inferred: "
+                       "with them rung 3 gives this nu and this G. Without nu, few contacts and soft "
+                       "contacts cannot be distinguished; k_t/k_n is assumed as that of smooth "
+                       "spheres");
   if (options.usual_limits)
     notes.push_back(
         fmt::format("sand: void ratio {} from this relative density with e_min {} and e_max {}, as "

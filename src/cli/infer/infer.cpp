@@ -21,10 +21,10 @@ constexpr MeasuredOption options_table[] = {
     {Quantity::G_vh,
      "--shear-modulus",
      {"G", "G_vh"},
-     "G of a vertical plane, or of an isotropic packing",
+     "Shear modulus G of a vertical plane, or of an isotropic packing",
      "G g Gg gg mug modulus grainmodulus shearmodulus G0 g0 Gmax gmax"},
-    {Quantity::G_hh, "--shear-modulus-hh", {"G_hh", "G_hh"}, "G of the horizontal plane"},
-    {Quantity::K, "--bulk-modulus", {"K", "K"}, "K", "K k bulk"},
+    {Quantity::G_hh, "--shear-modulus-hh", {"G_hh", "G_hh"}, "Shear modulus G_hh of the horizontal plane"},
+    {Quantity::K, "--bulk-modulus", {"K", "K"}, "Bulk modulus K", "K k bulk"},
     {Quantity::V_s,
      "--shear-wave-speed,--vs",
      {"V_s", "Vs"},
@@ -57,7 +57,7 @@ void add_measured_options(Command& command, InferOptions& o) {
       {{.name = "--measurement-error",
         .value = number_without_default(o.measurement_error),
         .group = group,
-        .meaning = "Relative standard error of measurements given without an error: 2%"},
+        .meaning = "Relative standard error of measurements that are given without an error, such as 2%"},
        {.name = "--table",
         .value = path(o.table, "FILE.csv"),
         .group = group,
@@ -241,15 +241,14 @@ std::span<const MeasuredOption> measured_options() { return options_table; }
 
 Command make_infer() {
   auto options = std::make_shared<InferOptions>();
-  Command command{.name = "infer",
-                  .meaning =
-                      "Contact number from a measured modulus or wave speed, and predictions for other "
-                      "elsewhere",
-                  .notes = "Examples:\n"
-                           "  granum infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s+-2%\n"
-                           "    --predict-pressure 50kPa,400kPa\n"
-                           "  granum infer --table speeds.csv --void-ratio 0.6",
-                  .run = [options] { return run(*options); }};
+  Command command{
+      .name = "infer",
+      .meaning = "Contact number from a measured modulus or wave speed, and predictions for other states",
+      .notes = "Examples:\n"
+               "  granum infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s+-2%\n"
+               "    --predict-pressure 50kPa,400kPa\n"
+               "  granum infer --table speeds.csv --void-ratio 0.6",
+      .run = [options] { return run(*options); }};
   add_infer_options(command, *options);
   return command;
 }

@@ -336,9 +336,9 @@ void require_options_of_sand(const InferOptions& o) {
       {o.packing.rattler_fraction.given(), "--rattler-fraction"}};
   for (const auto& [given, option] : of_spheres)
     if (given)
-      throw InvalidArgument(std::string(option) +
-                            ": of the model of spheres, a sand takes none; leave it out, "
-                            "or ask for --grain-shape sphere");
+      throw InvalidArgument(
+          std::string(option) +
+          " applies to the model of spheres, not to a sand; leave it out, or give --grain-shape sphere");
 }
 
 } // namespace

@@ -55,7 +55,7 @@ void add_size_options(Command& command, PackingOptions& o) {
             },
             "NUMBER"),
         .group = sizes_group,
-        .meaning = "C_u = d60/d10 of grains that are lognormal by mass",
+        .meaning = "Uniformity coefficient C_u = d60/d10 of grains that are lognormal by mass",
         .excludes = {once},
         .synonyms = {{"cu uniformitycoefficient gradation"}}}});
 }

@@ -66,7 +66,7 @@ void judge_stress(const Typed& number, Validity& validity) {
     validity.add(typed_text(number) + " is below the weight of a centimetre of sand; " +
                  meant_text(number, p * kilo));
   else
-    validity.add(typed_text(number) + ": grains break before that; " +
+    validity.add(typed_text(number) + ": grains break at smaller stresses; " +
                  meant_text(number, p / (p > most * kilo ? mega : kilo)));
 }
 

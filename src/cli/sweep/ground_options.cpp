@@ -29,7 +29,7 @@ std::vector<double> depths_of(const SweepOptions& o) {
   const double last = parse_quantity("--depth", ends->back(), Dimension::length);
   require_non_negative("--depth", first, "m");
   if (!(last > first))
-    throw InvalidArgument(fmt::format("--depth = '{}' must end below its beginning", text));
+    throw InvalidArgument(fmt::format("--depth = '{}' must be the smaller depth, then the larger", text));
   return spread(first, last, o.points, false);
 }
 
@@ -56,11 +56,11 @@ void note_contradiction(const Number& given, double expected, const char* pores,
                         Validity& validity) {
   if (std::abs(given.value - expected) <= unit_weight_tolerance * expected)
     return;
-  validity.add(
-      fmt::format("{} {} contradicts void ratio {} and grains of {}, which weigh {} with {}: stresses "
-                  "use the first, wave speeds the second",
-                  given.name, weight(given.value), short_text(mass.void_ratio),
-                  pretty(mass.grain_density, Dimension::density), weight(expected), pores));
+  validity.add(fmt::format(
+      "{} {} contradicts void ratio {} and grains of {}, whose unit weight is {} with {}: stresses "
+      "use the given unit weight, wave speeds the void ratio",
+      given.name, weight(given.value), short_text(mass.void_ratio),
+      pretty(mass.grain_density, Dimension::density), weight(expected), pores));
 }
 
 /// Unit weight and saturation above the water table; each follows from the other.

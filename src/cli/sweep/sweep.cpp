@@ -123,7 +123,7 @@ void add_table_options(Command& command, SweepOptions& o) {
 void restrict_stresses(Command& command) {
   for (const char* stress : {"--pressure", "--stress-v", "--stress-h"})
     command.row(stress).needs = {
-        {"--table", "--table; in the ground the weight above is the stress", "--depth"},
+        {"--table", "--table; with --depth the stress follows from the weight of the ground", "--depth"},
         {"--table --depth", "--table; the stress of a path begins at --from"}};
 }
 

@@ -38,7 +38,7 @@ std::string title(const TradeScene& trade, Varied varied) {
   case Varied::time_step:
     return "time step over its stability limit; cost of compression, and of shear where there is a peak";
   case Varied::probe:
-    return "strain of the cyclic probe in mean overlaps over the diameter, 0 the network; G_vh; cost of one "
+    return "strain of the cyclic probe over (mean overlap/diameter), 0: the network; G_vh; cost of one "
            "modulus";
   case Varied::boundary:
     return "N grains between walls, probed, and in the periodic cell; mean of G_hh and G_vh; cost of the "

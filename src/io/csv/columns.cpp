@@ -21,7 +21,7 @@ void add_cell(std::vector<CsvCell>& to, const Value& value, bool has_error) {
         else if constexpr (std::same_as<One, std::monostate> || std::same_as<One, std::nullptr_t>)
           return empty_cell;
         else
-          throw InvalidArgument("several numbers are no cell of a table");
+          throw InvalidArgument("a list of numbers cannot be a cell of a table");
       },
       value));
   if (has_error)

@@ -20,7 +20,7 @@ DumpUnits units_in_memory(const std::string& style) {
     return {};
   if (const std::optional<DumpUnits> units = dump_units(style))
     return *units;
-  throw InvalidArgument("units '" + style + "' have no values in SI here; expected " + known_dump_units);
+  throw InvalidArgument("units '" + style + "' are not supported; expected " + known_dump_units);
 }
 
 void require_one_each(const char* name, std::size_t length, std::size_t expected) {

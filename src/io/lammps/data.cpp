@@ -149,7 +149,7 @@ std::string lammps_data(const packing::Assembly& assembly, double density, std::
   if (cell(1, 0) != 0 || cell(2, 0) != 0 || cell(2, 1) != 0)
     throw InvalidArgument(
         "the first edge of the cell must lie along x and the second in the xy plane: LAMMPS "
-        "knows no other boxes");
+        "supports no other boxes");
 
   std::string text = "LAMMPS data file written by granum: grains at rest, SI units\n\n" +
                      std::to_string(count) + " atoms\n1 atom types\n\n";
@@ -164,7 +164,8 @@ std::string lammps_data(const packing::Assembly& assembly, double density, std::
   for (std::size_t g = 0; g < count; ++g) {
     const long number = id.empty() ? static_cast<long>(g) + 1 : id[g];
     if (number < 1)
-      throw InvalidArgument("id " + std::to_string(number) + " is not positive, as LAMMPS needs it");
+      throw InvalidArgument("id " + std::to_string(number) +
+                            " is not positive; LAMMPS requires positive ids");
     const Vec3& x = assembly.position[g];
     text += std::to_string(number) + " 1 " + exact_text(2 * assembly.radius[g]) + ' ' + density_text + ' ' +
             exact_text(x.x) + ' ' + exact_text(x.y) + ' ' + exact_text(x.z) + '\n';
@@ -174,7 +175,7 @@ std::string lammps_data(const packing::Assembly& assembly, double density, std::
 
 const PackingFormat lammps_data_format{
     .name = "LAMMPS data",
-    .sign = "a line N atoms below the first",
+    .sign = "a line such as 1000 atoms below the first line",
     .grains = "a LAMMPS data file",
     .contacts = "",
     .recognise = [](TextSource& source) -> std::optional<Holds> {

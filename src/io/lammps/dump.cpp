@@ -143,7 +143,8 @@ ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFi
   if (locals) {
     const DumpUnits& other = local_file->units();
     if (other.stated && units.stated && (other.length != units.length || other.force != units.force))
-      builder.note(Finding::units_differ, "ITEM: UNITS of the two files differ: each was read by its own");
+      builder.note(Finding::units_differ,
+                   "ITEM: UNITS of the two files differ: each file was read in its own units");
     join(builder, *locals, local_file->units().stated ? local_file->units() : units);
   }
   note_unknown(builder, atom_file, box, locals);
@@ -157,7 +158,7 @@ ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFi
 void require_forward(const DumpFile& file, std::optional<long>& last, const DumpFrame& frame) {
   if (last && *frame.step < *last)
     file.source().fail("time step " + std::to_string(*frame.step) + " follows " + std::to_string(*last) +
-                       ": expected steps that do not go back");
+                       ": expected steps that do not decrease");
   last = frame.step;
 }
 

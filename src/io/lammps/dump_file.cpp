@@ -106,7 +106,7 @@ void DumpFile::read_units() {
   read_value("a unit style", row);
   const std::optional<DumpUnits> units = dump_units(row[0]);
   if (!units)
-    source_.fail("units " + shown(row[0]) + " have no values in SI here; expected " + known_dump_units);
+    source_.fail("units " + shown(row[0]) + " are not supported; expected " + known_dump_units);
   units_ = *units;
 }
 
@@ -189,7 +189,7 @@ std::optional<DumpFrame> DumpFile::next(const TableSink& sink) {
     } else if (is_table(name, label) && !rows) {
       rows = read_table(frame, sink);
     } else if (name == "TIMESTEP" || name == "BOX" || name == "NUMBER") {
-      source_.fail("the frame before is not complete when " + shown(source_.line()) + " comes again");
+      source_.fail("the previous frame is not complete, but " + shown(source_.line()) + " comes again");
     } else {
       skip_section();
     }

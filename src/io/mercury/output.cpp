@@ -263,7 +263,7 @@ std::size_t MercuryOutput::skipped() const { return impl_->skipped; }
 
 const PackingFormat mercury_format{
     .name = "MercuryDPM's .data and .fstat",
-    .sign = "a first line of numbers alone, behind # in .fstat",
+    .sign = "a first line of numbers only, after a # in .fstat",
     .grains = "a MercuryDPM .data file",
     .contacts = "a MercuryDPM .fstat file",
     .recognise = [](TextSource& source) -> std::optional<Holds> {

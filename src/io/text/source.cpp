@@ -89,7 +89,7 @@ bool TextSource::fill() {
     throw FileError(name_, line_number_, "the compressed data end too early: the file is cut off");
   if (count < 0 || (status != Z_OK && status != Z_STREAM_END))
     throw FileError(name_, line_number_,
-                    std::string("cannot be read on: ") +
+                    std::string("cannot be read further: ") +
                         (status == Z_ERRNO ? std::strerror(errno) : message));
   end_ += static_cast<std::size_t>(count);
   stream_->ended = count == 0;
@@ -137,7 +137,7 @@ void TextSource::keep_from_start() { keeping_ = stream_ && !stream_->seekable; }
 void TextSource::back_to_start() {
   if (dropped_) {
     if (gzrewind(stream_->file) != 0)
-      fail("cannot be read anew");
+      fail("cannot be read a second time");
     stream_->ended = dropped_ = false;
     end_ = 0;
   }

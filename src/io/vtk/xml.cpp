@@ -242,7 +242,7 @@ ImportedPacking read_vtk_xml(TextSource grains, std::optional<TextSource> contac
 
 const PackingFormat vtk_xml_format{
     .name = ".vtu and .vtp",
-    .sign = "XML with an element Piece: lines are contacts, points alone grains",
+    .sign = "XML with an element Piece; contacts if it has lines, grains if only points",
     .grains = "grains as VTK XML",
     .contacts = "contacts as VTK XML",
     .recognise = [](TextSource& source) -> std::optional<Holds> {

@@ -77,7 +77,8 @@ void judge_boundary(const io::ImportedPacking& packing, bool interior, std::vect
             ? "the box has faces that are not periodic: void ratio, stress and C_n above are those of the "
               "whole box with its boundary"
             : "the box has faces that are not periodic: void ratio, stress and C_n are those of the whole "
-              "box with its boundary, and so are the closed forms, which know no walls (--window)");
+              "box with its boundary, and so are the closed forms, which assume no walls; --window selects "
+              "the interior");
 }
 
 /// Grains with exactly one value of a coordinate, as walls glued of grains have.
@@ -112,7 +113,7 @@ void judge_grains(const io::ImportedPacking& packing, std::vector<std::string>& 
     if (count >= fewest &&
         static_cast<double>(count) >= share_of_plane * static_cast<double>(assembly.grain_count()))
       out.push_back(std::to_string(count) + " grains have exactly the same " + "xyz"[axis] +
-                    ": a wall glued of grains, or a lattice? They count in C_n, fabric and stress");
+                    ": are they a wall made of grains, or a lattice? They count in C_n, fabric and stress");
   }
 }
 
@@ -128,24 +129,24 @@ void judge_forces(const io::ImportedPacking& packing, const analysis::Forces& fo
   const double at_rest = 1e-3 + unbalance_by_rounding(packing);
   if (forces.distribution.in_tension > 0)
     out.push_back(std::to_string(forces.distribution.in_tension) +
-                  " contacts are in tension: forces with viscous or cohesive parts");
+                  " contacts are in tension: their forces have viscous or cohesive parts");
   if (forces.distribution.pressing + forces.distribution.in_tension == 0)
     out.emplace_back(
         "all forces are 0, though grains touch: the files were written before forces were computed, "
-        "or their column is another one; stress and stiffness are 0");
+        "or another column holds them; stress and stiffness are 0");
   if (!forces.unbalance)
     return;
   double left = forces.unbalance->force_ratio;
   if (forces.weight) {
     left *= forces.weight->left_over;
     const double size = norm(forces.weight->per_volume);
-    out.push_back("the grains have weight: the contact forces leave one common force on each, " +
+    out.push_back("the grains have weight: the contact forces leave the same force per volume on each, " +
                   short_text(size / 1e3, 4) + " kN per m3 of solid along " +
                   vector_text(forces.weight->per_volume) +
-                  "; stress and stiffness grow with depth, and the numbers are means over it");
+                  "; stress and stiffness grow with depth, and the numbers are means over the depth");
   }
   if (left > at_rest)
-    out.push_back("the packing is not at rest: the mean force left on a grain is " + percent(left) +
+    out.push_back("the packing is not at rest: the mean unbalanced force on a grain is " + percent(left) +
                   " of the mean contact force");
 }
 
@@ -161,8 +162,8 @@ void judge_moments(const analysis::Measurement& measured, std::vector<std::strin
   out.push_back(
       "forces balance to " + percent(left.force_ratio) + " but moments to " + percent(left.moment_ratio) +
       " only: contacts carry moments (rolling resistance, bonds), or the grains are parts of clumps. "
-      "Rung 3 is withheld, and the network is this material's only with --rolling-stiffness, "
-      "--twisting-stiffness, or the ids of the clumps");
+      "Rung 3 is not evaluated, and the network describes this material only if --rolling-stiffness and "
+      "--twisting-stiffness, or the ids of the clumps, are given");
 }
 
 /// The exponent of forces that fit no law.
@@ -172,18 +173,18 @@ std::string cause_of_misfit(const analysis::LawCheck& check, bool several_types)
     return check.force_exponent && std::abs(check.force_exponent->value - exponent) < near;
   };
   const std::string found =
-      check.force_exponent ? "they go as d^" + short_text(check.force_exponent->value, 4) : "";
+      check.force_exponent ? "they grow as d^" + short_text(check.force_exponent->value, 4) : "";
   if (is(1))
     return found +
-           ": springs of several stiffnesses, or viscous parts; --contact flat has one spring for all";
+           ": springs of several stiffnesses, or viscous parts; --contact flat uses one stiffness for all";
   if (several_types)
     return "the grains have several types: give --material for each; or viscous parts";
   if (is(1.5))
-    return found +
-           " as Hertz', with factors that differ: several materials, one --material a type, or viscous parts";
+    return found + " as Hertz', with different factors: several materials (give --material for each type), "
+                   "or viscous parts";
   if (is(2))
-    return found + ": cones, --contact cone, or viscous parts";
-  return "viscous parts, another law, or a history";
+    return found + ": cones (--contact cone), or viscous parts";
+  return "viscous parts, another law, or forces that depend on the loading history";
 }
 
 /// \param    rounded   share of the overlaps by which they may be off: forces by 1.5 times as much, and those
@@ -200,9 +201,8 @@ void judge_law(const analysis::LawCheck& check, double rounded, bool law_known, 
     return;
   }
   if (check.misfit_90 > scatter)
-    out.push_back(
-        "forces are no function of the overlap as the law has it: 10 % of the contacts are off by " +
-        percent(check.misfit_90) + " or more (" + cause_of_misfit(check, several_types) + ")");
+    out.push_back("forces do not follow the contact law: 10 % of the contacts are off by " +
+                  percent(check.misfit_90) + " or more (" + cause_of_misfit(check, several_types) + ")");
   else if (law_known && std::abs(check.coefficient_ratio - 1) > scatter)
     out.push_back("forces are " + short_text(check.coefficient_ratio) +
                   " times those of the given law: the grains are of another material");
@@ -240,7 +240,7 @@ void judge_free_strains(const analysis::Network& network, std::vector<std::strin
   if (count == 6)
     out.emplace_back(
         "the network has no stiffness for any strain: the grains can move freely (a pile, a gas, or "
-        "contacts that are missing); its moduli are zero but for rounding");
+        "contacts that are missing); its moduli are zero apart from rounding");
   else if (count > 0)
     out.push_back("the network does not resist " + std::to_string(count) + " of six strains (" + free +
                   "): the grains can follow these freely, and such moduli are zero apart from rounding");
@@ -267,9 +267,9 @@ void judge_force_terms(const network::Response& response, std::vector<std::strin
       most = share;
   }
   if (std::abs(most) > matters)
-    out.push_back("the contact forces change a shear modulus by " + percent(most) +
-                  " to first order, which the network leaves out: overlaps are large, or a motion is so soft "
-                  "that forces hold it");
+    out.push_back("to first order, the contact forces themselves change a shear modulus by " + percent(most) +
+                  "; the network does not include this: overlaps are large, or grains move so easily "
+                  "that only the forces stabilise them");
 }
 
 } // namespace
@@ -289,7 +289,7 @@ void judge_fabric(const analysis::Fabric& fabric, std::vector<std::string>& out)
     out.push_back("E(gamma; a) does not describe the directions of the contacts: p = " +
                   short_text(fabric.density->chi_square.p_value, 2));
   if (fabric.axisymmetry && fabric.axisymmetry->both.p_value < doubt)
-    out.push_back("the fabric is not symmetric about z, as the closed forms take it: p = " +
+    out.push_back("the fabric is not symmetric about z, as the closed forms assume: p = " +
                   short_text(fabric.axisymmetry->both.p_value, 2));
 }
 

@@ -50,10 +50,10 @@ void judge_void_ratio(const packing::Assembly& assembly, double e, std::vector<s
   else if (e < least_void_ratio)
     out.push_back(
         start +
-        "no packing of grains is so dense: are radii and box of one unit, and is the box the whole one?");
+        "no packing of grains is so dense: do radii and box have the same unit, and is the box complete?");
   else if (e > most)
     out.push_back(start + "most of the box is empty: does it reach beyond the grains (a free surface, "
-                          "walls: give --window), or are radii and box of different units?");
+                          "walls: give --window), or do radii and box have different units?");
 }
 
 void judge_open_contacts(const packing::Assembly& assembly, std::vector<std::string>& out) {
@@ -112,7 +112,7 @@ void judge_missing_contacts(const io::ImportedPacking& packing, const MeasuredFr
       (unbalanced ? ", and forces of " + percent(forces->unbalance->force_ratio) +
                         " of the mean contact force are left on the grains"
                   : "") +
-      ": is the file of contacts whole (all processors, all types), or are they spheres of one clump?");
+      ": is the file of contacts complete (all processors, all types), or are they spheres of one clump?");
 }
 
 /// Grains at the very place of another: no line joins their centres, so that no contact does.
@@ -158,7 +158,7 @@ void judge_lengths(const io::ImportedPacking& packing, const MeasuredFrame& fram
   const double radius = frame.packing.sizes.equivalent;
   if (packing.has(Finding::units_unknown) && radius > boulder && !frame.packing.grain)
     out.push_back("the grains have radii of " + pretty(radius, Dimension::length) +
-                  ": are the lengths in mm? The files state no units, and metres were taken");
+                  ": are the lengths in mm? The files state no units, and metres were assumed");
 }
 
 } // namespace

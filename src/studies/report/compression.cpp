@@ -247,7 +247,7 @@ void add_closed_forms(Panel& out, const Scene& scene, const std::vector<Compress
 }
 
 Panel softening_panel(const Scene& scene, const std::vector<Compression>& all) {
-  Panel out = panel("relaxation", "What is left of uniform strain", {"z_star", {.title = "z*"}},
+  Panel out = panel("relaxation", "G relative to uniform strain", {"z_star", {.title = "z*"}},
                     {"G_over_uniform_strain", {.title = "G of network / uniform strain"}});
   for (const Compression& c : all)
     add(out, series_of(c, plot::Mark::marker, z_star, softening), key_of(c));

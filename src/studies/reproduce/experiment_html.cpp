@@ -127,7 +127,7 @@ std::string how_to_read() {
        "measurements of a state are made on this copy.",
        "G of the network: linear response of the frozen contacts, every grain in equilibrium. Cyclic shear: "
        "a small "
-       "shear strain forth and back on the frozen specimen, by the discrete element method. G_hh shears the "
+       "shear strain back and forth on the frozen specimen, by the discrete element method. G_hh shears the "
        "horizontal plane, G_hv and G_vh a vertical one.",
        "Uniform strain: G if every grain followed the mean strain; always stiffer. Relaxed, "
        "closed "

@@ -95,8 +95,8 @@ void require_lists(const StudySection& study) {
     throw InvalidArgument("study.pressures: at least 3 are needed to fit an exponent, " +
                           std::to_string(pressures.size()) + " given");
   if (pressures.size() > most_pressures)
-    throw InvalidArgument("study.pressures: " + std::to_string(pressures.size()) + " are more than " +
-                          std::to_string(most_pressures));
+    throw InvalidArgument("study.pressures: " + std::to_string(pressures.size()) + " are given, at most " +
+                          std::to_string(most_pressures) + " are possible");
   for (std::size_t k = 1; k < pressures.size(); ++k)
     if (!(pressures[k] > pressures[k - 1]))
       throw InvalidArgument("study.pressures must rise: " + short_text(pressures[k], 6) + " Pa follows " +
@@ -124,14 +124,15 @@ void require_overlap(const Scene& scene, contact::Shape shape, double pressure) 
   const double overlap = predicted_overlap(scene, shape, pressure);
   if (overlap >= least_predicted_overlap && overlap <= largest_predicted_overlap)
     return;
-  throw InvalidArgument(
-      "study.pressures: at " + pretty(pressure, Dimension::pressure) + " " + std::string(name(shape)) +
-      " contacts of these grains would overlap by " + short_text(overlap, 2) +
-      " of a diameter, which is outside [" + short_text(least_predicted_overlap) + ", " +
-      short_text(largest_predicted_overlap) + "]: " +
-      (overlap < least_predicted_overlap ? "the rounding of positions would be felt in the forces"
-                                         : "the contact law is valid for small overlaps, and the voids would "
-                                           "close"));
+  throw InvalidArgument("study.pressures: at " + pretty(pressure, Dimension::pressure) + " " +
+                        std::string(name(shape)) + " contacts of these grains would overlap by " +
+                        short_text(overlap, 2) + " of a diameter, which is outside [" +
+                        short_text(least_predicted_overlap) + ", " + short_text(largest_predicted_overlap) +
+                        "]: " +
+                        (overlap < least_predicted_overlap
+                             ? "rounding of the positions would disturb the forces"
+                             : "the contact law is valid only for small overlaps, and the voids would "
+                               "close"));
 }
 
 /// Measurements between walls are made two diameters inside: the number of grains that leaves one diameter
@@ -141,17 +142,18 @@ void require_inside(const Scene& scene) {
   const double volume = 4 * std::numbers::pi / 3 * scene.grain.sizes.moment(3) * (1 + densest);
   const double least = std::ceil(edge * edge * edge / volume);
   if (scene.specimen.walls && static_cast<double>(scene.study.grains) < least)
-    throw InvalidArgument("study.grains", static_cast<double>(scene.study.grains), "",
-                          "numbers of at least " + short_text(least) +
-                              ": with specimen.boundary = walls all is measured two diameters inside");
+    throw InvalidArgument(
+        "study.grains", static_cast<double>(scene.study.grains), "",
+        "numbers of at least " + short_text(least) +
+            ": with specimen.boundary = walls, only grains two diameters away from the walls are measured");
 }
 
 } // namespace
 
 void require_periodic_cell(const Scene& scene) {
   if (scene.specimen.walls)
-    throw InvalidArgument("specimen.boundary = walls: this study measures in the periodic cell alone; "
-                          "reproduce takes walls");
+    throw InvalidArgument("specimen.boundary = walls: this command works in the periodic cell only; granum "
+                          "reproduce also has walls");
 }
 
 void require_valid(const Scene& scene) {

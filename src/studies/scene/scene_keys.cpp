@@ -221,25 +221,32 @@ SceneKey sizes_key(const Head& head) {
 std::vector<SceneKey> grain_keys() {
   using enum Dimension;
   return {
-      quantity(
-          {"grain.radius", "of all grains, or the mean by number of grain.sizes"},
-          GRANUM_MEMBER(grain.radius), length,
-          {.low = 1e-9, .high = 1e3, .reason = "volumes, inertias and sums go as up to its fifth power"}),
+      quantity({"grain.radius", "radius of all grains; mean by number if grain.sizes makes them unequal"},
+               GRANUM_MEMBER(grain.radius), length,
+               {.low = 1e-9,
+                .high = 1e3,
+                .reason = "its fifth power, as in moments of inertia, must fit into a double"}),
       sizes_key({"grain.sizes",
-                 "of their radii by number: equal, bidisperse:RATIO, uniform:SMALLEST:LARGEST, "
+                 "distribution of the radii by number: equal, bidisperse:RATIO, uniform:SMALLEST:LARGEST, "
                  "lognormal:SIGMA, power-law:EXPONENT:RATIO or uniformity:C_U"}),
       quantity({"grain.shear_modulus", "of the solid that the grains consist of"},
                GRANUM_MEMBER(grain.shear_modulus), pressure,
-               {.low = 1, .high = 1e15, .reason = "no solid lies outside, and products of stiffnesses fit"}),
+               {.low = 1,
+                .high = 1e15,
+                .reason = "all solids lie within, and products of stiffnesses must fit into a double"}),
       quantity({"grain.poisson_ratio", "of the same solid"}, GRANUM_MEMBER(grain.poisson_ratio),
                dimensionless,
-               {.low = -1, .high = 0.5, .low_open = true, .reason = "elastic solids have no other"}),
-      quantity(
-          {"grain.friction_angle", "between two grains"}, GRANUM_MEMBER(grain.friction_angle), angle,
-          {.low = 0, .high = std::numbers::pi / 2, .high_open = true, .reason = "its tangent is finite"}),
+               {.low = -1, .high = 0.5, .low_open = true, .reason = "the range of elastic solids"}),
+      quantity({"grain.friction_angle", "between two grains"}, GRANUM_MEMBER(grain.friction_angle), angle,
+               {.low = 0,
+                .high = std::numbers::pi / 2,
+                .high_open = true,
+                .reason = "its tangent must be finite"}),
       quantity({"grain.density", "sets the time scale of the simulation, not its result"},
                GRANUM_MEMBER(grain.density), density,
-               {.low = 1e-6, .high = 1e18, .reason = "masses and time steps fit, scaled ones included"})};
+               {.low = 1e-6,
+                .high = 1e18,
+                .reason = "masses and time steps, also scaled ones, must fit into a double"})};
 }
 
 /// A number of a contact law, as the table of laws has it.
@@ -263,7 +270,9 @@ SceneKey law_key(const contact::LawRow& row, const contact::LawParameter& parame
 std::vector<SceneKey> contact_keys() {
   std::vector<SceneKey> keys{tangential_ratio_key(
       {"contact.tangential_ratio", "k_t/k_n; mindlin: 2(1-nu)/(2-nu) of the grain's Poisson ratio"},
-      {.low = 0, .high = 100, .reason = "no elastic contact is above 4/3, and time steps shrink with it"})};
+      {.low = 0,
+       .high = 100,
+       .reason = "elastic contacts have at most 4/3, and a larger ratio needs a smaller time step"})};
   for (const contact::LawRow& row : contact::laws())
     for (const contact::LawParameter& parameter : row.parameters)
       keys.push_back(law_key(row, parameter));
@@ -274,10 +283,12 @@ std::vector<SceneKey> study_keys() {
   std::vector<contact::Shape> shapes;
   for (const contact::LawRow& row : contact::laws())
     shapes.push_back(row.shape);
-  const KeyRange stresses{.low = 1e-6, .high = 1e13, .reason = "forces and their squares fit"};
+  const KeyRange stresses{
+      .low = 1e-6, .high = 1e13, .reason = "forces and their squares must fit into a double"};
   return {
       names({"study.contacts", "any of " + contact::shape_names()}, GRANUM_MEMBER(study.contacts), shapes),
-      names({"study.densities", "dense: without friction up to the first pressure; loose: with it"},
+      names({"study.densities",
+             "dense: compressed without friction up to the first pressure; loose: with friction"},
             GRANUM_MEMBER(study.densities), std::vector{Density::dense, Density::loose}),
       whole_number({"study.grains", "of each specimen"}, GRANUM_MEMBER(study.grains),
                    {.low = 40,
@@ -285,14 +296,16 @@ std::vector<SceneKey> study_keys() {
                     .reason = "the cell must be wider than four diameters, and its "
                               "grains must fit into memory"}),
       whole_number({"study.seeds", "specimens of each contact and density"}, GRANUM_MEMBER(study.seeds),
-                   {.low = 1, .high = 1000, .reason = "memory"}),
+                   {.low = 1, .high = 1000, .reason = "all specimens must fit into memory"}),
       whole_number({"study.first_seed", "seeds are first_seed, first_seed + 1, ..."},
                    GRANUM_MEMBER(study.first_seed),
-                   {.low = 0, .high = 9e15, .reason = "whole numbers of a double"}),
-      whole_number(
-          {"study.threads", "specimens side by side; 0: one for each core. Results do not depend on it"},
-          GRANUM_MEMBER(study.threads), {.low = 0, .high = 1024, .reason = "threads of a machine"}),
-      pressures({"study.pressures", "rising, at least 3"}, GRANUM_MEMBER(study.pressures), stresses),
+                   {.low = 0, .high = 9e15, .reason = "whole numbers that a double can represent"}),
+      whole_number({"study.threads",
+                    "specimens computed at the same time; 0: one for each core; results do not depend on it"},
+                   GRANUM_MEMBER(study.threads),
+                   {.low = 0, .high = 1024, .reason = "more threads bring no gain"}),
+      pressures({"study.pressures", "of the isotropic compression: at least 3, increasing"},
+                GRANUM_MEMBER(study.pressures), stresses),
       pressures({"study.probe_pressures", "pressures at which the specimen is also sheared; [] for none",
                  all_but_trade},
                 GRANUM_MEMBER(study.probe_pressures), stresses)};
@@ -301,19 +314,19 @@ std::vector<SceneKey> study_keys() {
 std::vector<SceneKey> specimen_keys() {
   using enum Dimension;
   return {boundary_key({"specimen.boundary", "periodic, or walls: six rigid ones", reproduce_alone}),
-          quantity({"specimen.wall_friction", "coefficient between grains and walls", reproduce_alone,
-                    needs_walls},
+          quantity({"specimen.wall_friction", "friction coefficient between grains and walls",
+                    reproduce_alone, needs_walls},
                    GRANUM_MEMBER(specimen.wall_friction), dimensionless,
-                   {.low = 0, .high = 1e6, .reason = "no contact slides beyond"}),
+                   {.low = 0, .high = 1e6, .reason = "above it no contact slides"}),
           quantity({"specimen.expansion_void_ratio", "void ratio of the cell in which the grains grow"},
                    GRANUM_MEMBER(specimen.expansion_void_ratio), dimensionless,
                    {.low = 0.4,
                     .high = 1,
                     .low_open = true,
                     .high_open = true,
-                    .reason = "equal spheres jam between"}),
+                    .reason = "equal spheres jam at void ratios in this range"}),
           quantity({"specimen.unjamming_strain",
-                    "loose: linear strain that opens the jammed packing before friction is switched on ...",
+                    "loose: linear strain that opens the jammed packing before friction is switched on",
                     all_commands, needs_loose},
                    GRANUM_MEMBER(specimen.unjamming_strain), dimensionless,
                    {.low = 0,
@@ -322,11 +335,12 @@ std::vector<SceneKey> specimen_keys() {
                     .high_open = true,
                     .reason = "must open contacts without "
                               "dispersing the packing"}),
-          quantity({"specimen.agitation",
-                    "... and random move of each grain after it, as a fraction of its radius", all_commands,
-                    needs_loose},
-                   GRANUM_MEMBER(specimen.agitation), dimensionless,
-                   {.low = 0, .high = 0.5, .reason = "neighbours must stay neighbours"})};
+          quantity(
+              {"specimen.agitation",
+               "loose: random displacement of each grain after unjamming_strain, as a fraction of its radius",
+               all_commands, needs_loose},
+              GRANUM_MEMBER(specimen.agitation), dimensionless,
+              {.low = 0, .high = 0.5, .reason = "neighbours must stay neighbours"})};
 }
 
 std::vector<SceneKey> shear_keys() {
@@ -347,13 +361,14 @@ std::vector<SceneKey> shear_keys() {
                           "quasi-static"}),
       quantity(
           steps("shear.eta_step",
-                "the specimen is frozen, measured and solved as a network at multiples of this q/p' ..."),
+                "at each multiple of this q/p' the specimen is frozen, measured and solved as a network"),
           GRANUM_MEMBER(shear.eta_step), dimensionless,
-          {.low = 1e-5, .high = 10, .reason = "range of the count of multiples"}),
-      quantity(steps("shear.strain_step", "... and of this axial strain"), GRANUM_MEMBER(shear.strain_step),
-               dimensionless, {.low = 1e-8, .high = 1, .reason = "range of the count of multiples"}),
-      quantity(steps("shear.largest_strain", "axial, where a path ends"), GRANUM_MEMBER(shear.largest_strain),
-               dimensionless,
+          {.low = 1e-5, .high = 10, .reason = "limits the number of states"}),
+      quantity(steps("shear.strain_step", "the same at each multiple of this axial strain"),
+               GRANUM_MEMBER(shear.strain_step), dimensionless,
+               {.low = 1e-8, .high = 1, .reason = "limits the number of states"}),
+      quantity(steps("shear.largest_strain", "axial strain at which a path ends"),
+               GRANUM_MEMBER(shear.largest_strain), dimensionless,
                {.low = 1e-8, .high = 1, .high_open = true, .reason = "the height must stay positive"}),
       quantity(steps("shear.probe_eta_step", "cyclic shear at multiples of this q/p'; 0: none"),
                GRANUM_MEMBER(shear.probe_eta_step), dimensionless,

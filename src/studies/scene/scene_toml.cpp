@@ -37,7 +37,7 @@ struct Section {
 
 constexpr Section sections[] = {
     {"grain", "spheres, quartz-like grains, Table 1 of Chung et al. (2014)"},
-    {"contact", "between two grains; a shape reads its own numbers alone"},
+    {"contact", "between two grains; each shape uses only its own numbers"},
     {"study", "which specimens, and where they are measured"},
     {"specimen", "boundaries and preparation"},
     {"shear", "stress paths after isotropic compression"},

@@ -99,7 +99,7 @@ void require_valid(const TradeScene& trade) {
   require_valid(trade.scene);
   require_periodic_cell(trade.scene);
   if (trade.scene.study.contacts.size() != 1)
-    throw InvalidArgument("study.contacts: speed against accuracy is of one contact shape at a time");
+    throw InvalidArgument("study.contacts: trade measures one contact shape at a time");
   require_closed("study.seeds", static_cast<double>(trade.scene.study.seeds), 2, 1000);
   require_open("inertial number of compression", trade.compression_inertial_number, 0, 0.1);
   require_open("inertial number of shear", trade.shear_inertial_number, 0, 0.1);

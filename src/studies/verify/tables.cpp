@@ -166,7 +166,7 @@ std::string exponents_table(const std::vector<ExponentRow>& rows) {
 std::string local_exponents_table(const std::vector<LocalExponents>& rows) {
   if (rows.empty())
     return {};
-  return "s between neighbouring pressures; p*: there roughness gives way; law: d ln k_n/d ln f\n" +
+  return "s between neighbouring pressures; p*: below it roughness matters; law: d ln k_n/d ln f\n" +
          io::table_text(local_exponent_columns(), rows);
 }
 

@@ -105,7 +105,7 @@ TEST_CASE("the columns of a part are included in those of the whole") {
         "second_name,second_R_m,second_m_kg,second_m_kg_error,second_contacts\nlarge,0.5,2,0.5,6\n,,,,\n");
 }
 
-TEST_CASE("several numbers are no cell") {
+TEST_CASE("a list of numbers is refused as a cell") {
   const Columns<Grain> bad{{"list", "", [](const Grain&) { return std::vector<double>{1, 2}; }}};
   CHECK_THROWS_AS((void)csv_text(bad, grains), InvalidArgument);
 }

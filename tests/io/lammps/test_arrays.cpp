@@ -132,8 +132,7 @@ TEST_CASE("LAMMPS arrays: other units become SI, unknown ones are refused") {
   memory.arrays.units = "lj";
   CHECK(lammps_packing(memory.arrays).has(Finding::units_unknown));
   memory.arrays.units = "real";
-  CHECK(complaint_of(memory.arrays) ==
-        "units 'real' have no values in SI here; expected si, cgs, micro or nano");
+  CHECK(complaint_of(memory.arrays) == "units 'real' are not supported; expected si, cgs, micro or nano");
 }
 
 TEST_CASE("LAMMPS arrays: errors name array and element") {
