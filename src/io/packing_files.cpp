@@ -130,7 +130,7 @@ void require_one_time(const NamedFile& grains, const NamedFile& contacts) {
   if (grains.time && contacts.time && *grains.time != *contacts.time)
     throw InvalidArgument(grains.file.path().string() + " is of the time " + short_text(*grains.time, 12) +
                           ", " + contacts.file.path().string() + " of " + short_text(*contacts.time, 12) +
-                          ": series of grains and contacts have the same times");
+                          ": series of grains and contacts must have the same times");
 }
 
 } // namespace

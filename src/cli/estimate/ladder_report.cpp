@@ -85,10 +85,10 @@ std::string ladder_table(const Ladder& ladder) {
   const estimate::Range& z = ladder.mechanical_coordination_number;
   text += fmt::format(
       "\nStated errors are standard errors relative to the contact network of the packing, the largest "
-      "of\nK, G_hh and G_vh; z* = {} ({} to {})",
+      "of K, G_hh and G_vh; z* = {} ({} to {})",
       short_text(z.value, 3), short_text(z.low, 3), short_text(z.high, 3));
   if (const std::string& source = choice.error_source; !source.empty())
-    text += fmt::format(". Rung {}: {}", *choice.rung->number, source);
+    text += fmt::format(". Error of rung {}: {}", *choice.rung->number, source);
   text += ".\n";
   for (const std::string& advice : ladder.advice)
     text += "- " + advice + "\n";

@@ -31,7 +31,7 @@ bool has_strain(const AnswerCase& c) {
   return c.question.shear_strain && c.question.state.mean_stress() > 0 && answer_of_sand(c) != nullptr;
 }
 
-/// "they are 2.4 times stiffer than these spheres".
+/// "sands by these laws are 2.4 times stiffer than these spheres".
 std::string comparison_text(const AnswerCase& c) {
   constexpr double alike = 1.25;
   const std::optional<estimate::Range> laws = range_of_laws(c, laws_tested(c));
@@ -40,10 +40,12 @@ std::string comparison_text(const AnswerCase& c) {
     return "";
   const double ratio = laws->value / G;
   if (ratio > alike)
-    return fmt::format("    they are {} times stiffer than these spheres\n", short_text(ratio, 2));
+    return fmt::format("    sands by these laws are {} times stiffer than these spheres\n",
+                       short_text(ratio, 2));
   if (ratio < 1 / alike)
-    return fmt::format("    they are {} times softer than these spheres\n", short_text(1 / ratio, 2));
-  return "    they are about as stiff as these spheres\n";
+    return fmt::format("    sands by these laws are {} times softer than these spheres\n",
+                       short_text(1 / ratio, 2));
+  return "    sands by these laws are about as stiff as these spheres\n";
 }
 
 std::string strain_text(const AnswerCase& c) {

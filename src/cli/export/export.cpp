@@ -190,8 +190,8 @@ Command make_export() {
         .value = quantity(options->largest_strain, Dimension::dimensionless),
         .group = group,
         .meaning = "Axial strain at which --path ends"}});
-  add_output_place(lammps, options->out, options->force, "DIR", "Folder; each specimen has a folder in it",
-                   "existing files");
+  add_output_place(lammps, options->out, options->force, "DIR",
+                   "Folder for the files; each specimen has its own folder in it", "existing files");
   lammps.row("--out").required = true;
   lammps.row("--force").needs.clear();
   lammps.add({.name = "--json",

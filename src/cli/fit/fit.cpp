@@ -91,7 +91,7 @@ void add_fit_law_options(Command& command, FitQuestion& question) {
       {{.name = "--sum-only",
         .value = flag(question.sum_only),
         .group = group,
-        .meaning = "Fit C and s = m + n only, for paths of one stress ratio"},
+        .meaning = "Fit C and s = m + n only, for data of a single stress ratio"},
        {.name = "--void-ratio-function", .value = std::move(function), .group = group, .meaning = "f(e)"},
        {.name = "--atmospheric-pressure",
         .value = quantity(question.atmospheric_pressure, Dimension::pressure),
@@ -101,7 +101,8 @@ void add_fit_law_options(Command& command, FitQuestion& question) {
        {.name = "--weights",
         .value = choice({"relative", "absolute"}, question.weights),
         .group = group,
-        .meaning = "Equal errors of ln G (relative) or of G (absolute)"}});
+        .meaning = "Assume the same relative error of G in all rows (residuals of ln G), or the same "
+                   "absolute error"}});
 }
 
 } // namespace

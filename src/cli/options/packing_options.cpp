@@ -420,10 +420,9 @@ std::vector<std::string> assumed_grains(const PackingOptions& o, const State& st
     notes.push_back(fmt::format("C_u is {}: the sizes in contact were validated with packings only up to {}",
                                 short_text(uniformity), compared));
   if (o.sizes && !o.rattler_fraction.given() && !o.mechanical_coordination_number.given())
-    notes.emplace_back(
-        "contacts of unequal grains: the sizes in contact are those of a packing without rattlers; rattlers "
-        "are "
-        "small, so grains in contact are larger than average; --rattler-fraction sets their share");
+    notes.emplace_back("contacts of unequal grains: the sizes in contact are those of a packing without "
+                       "rattlers; rattlers are small, so grains in contact are larger than average; "
+                       "--rattler-fraction sets the share of rattlers");
   return notes;
 }
 

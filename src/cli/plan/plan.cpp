@@ -61,11 +61,13 @@ io::Items plan_items(const studies::Scene& scene, const studies::Plan& plan) {
   io::add_item(list, "specimens", plan.specimens, shown("specimens with friction", pressures));
   io::add_item(list, "network_solutions", plan.network_solutions, shown("networks", "6 load cases each"));
   io::add_item(list, "probes", plan.probes, shown("cyclic shear probes"));
-  io::add_item(list, "grain_steps", plan.grain_steps, shown("grain-steps", "about"));
-  io::add_item(
-      list, "seconds_per_grain_step", plan.seconds_per_grain_step,
-      io::ShownColumn{
-          .heading = "a grain-step", .digits = 3, .unit = 1e-9, .symbol = " ns", .meaning = "measured now"});
+  io::add_item(list, "grain_steps", plan.grain_steps, shown("grain-steps", "about; grains times time steps"));
+  io::add_item(list, "seconds_per_grain_step", plan.seconds_per_grain_step,
+               io::ShownColumn{.heading = "time of a grain-step",
+                               .digits = 3,
+                               .unit = 1e-9,
+                               .symbol = " ns",
+                               .meaning = "measured now"});
   io::add_item(list, "predicted_time_s", plan.seconds,
                io::ShownColumn{.heading = "time",
                                .digits = 2,
@@ -89,7 +91,8 @@ io::Items rule_items(const Rule& rule, double wanted) {
                shown("inertial number", for_wanted + ", at most"));
   io::add_item(list, "smallest_grains_measured", rule.smallest);
   io::add_item(list, "largest_grains_measured", rule.largest);
-  io::add_item(list, "", fmt::format("{} to {}", rule.smallest, rule.largest), shown("grains measured"));
+  io::add_item(list, "", fmt::format("{} to {}", rule.smallest, rule.largest),
+               shown("laws measured for", "grains"));
   return list;
 }
 

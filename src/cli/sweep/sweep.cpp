@@ -114,9 +114,9 @@ void add_table_options(Command& command, SweepOptions& o) {
        {.name = "--columns",
         .value = std::move(columns),
         .group = group,
-        .meaning =
-            "In CSV: usual: G, V_s, V_p, z* and s of the answer with their ranges; all: all moduli and "
-            "speeds, and every rung for a table"}});
+        .meaning = "Columns of the CSV. usual: G, V_s, V_p, z* and s of the answer with their ranges; all: "
+                   "all moduli and "
+                   "speeds, and every rung for a table"}});
 }
 
 /// Stresses are options for a table only: a path and the ground determine theirs.

@@ -71,10 +71,9 @@ std::string window_text(const analysis::Window& window, const std::array<bool, 3
                                            : pretty(window.low[axis], Dimension::length) + ".." +
                                                  pretty(window.high[axis], Dimension::length));
   ranges.erase(std::remove(ranges.begin(), ranges.end(), ' '), ranges.end());
-  return "the closed forms are for the interior, --window " + ranges +
-         ", two to three grains from walls and free surfaces (--window none: for the whole); the network and "
-         "its "
-         "6x6 are for the whole with its walls";
+  return "the closed forms apply to the interior, --window " + ranges +
+         ", two to three grains from walls and free surfaces (--window none: to the whole packing); the "
+         "network and its 6x6 stiffness apply to the whole packing with its walls";
 }
 
 } // namespace

@@ -103,7 +103,8 @@ void require_lists(const StudySection& study) {
                             short_text(pressures[k - 1], 6) + " Pa");
   for (const double pressure : study.probe_pressures)
     if (std::find(pressures.begin(), pressures.end(), pressure) == pressures.end())
-      throw InvalidArgument("study.probe_pressures", pressure, "Pa", "study.pressures, the list of them");
+      throw InvalidArgument("study.probe_pressures", pressure, "Pa",
+                            "study.pressures; only pressures of that list can be probed");
   if (study.contacts.empty() || study.densities.empty())
     throw InvalidArgument("study.contacts and study.densities: at least one of each is needed");
   require_distinct("study.contacts", study.contacts);
