@@ -71,8 +71,8 @@ void resolve_moist_ground(const SweepOptions& o, const PackingMass& mass, Ground
     c.saturation = share_of_water;
     c.ground.unit_weight = mass.unit_weight(share_of_water);
     c.assumptions.push_back(
-        fmt::format("unit weight of {}: grains of {} at this void ratio, {} % of the pores "
-                    "water; change it with --unit-weight",
+        fmt::format("unit weight of {}: grains of {} at this void ratio, with {} % of the pores "
+                    "filled with water; change it with --unit-weight",
                     weight(c.ground.unit_weight), pretty(mass.grain_density, Dimension::density),
                     short_text(100 * share_of_water, 3)));
     return;

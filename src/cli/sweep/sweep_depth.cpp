@@ -79,11 +79,11 @@ std::string brief(double number, int digits) {
 std::string ground_text(const GroundCase& c, double top) {
   const auto weight = [](double value) { return pretty(value, Dimension::unit_weight); };
   if (const auto& table = c.ground.water_table; table && *table <= 0 && top > 0)
-    return fmt::format("{}, below the water table, full", weight(c.ground.saturated_unit_weight));
-  std::string text = fmt::format("{}, {} % of the pores water", weight(c.ground.unit_weight),
-                                 short_text(100 * c.saturation, 3));
+    return fmt::format("{}, below the water table, S_r = 100 %", weight(c.ground.saturated_unit_weight));
+  std::string text =
+      fmt::format("{}, S_r = {} %", weight(c.ground.unit_weight), short_text(100 * c.saturation, 3));
   if (const auto& table = c.ground.water_table)
-    text += fmt::format("; below {} m {}, full", short_text(top + *table),
+    text += fmt::format("; below {} m {}, S_r = 100 %", short_text(top + *table),
                         weight(c.ground.saturated_unit_weight));
   return text;
 }

@@ -161,7 +161,8 @@ Verdict dense_verdict(const ExponentRow& row) {
   const double expected = row.local ? row.closed_form->value : row.contact_law;
   const double excess = row.network->value - expected;
   return {"dense " + std::string(name(row.contact)) + ": s is " +
-              (row.local ? "that of uniform strain" : "the contact law's 1/(1+alpha)") + ", -0.01 to +0.05",
+              (row.local ? "that of uniform strain" : "the contact law's 1/(1+alpha)") +
+              ", within -0.01 to +0.05",
           excess >= -0.01 && excess <= 0.05,
           detail::formatted("s = %.3f +- %.3f against %.3f", row.network->value, row.network->standard_error,
                             expected),

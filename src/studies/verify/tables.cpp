@@ -155,7 +155,7 @@ std::string states_table(const std::vector<SpecimenResult>& specimens) {
     if (!specimen.failure.empty())
       out += "  ended early: " + specimen.failure + "\n";
   }
-  return out + "\n  G in MPa: G closed by uniform strain (closed form), G_hh, G_hv and G_vh by the probe\n"
+  return out + "\n  G in MPa. G closed: closed form of uniform strain; G_hh, G_hv, G_vh: by the probe\n"
                "  * G network / G of the same network under uniform strain\n";
 }
 
