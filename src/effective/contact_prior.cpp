@@ -124,24 +124,30 @@ Beyond beyond_spheres(double rigid_void_ratio) {
 
 bool unequal(const State& s) { return s.contacts != sizes::ContactMeans{}; }
 
+/// "0.9", or "0.6 (0.88 without overlaps)" where they matter.
+std::string void_ratio_text(double void_ratio, double rigid_void_ratio) {
+  constexpr int digits = 3;
+  const std::string text = short_text(void_ratio, digits), rigid = short_text(rigid_void_ratio, digits);
+  return text == rigid ? text : text + " (" + rigid + " without overlaps)";
+}
+
 void note_density(double void_ratio, double rigid_void_ratio, const Beyond& beyond, Validity& validity) {
+  if (!(beyond.loose > 0 || beyond.dense > 0))
+    return;
+  const std::string e = void_ratio_text(void_ratio, rigid_void_ratio);
   if (beyond.loose > 0)
-    validity.add(detail::formatted(
-        rigid_void_ratio > loosest_spheres
-            ? "no sphere packing is so loose: void ratio %.3g, at most 0.87. In a sand this loose, angular "
-              "or rough grains support each other where spheres would roll away; contacts of the loosest "
-              "spheres are used"
-            : "at void ratio %.3g spheres are stable only if they can hardly roll, like angular grains: "
-              "with friction alone their loosest packing has 0.75. Contacts of the loosest spheres with "
-              "friction are "
-              "used",
-        void_ratio));
+    validity.add(rigid_void_ratio > loosest_spheres
+                     ? "no sphere packing is so loose: void ratio " + e +
+                           ", at most 0.87. In a sand this loose, angular or rough grains support each other "
+                           "where spheres would roll away; contacts of the loosest spheres are used"
+                     : "at void ratio " + e +
+                           " spheres are stable only if they can hardly roll, like angular grains: with "
+                           "friction alone their loosest packing has 0.75. Contacts of the loosest spheres "
+                           "with friction are used");
   if (beyond.dense > 0)
-    validity.add(detail::formatted(
-        "no disordered packing of equal spheres is so dense: void ratio %.3g, at least 0.55. A sand this "
-        "dense "
-        "has grains of many sizes, or grains that fit together; contacts of the densest spheres are used",
-        void_ratio));
+    validity.add("no disordered packing of equal spheres is so dense: void ratio " + e +
+                 ", at least 0.55. A sand this dense has grains of many sizes, or grains that fit together; "
+                 "contacts of the densest spheres are used");
 }
 
 void note_friction(const State& s, const Preparation& preparation, double rigid_void_ratio,

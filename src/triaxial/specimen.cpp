@@ -103,7 +103,7 @@ void require_valid(const SpecimenRecipe& recipe) {
     throw InvalidArgument(
         "grains", static_cast<double>(recipe.grains), "",
         "[" + std::to_string(least) + ", 1e7]" +
-            (recipe.sizes.is_equal() ? "" : ": the cell is wider than four of the largest"));
+            (recipe.sizes.is_equal() ? "" : ": the cell must be wider than four of the largest grains"));
   if (recipe.wall_friction)
     dem::require_valid(dem::Walls{.friction_coefficient = *recipe.wall_friction, .history = {}});
   require_open("expansion_void_ratio", recipe.expansion_void_ratio, 0.4, 1.0);

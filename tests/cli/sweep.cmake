@@ -104,7 +104,7 @@ granum_cli_test("sweep: options replace missing columns of a table" EXIT 0 JSON 
 function(granum_sweep_refuses what message)
   granum_cli_test("sweep: ${what}" EXIT 2 STDERR "^granum: error: ${message}" ARGS sweep ${ARGN})
 endfunction()
-granum_sweep_refuses("no path and no table" "--from, the mean stress at the start of the path, is missing, or --table" ${packing})
+granum_sweep_refuses("no path and no table" "give --from, the mean stress at the start of a path, or --depth" ${packing})
 granum_sweep_refuses("no end" "--to is missing" ${packing} --from 10kPa)
 granum_sweep_refuses("no eta" "give one of --eta and --friction-angle" ${packing} --path txc --from 10kPa)
 granum_sweep_refuses("eta and angle" "give one of --eta and --friction-angle"

@@ -66,7 +66,7 @@ void add_path_options(Command& command, SweepOptions& o) {
         .value = number_without_default(o.eta),
         .group = group,
         .meaning = "q/p' at the end of the other paths; negative for rtxe and txe",
-        .excludes = {{"--friction-angle", "give one of --eta and --friction-angle, where the path ends"}},
+        .excludes = {{"--friction-angle", "give one of --eta and --friction-angle: the end of the path"}},
         .belongs = sheared,
         .synonyms = {{"stressratio q"}}},
        {.name = "--friction-angle",

@@ -74,7 +74,7 @@ Path path_to_ratio(const SweepOptions& o) {
   if (o.spacing == "log")
     throw InvalidArgument("--spacing log goes with --path iso: other paths start at eta = 0");
   if (!o.eta.given() && !o.friction_angle.given())
-    throw InvalidArgument("give one of --eta and --friction-angle, where the path ends");
+    throw InvalidArgument("give one of --eta and --friction-angle: the end of the path");
   const ShearPath kind = shear_path(o.path);
   const double end = o.eta.given() ? o.eta.value : stress::failure_ratio(kind, o.friction_angle.value);
   (void)stress::stress_on_path(kind, o.from.value, end); // reports the end itself, not a point before it
@@ -90,7 +90,7 @@ Path path_to_ratio(const SweepOptions& o) {
 
 Path make_path(const SweepOptions& o) {
   if (!o.from.given())
-    throw InvalidArgument("--from, the mean stress at the start of the path, is missing, or --table");
+    throw InvalidArgument("give --from, the mean stress at the start of a path, or --depth or --table");
   return o.path == "iso" ? isotropic_path(o) : path_to_ratio(o);
 }
 

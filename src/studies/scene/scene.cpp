@@ -104,7 +104,7 @@ void require_lists(const StudySection& study) {
   for (const double pressure : study.probe_pressures)
     if (std::find(pressures.begin(), pressures.end(), pressure) == pressures.end())
       throw InvalidArgument("study.probe_pressures", pressure, "Pa",
-                            "study.pressures; only pressures of that list can be probed");
+                            "study.pressures; give pressures of that list, or [] for no probes");
   if (study.contacts.empty() || study.densities.empty())
     throw InvalidArgument("study.contacts and study.densities: at least one of each is needed");
   require_distinct("study.contacts", study.contacts);
