@@ -110,9 +110,8 @@ void write_results(const fs::path& folder, const studies::Experiment& experiment
 
 std::string report_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
                       const studies::RunTime& time) {
-  std::string out = "granum +- standard error compared with the paper; within: whether the difference is "
-                    "within the tolerance;\n"
-                    "not decided if the standard error exceeds the tolerance\n\n";
+  std::string out = "granum +- standard error, compared with the paper; within: whether the difference is "
+                    "within the tolerance, undecided if the standard error exceeds it\n\n";
   out += studies::table_text("Table 2: start of isotropic compression", studies::table_2(experiment)) + "\n";
   out += studies::table_text("Table 4: friction angle at the peak", studies::table_4(experiment)) + "\n";
   out +=

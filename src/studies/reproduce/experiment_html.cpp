@@ -135,9 +135,9 @@ std::string how_to_read() {
        "Exponents: G = C p_a f(e) (\u03c3_i/p_a)^m (\u03c3_j/p_a)^n with f(e) = (2.17 - e)^2/(1 + e) and "
        "p_a = 100 kPa, "
        "s = m + n. The paper's C is for p_a in MPa and is not compared.",
-       "\u00b1 is one standard error: the larger of the scatter between seeds and the error of each, over "
-       "the root of "
-       "the number of seeds. With one seed it lacks the scatter between specimens. Within: "
+       "\u00b1 is one standard error: the larger of the scatter between seeds and the error of each seed, "
+       "divided by the root of the number of seeds. With one seed, the scatter between specimens is not "
+       "included. Within: "
        "whether "
        "the difference from the paper is within the limit; undecided if the standard error is larger.",
        "All numbers: states.csv, curves.csv, loops.csv, histograms.csv and the tables next to this page; the "
