@@ -177,8 +177,8 @@ TEST_CASE("a cell whose standard error exceeds the tolerance is undecided, near 
   cell.ours.standard_error = 0.05;
   CHECK(cell.agreement() == Agreement::undecided);
   const std::vector<TableRow> rows{{.cells = {cell}}};
-  CHECK(table_text("", rows).find("   0.53 cannot tell\n") != std::string::npos);
-  CHECK(table_csv(rows).find(",0.04,cannot tell\n") != std::string::npos);
+  CHECK(table_text("", rows).find("   0.53   undecided\n") != std::string::npos);
+  CHECK(table_csv(rows).find(",0.04,undecided\n") != std::string::npos);
   cell.ours.value = 0.53;
   CHECK(cell.agreement() == Agreement::undecided);
   cell.ours.standard_error.reset();

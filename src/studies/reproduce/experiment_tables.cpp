@@ -35,7 +35,7 @@ std::string csv_of(const Experiment& experiment, const io::Columns<Item>& column
                        {"signs", "compression positive; z is the vertical axis v; eta = (s_v - s_h)/p'"}});
 }
 
-/// To "is ours within reach?".
+/// To "is ours within the tolerance?".
 const char* answer(Agreement agreement) {
   switch (agreement) {
   case Agreement::within:
@@ -43,7 +43,7 @@ const char* answer(Agreement agreement) {
   case Agreement::beyond:
     return "no";
   case Agreement::undecided:
-    return "cannot tell";
+    return "undecided";
   default:
     return "";
   }
