@@ -451,7 +451,7 @@ std::string analyse_page(const AnalyseAnswer& answer, const std::string& table) 
       states_section(answer) + pictures(answer) + warnings(answer) +
       plot::html_section("rungs", "Every rung", rungs_table(last.rungs)) +
       plot::html_section("all", "All results",
-                         plot::html_folded("Output of the terminal", plot::html_preformatted(table)));
+                         plot::html_folded("Output on the terminal", plot::html_preformatted(table)));
   return plot::html_page("granum analyse: how stiff is this packing", body);
 }
 

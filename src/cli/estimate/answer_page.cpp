@@ -76,7 +76,7 @@ std::string answer_page(const AnswerCase& c, const plot::Chart& picture, const s
   if (!validity.ok())
     body += plot::html_section("warnings", "Warnings", plot::html_list(validity.notes));
   body += plot::html_section("all", "All results",
-                             plot::html_folded("Output of the terminal", plot::html_preformatted(table)));
+                             plot::html_folded("Output on the terminal", plot::html_preformatted(table)));
   return plot::html_page("granum estimate", body);
 }
 

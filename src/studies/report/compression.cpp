@@ -130,7 +130,8 @@ std::string modulus_finding(const std::vector<Compression>& all, std::size_t mod
       text += " " + detail::formatted("%.2f", c.exponent->value) + " for " + density_name(c) + " " +
               plural(c.contact) + ",";
   text.back() = ';';
-  return text + " loose packings are softer and their lines steeper. Rung 3 and probe lie on the network.";
+  return text +
+         " loose packings are softer and their lines steeper. Rung 3 and the probe agree with the network.";
 }
 
 /// The shapes that were run, each once.
