@@ -152,11 +152,12 @@ void require_inputs(const Rung& rung, const State& packing) {
     throw InvalidArgument(std::string("rung ") + rung.key + " needs z*, or the share of rattlers");
 }
 
-/// The state at which exponents are evaluated. They depend only on the stress ratio, which at zero stress is
-/// taken from the isotropic path.
+/// The state at which exponents are evaluated. At zero stress it is one of the isotropic path, with overlaps too
+/// small to shorten branches.
 State loaded(State packing) {
+  constexpr double nearly_none = 1e-24; // [Pa]
   if (packing.stress_v == 0 && packing.stress_h == 0)
-    packing.stress_v = packing.stress_h = 1;
+    packing.stress_v = packing.stress_h = nearly_none;
   return packing;
 }
 
