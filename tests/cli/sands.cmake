@@ -88,7 +88,7 @@ granum_cli_test("sands: bonded" EXIT 0 STDERR "cemented" STDOUT "level" ARGS ${m
 foreach(option "--uncertainty void-ratio=0.01" "--contacts rough" "--rattler-fraction 2%")
   separate_arguments(words UNIX_COMMAND "${option}")
   list(GET words 0 name)
-  granum_cli_test("sands: infer refuses ${name}" EXIT 2 STDERR "${name}: [^\n]*sphere" ARGS ${measured} --vs 200m/s ${words})
+  granum_cli_test("sands: infer refuses ${name}" EXIT 2 STDERR "${name} [^\n]*sphere" ARGS ${measured} --vs 200m/s ${words})
 endforeach()
 granum_cli_test("sands: infer assumes no uncertain input of spheres" EXIT 0 JSON "notes=^\\[ *\\]$"
   ARGS ${measured} --vs 200m/s+-2% --grain-density 2650kg/m3 --json)
