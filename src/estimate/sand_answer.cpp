@@ -77,7 +77,7 @@ void infer_contacts(Values& all, const Question& q, double G, double nu) {
   else if (at_least < 0) {
     std::uintmax_t rounds = 60;
     const auto [left, right] = boost::math::tools::toms748_solve(
-        missing, least, most, at_least, at_most, [](double a, double b) { return b - a <= 1e-10 * b; },
+        missing, least, most, at_least, at_most, [](double a, double b) { return b - a <= 1e-14 * b; },
         rounds);
     z = (left + right) / 2;
   }

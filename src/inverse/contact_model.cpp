@@ -88,8 +88,7 @@ ContactModel::ContactModel(std::span<const Observation> measurements, const Infe
   bool one_stress = true;
   for (const Observation& m : measurements_) {
     const QuantityRow& row = row_of(m.quantity);
-    require_positive(row.key, m.value.value, row.speed ? "m/s" : "Pa");
-    require_non_negative(std::string(row.key) + " error", m.value.standard_error, row.speed ? "m/s" : "Pa");
+    require_measured(row, m.value);
     require_known_density(row);
     one_stress = one_stress && m.state.mean_stress() == reference_stress_;
   }

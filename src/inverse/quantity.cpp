@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::inverse {
@@ -41,6 +42,12 @@ Quantity quantity_of(std::string_view key) {
     keys += (keys.empty() ? "" : ", ") + std::string(row.key);
   }
   throw InvalidArgument("quantity is one of " + keys + ", not " + std::string(key));
+}
+
+void require_measured(const QuantityRow& row, const Measured& value) {
+  const char* const unit = row.speed ? "m/s" : "Pa";
+  require_positive(row.key, value.value, unit);
+  require_closed(std::string(row.key) + " error", value.standard_error, 0, value.value, unit);
 }
 
 } // namespace granum::inverse

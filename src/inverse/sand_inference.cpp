@@ -129,7 +129,7 @@ void require_observations(std::span<const Observation> all, const Question& know
   if (all.empty())
     throw InvalidArgument("no measurement is given");
   for (const Observation& one : all) {
-    require_positive(row_of(one.quantity).key, one.value.value);
+    require_measured(row_of(one.quantity), one.value);
     require_positive("mean stress of a measurement", one.state.mean_stress(), "Pa");
     if (row_of(one.quantity).speed && !known.grain_density)
       throw InvalidArgument("grain_density is not given [kg/m3]: wave speeds need it");

@@ -160,7 +160,8 @@ SandModulus shear_modulus(const MeasuredLaw& law, const SandState& sand) {
   require_positive("void_ratio", sand.void_ratio);
   require_positive("mean_stress", sand.mean_stress, "Pa");
   require_closed("uniformity", sand.uniformity, 1, 1e3);
-  require_positive("d50", sand.d50, "m");
+  constexpr double largest_boulder = 1; // [m]; powers of d50 overflow far beyond
+  require_open("d50", sand.d50, 0, largest_boulder, "m");
   SandModulus answer{.shear_modulus = law.modulus(sand), .validity = {}};
   const TestedRange& tested = law.tested;
   note_outside("void ratio", sand.void_ratio, tested.void_ratio_low, tested.void_ratio_high, "",

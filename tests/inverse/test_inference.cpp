@@ -398,6 +398,8 @@ TEST_CASE("inference: refuses unusable measurements") {
   bad = good;
   bad.value.standard_error = -1;
   refused(bad, options_with());
+  bad.value.standard_error = 1.001 * bad.value.value; // any positive number would do
+  refused(bad, options_with());
   bad = good;
   bad.value.value = NAN;
   refused(bad, options_with());

@@ -160,6 +160,8 @@ TEST_CASE("a forecast far beyond the tests is doubtful, one of a compression wav
 
 TEST_CASE("measurements without information are refused") {
   CHECK_THROWS_AS((void)infer_sand({}, quartz()), InvalidArgument);
+  CHECK_THROWS_AS((void)infer_sand(std::vector{measured(Quantity::V_s, 200, 1.001, 1e5)}, quartz()),
+                  InvalidArgument);
   estimate::Question wet = quartz();
   wet.saturation = 1;
   CHECK_THROWS_AS((void)infer_sand(std::vector{measured(Quantity::V_p, 1700, 0.02, 1e5)}, wet),

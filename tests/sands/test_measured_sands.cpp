@@ -77,6 +77,7 @@ TEST_CASE("impossible sands are refused by a law") {
     CHECK_THROWS_AS((void)shear_modulus(law, {0, 100e3}), InvalidArgument);
     CHECK_THROWS_AS((void)shear_modulus(law, {0.7, -1}), InvalidArgument);
     CHECK_THROWS_AS((void)shear_modulus(law, {0.7, 100e3, 0.5}), InvalidArgument);
+    CHECK_THROWS_AS((void)shear_modulus(law, {0.7, 100e3, 1.5, 1}), InvalidArgument); // d50 of a metre
   }
   CHECK_THROWS_AS((void)modulus("kokusho", {2.2, 100e3}), InvalidArgument);
   CHECK_THROWS_AS((void)modulus("wichtmann-triantafyllidis", {1.9, 100e3, 3}), InvalidArgument);

@@ -26,7 +26,7 @@ namespace granum::inverse {
 /// A measured value and its state; the coordination number of the state is not used.
 struct Observation {
   Quantity quantity = Quantity::G_vh;
-  Measured value; ///< > 0 [Pa or m/s]; errors below 0.01 % count as 0.01 %
+  Measured value; ///< > 0 [Pa or m/s], error at most the value; errors below 0.01 % count as 0.01 %
   effective::State state;
 };
 

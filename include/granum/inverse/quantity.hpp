@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include <granum/core/measured.hpp>
 #include <granum/effective/exponents.hpp>
 
 namespace granum::inverse {
@@ -35,5 +36,9 @@ struct QuantityRow {
 /// The quantity of a key.
 /// \throws   InvalidArgument with all keys for another text
 [[nodiscard]] Quantity quantity_of(std::string_view key);
+
+/// \throws   InvalidArgument unless the value is positive and its standard error from 0 to the value: a larger
+///           one makes every positive number possible.  Checked by tests/inverse/test_inference.cpp
+void require_measured(const QuantityRow& row, const Measured& value);
 
 } // namespace granum::inverse

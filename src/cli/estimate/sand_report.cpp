@@ -86,7 +86,7 @@ void add_measured_laws(AnswerCase& c) {
     c.sands.push_back({&law, std::nullopt});
     try {
       c.sands.back().modulus = sands::shear_modulus(law, sand);
-    } catch (const InvalidArgument&) { // a void ratio beyond the zero of the law
+    } catch (const InvalidArgument&) { // a void ratio beyond the zero of the law, or grains that are no sand
     }
   }
 }
