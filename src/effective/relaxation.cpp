@@ -315,9 +315,9 @@ RelaxedEstimate relaxed(const State& state, double mechanical_coordination_numbe
     return estimate;
   const elastic::TransverselyIsotropic& u = uniform.stiffness;
   const kernel::RelaxedConstants<double> strained{u.C11, u.C33, u.C12, u.C13, u.C44};
-  const kernel::RelaxedConstants<double> c = with_shortened_branches(
-      kernel::relax(strained, bulk.value, shear.value, stretch.logarithm), overlap,
-      kernel::local_exponent(state));
+  const kernel::RelaxedConstants<double> c =
+      with_shortened_branches(kernel::relax(strained, bulk.value, shear.value, stretch.logarithm), overlap,
+                              kernel::local_exponent(state));
   note_bound(strained, kernel::unbounded_relax(strained, bulk.value, shear.value, stretch.logarithm),
              estimate.validity);
   estimate.stiffness = {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};

@@ -95,7 +95,11 @@ kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth
   const kernel::RelaxedConstants<Dual> c =
       kernel::relax<Dual>(uniform_constants(s, growth), bulk, shear, stretch);
   const Dual left = shortened_branches(s, b, growth);
-  return {.C11 = left * c.C11, .C33 = left * c.C33, .C12 = left * c.C12, .C13 = left * c.C13, .C44 = left * c.C44};
+  return {.C11 = left * c.C11,
+          .C33 = left * c.C33,
+          .C12 = left * c.C12,
+          .C13 = left * c.C13,
+          .C44 = left * c.C44};
 }
 
 void require_finite(const Growth& growth) {

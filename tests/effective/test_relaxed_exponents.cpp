@@ -40,13 +40,15 @@ double log_modulus(State s, double z, const Growth& growth, Modulus which, doubl
 
 } // namespace
 
-TEST_CASE("relaxed exponents: at frozen contacts their sum is 1/(1+alpha) for every modulus, less what branches "
-          "lose") {
+TEST_CASE(
+    "relaxed exponents: at frozen contacts their sum is 1/(1+alpha) for every modulus, less what branches "
+    "lose") {
   for (const double alpha : {1.0, 1.5, 2.0, infinity})
     for (const double a : {-0.2, 0.0, 0.2})
       for (const Modulus which : all_moduli) {
         const State s = state_of(alpha, a, 0.15, 1.5e5, 1e5);
-        CHECK(std::abs(effective::relaxed_exponents(s, 5.0, {}, which).sum() - 1 / (1 + alpha) + lost_exponent(s)) < 1e-12);
+        CHECK(std::abs(effective::relaxed_exponents(s, 5.0, {}, which).sum() - 1 / (1 + alpha) +
+                       lost_exponent(s)) < 1e-12);
       }
 }
 

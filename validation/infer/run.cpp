@@ -107,8 +107,8 @@ inverse::InferenceAnswer infer_from(const Known& known, Quantity quantity, inver
 // ---- distributions
 
 struct Miss {
-  double error = 0;      ///< found minus true
-  double stated = 0;     ///< standard error
+  double error = 0;          ///< found minus true
+  double stated = 0;         ///< standard error
   std::string specimen = {}; ///< its misses are not independent
 };
 
@@ -183,8 +183,7 @@ std::vector<Miss> prediction_misses(const std::vector<Known>& all, inverse::Grow
     if (!answer->together)
       continue;
     const Measured G = answer->together->predict(Quantity::G_vh, known.state);
-    misses.push_back(
-        {std::log(G.value / known.shear_modulus), G.standard_error / G.value, known.specimen});
+    misses.push_back({std::log(G.value / known.shear_modulus), G.standard_error / G.value, known.specimen});
   }
   return misses;
 }

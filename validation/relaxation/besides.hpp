@@ -82,13 +82,15 @@ inline void print_stretch(const std::vector<Packing>& packings, const Result& re
 /// How much K of uniform strain, added up over the contacts of a packing, is less than the closed form with branches of
 /// the diameter, over what the factor of shortened branches takes: logarithms, of equal grains.
 inline void print_shortening(const std::vector<Packing>& packings) {
-  std::printf("ln K of uniform strain, contacts added up over closed form, over (2 - b) ln(1 - w); w from 0.1 %%\n");
+  std::printf(
+      "ln K of uniform strain, contacts added up over closed form, over (2 - b) ln(1 - w); w from 0.1 %%\n");
   std::map<std::string, Errors> shares;
   std::map<std::string, double> largest;
   for (const Packing& p : packings) {
     if (!p.isotropic() || p.relative_overlap < 1e-3)
       continue;
-    const double closed = granum::effective::uniform_strain(p.state).stiffness.bulk_modulus() * p.affine_share;
+    const double closed =
+        granum::effective::uniform_strain(p.state).stiffness.bulk_modulus() * p.affine_share;
     const double expected = kernel::shortened_branches(p.relative_overlap, p.exponent());
     shares[p.contact].add(std::log(p.strain_bulk_modulus / closed) / std::log(expected));
     largest[p.contact] = std::max(largest[p.contact], p.relative_overlap);

@@ -39,8 +39,8 @@ void require_covered(const Coverage& coverage, const std::string& of, Claims& cl
   claims.require(coverage.two() >= 0.90, "90 % or more within two: " + of);
 }
 
-void judge(const std::vector<Packing>& packings, const std::string& what, const Choice& chosen, Claims& claims,
-           double least_overlap = 0, double most_overlap = largest_overlap) {
+void judge(const std::vector<Packing>& packings, const std::string& what, const Choice& chosen,
+           Claims& claims, double least_overlap = 0, double most_overlap = largest_overlap) {
   const LibraryErrors e = library_errors(packings, chosen, least_overlap, most_overlap);
   print_errors(what, e);
   print_coverage(what, e.coverage);
