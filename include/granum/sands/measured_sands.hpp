@@ -16,7 +16,7 @@ struct SandState {
   double void_ratio = 0;   ///< e > 0 [1]
   double mean_stress = 0;  ///< p > 0 [Pa]
   double uniformity = 1.5; ///< C_u = d60/d10 >= 1 [1]; used by four laws
-  double d50 = 0.4e-3;     ///< > 0 [m]; used by two laws, with an effect of some per cent
+  double d50 = 0.4e-3;     ///< > 0, < 1 [m]; used by two laws, with an effect of some per cent
 };
 
 /// Range of the tests of a law. Outside of it the law is evaluated with a note.
