@@ -12,8 +12,8 @@ namespace granum::effective::kernel {
 
 namespace {
 
-/// The integrand is even: half of the symmetric rule is enough. Each rule is made when it is first needed, for
-/// its nodes cost milliseconds where long double is emulated.
+/// The integrand is even: half of the symmetric rule is enough. Each rule is made when it is first needed,
+/// because its nodes cost milliseconds where long double is emulated.
 template <int order>
 std::span<const QuadratureNode> positive_half() {
   static const std::vector<QuadratureNode> rule = gauss_legendre(order);

@@ -202,9 +202,9 @@ inline double bulk_size_measure(double variance) { return std::pow(variance, 0.7
 /// Overlap over the diameter up to which branches are shortened: beyond, grains are no longer grains.
 inline constexpr double longest_shortening = 0.1;
 
-/// Factor of all moduli for branches l = D (1 - w) that overlaps shorten, where uniform strain takes l = D: the
-/// moduli go as k_n l^2, k_n as f^b, and the force as 1/l at a given stress. K of uniform strain of recorded
-/// packings agrees within 3 % of the change [validation/relaxation].
+/// Factor of all moduli for branches l = D (1 - w) that overlaps shorten, where uniform strain takes l = D:
+/// the moduli go as k_n l^2, k_n as f^b, and the force as 1/l at a given stress. K of uniform strain of
+/// recorded packings agrees within 6 % of the change [validation/relaxation].
 /// \param  w   mean overlap over the diameter, up to longest_shortening
 template <class T>
 T shortened_branches(const T& w, const T& b) {

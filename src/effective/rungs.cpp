@@ -152,8 +152,8 @@ void require_inputs(const Rung& rung, const State& packing) {
     throw InvalidArgument(std::string("rung ") + rung.key + " needs z*, or the share of rattlers");
 }
 
-/// The state at which exponents are evaluated. At zero stress it is one of the isotropic path, with overlaps too
-/// small to shorten branches.
+/// The state at which exponents are evaluated. At zero stress it is one of the isotropic path, with overlaps
+/// too small to shorten branches.
 State loaded(State packing) {
   constexpr double nearly_none = 1e-24; // [Pa]
   if (packing.stress_v == 0 && packing.stress_h == 0)

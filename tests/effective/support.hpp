@@ -44,14 +44,16 @@ inline State state_of(double alpha, double anisotropy, double poisson_ratio, dou
           .stress_h = stress_h};
 }
 
-/// What is left of the moduli at branches D (1 - w) in place of D, w the overlap at the mean force: (1 - w)^(2-b).
+/// What is left of the moduli at branches D (1 - w) in place of D, w the overlap at the mean force:
+/// (1 - w)^(2-b).
 inline double shortened(const State& s) {
   const double force = effective::mean_contact_force(s);
   const double w = force > 0 ? s.law.overlap(force) / (2 * s.radius) : 0;
   return std::pow(1 - w, 2 - effective::contact_exponent(s));
 }
 
-/// What that takes from the sum of the exponents of stress at constant contacts, at one b: (2-b)(1-b) w/(1-w).
+/// What that takes from the sum of the exponents of stress at constant contacts, at one b:
+/// (2-b)(1-b) w/(1-w).
 inline double lost_exponent(const State& s) {
   const double b = s.law.constant_exponent().value(), force = effective::mean_contact_force(s);
   const double w = force > 0 ? s.law.overlap(force) / (2 * s.radius) : 0;

@@ -79,8 +79,8 @@ inline void print_stretch(const std::vector<Packing>& packings, const Result& re
 
 // ---- shortened branches ----
 
-/// How much K of uniform strain, added up over the contacts of a packing, is less than the closed form with branches of
-/// the diameter, over what the factor of shortened branches takes: logarithms, of equal grains.
+/// How much K of uniform strain, added up over the contacts of a packing, is less than the closed form with
+/// branches of the diameter, over what the factor of shortened branches takes: logarithms, of equal grains.
 inline void print_shortening(const std::vector<Packing>& packings) {
   std::printf(
       "ln K of uniform strain, contacts added up over closed form, over (2 - b) ln(1 - w); w from 0.1 %%\n");

@@ -69,8 +69,8 @@ struct SandModulus {
 
 /// The shear modulus of a sand according to a law.
 /// \return   notes where void ratio, stress or C_u lie outside of the law's tests
-/// \throws   InvalidArgument if a member of the sand is out of its range (d50 below 1 m), or if the void ratio
-///           exceeds the value at which the law is zero
+/// \throws   InvalidArgument if a member of the sand is out of its range, or if the void ratio exceeds the
+///           value at which the law is zero
 /// Accuracy  formula: relative 1e-15; Toyoura sand at 98 kPa within 1.5 % of the cited moduli.
 ///           Checked by tests/sands/test_measured_sands.cpp
 [[nodiscard]] SandModulus shear_modulus(const MeasuredLaw& law, const SandState& sand);
