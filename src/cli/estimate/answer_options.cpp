@@ -309,8 +309,8 @@ OptionRow uncertainty_row(std::vector<std::string>& settings) {
   return {.name = "--uncertainty",
           .value = std::move(value),
           .group = "More results",
-          .meaning = "Standard deviation of an input, may be repeated: void-ratio=0.02; in per cent of the "
-                     "value: pressure=5%"};
+          .meaning = "Standard deviation of an input, may be repeated. KEY is the name of its option: "
+                     "void-ratio=0.02; in per cent of the value: pressure=5%"};
 }
 
 estimate::Question question_of(const PackingOptions& packing, const AnswerOptions& o) {

@@ -96,7 +96,7 @@ void add_fit_law_options(Command& command, FitQuestion& question) {
        {.name = "--atmospheric-pressure",
         .value = quantity(question.atmospheric_pressure, Dimension::pressure),
         .group = group,
-        .meaning = "Reference pressure p_a of C",
+        .meaning = "Reference pressure p_a of the law",
         .synonyms = {{"pa patm pref referencepressure"}}},
        {.name = "--weights",
         .value = choice({"relative", "absolute"}, question.weights),
@@ -117,7 +117,8 @@ Command make_fit() {
                   .run = [question] { return run(*question); }};
   command.add({.name = "file",
                .value = text(question->file, "data.csv"),
-               .meaning = "Table with headings such as G_MPa,sigma_v_kPa,sigma_h_kPa,e or p (kPa),G (MPa),e",
+               .meaning = "CSV file with a modulus, two stresses or one mean stress, and e; headings such as "
+                          "G_MPa,sigma_v_kPa,sigma_h_kPa,e or p_kPa,G_MPa,e",
                .required = true});
   add_column_options(command, *question);
   add_fit_law_options(command, *question);

@@ -243,7 +243,7 @@ Command make_infer() {
   auto options = std::make_shared<InferOptions>();
   Command command{
       .name = "infer",
-      .meaning = "Contact number from a measured modulus or wave speed, and predictions for other states",
+      .meaning = "Contacts per grain from a measured modulus or wave speed, and predictions for other states",
       .notes = "Examples:\n"
                "  granum infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s+-2%\n"
                "    --predict-pressure 50kPa,400kPa\n"

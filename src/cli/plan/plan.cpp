@@ -122,9 +122,11 @@ Command make_plan() {
                   .meaning = "Predicted time, memory and error of a run of verify",
                   .run = [options] { return run(*options); }};
   add_study_options(command, options->study, studies::SceneCommand::plan);
+  Value error = quantity(options->error, Dimension::dimensionless);
+  error.by_default = "1%";
   command.add(
       {.name = "--error",
-       .value = quantity(options->error, Dimension::dimensionless),
+       .value = std::move(error),
        .group = "Plan",
        .meaning = "Required error of G; gives the number of grains and the inertial number: --error 2%"});
   add_output_options(command, options->output);
