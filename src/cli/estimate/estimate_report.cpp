@@ -94,7 +94,7 @@ std::string relaxation_text(const State& state) {
   return fmt::format(
       "\n{} G of a real packing, in which grains deviate from the mean strain. The last column "
       "includes factors for this, calibrated on contact networks; its exponents apply to "
-      "frozen contacts.\n",
+      "a constant number of contacts.\n",
       state.tangential_ratio > 0 ? "Uniform strain and stress overestimate" : "Uniform strain overestimates");
 }
 
