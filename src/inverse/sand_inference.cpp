@@ -45,10 +45,12 @@ bool compresses(Quantity quantity) {
   return quantity == Quantity::K || quantity == Quantity::V_p || quantity == Quantity::V_p_h;
 }
 
-/// The sand at a state, with changed level, exponent and Poisson's ratio.
+/// The sand at the void ratio and stresses of a state, with changed level, exponent and Poisson's ratio.
 Question moved(const Question& known, const effective::State& at, const Parameters& x) {
   Question q = known;
-  q.state = at;
+  q.state.void_ratio = at.void_ratio;
+  q.state.stress_v = at.stress_v;
+  q.state.stress_h = at.stress_h;
   q.state.coordination_number.reset();
   q.state.mechanical_coordination_number.reset();
   q.sand.level_factor *= std::exp(x[0]);

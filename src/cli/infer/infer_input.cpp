@@ -319,11 +319,20 @@ void resolve_shape(const InferOptions& o, const PackingOptions& packing, InferCa
   question.of_spheres = shape != GrainShape::sand;
   if (shape == GrainShape::sphere)
     return;
-  question.sand = {.state = question.measurements.front().state,
-                   .grain_density = o.grains.grain_density.value,
-                   .saturation = require_share(o.grains.saturation),
+  AnswerOptions grains = o.grains;
+  grains.grain_shape = GrainShape::sand;
+  PackingOptions of_quartz = packing; // as estimate: the grains of a sand are quartz unless others are given
+  apply_presets(of_quartz, grains);
+  State state = state_of(of_quartz);
+  const State& measured = question.measurements.front().state;
+  state.void_ratio = measured.void_ratio;
+  state.stress_v = measured.stress_v;
+  state.stress_h = measured.stress_h;
+  question.sand = {.state = std::move(state),
+                   .grain_density = grains.grain_density.value,
+                   .saturation = require_share(grains.saturation),
                    .grain_shape = GrainShape::sand,
-                   .sand = sand_of(packing, o.grains)};
+                   .sand = sand_of(of_quartz, grains)};
   question.sand_growth =
       o.growth == fitted_growth ? inverse::SandGrowth::fitted : inverse::SandGrowth::measured;
 }
