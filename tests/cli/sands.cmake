@@ -80,6 +80,11 @@ granum_cli_test("sands: slip is computed with strain" EXIT 0 JSON "answer/slip_s
 set(measured infer --void-ratio 0.58 --pressure 50kPa --uniformity 1.48)
 granum_cli_test("sands: a forecast" EXIT 0 JSON "sand/predictions/0/G/value=^1[89]" "sand/tells_contacts=^(false|OFF)$" "grain_shape=^sand$"
   ARGS ${measured} --shear-modulus 68.3MPa+-2% --predict-pressure 500kPa --json)
+# The sand of both answers is that of the one.
+set(asked infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s --predict-pressure 400kPa)
+set(expected "sand/contact_softness/value=^0\\.869" "sand/predictions/0/G/value=^2357" "sand/predictions/0/void_ratio=^0\\.6$")
+granum_cli_test("sands: the sand of both answers, inferred" EXIT 0 JSON ${expected} ARGS ${asked} --json)
+granum_cli_test("sands: the same sand alone" EXIT 0 JSON ${expected} ARGS ${asked} --grain-shape sand --json)
 granum_cli_test("sands: an assumed error is reported" EXIT 0 STDOUT "assumed --measurement-error 2 % of speeds" ARGS ${measured} --vs 200m/s)
 granum_cli_test("sands: V_s alone does not determine contacts" EXIT 0 STDOUT "V_p and V_s together would" ARGS ${measured} --vs 200m/s+-2%)
 granum_cli_test("sands: V_p with V_s does" EXIT 0 JSON "sand/tells_contacts=^(true|ON)$" ARGS ${measured} --vs 200m/s+-1% --vp 310m/s+-1% --json)

@@ -199,6 +199,7 @@ ExitCode run(const InferOptions& o) {
   Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
   validity.merge(likely_mistakes(o.grains.grain_density));
   validity.merge(answer.validity);
+  const InferCase of_sand = question; // whose predictions keep the void ratio; spheres are compressed
   if (answer.together)
     validity.merge(complete_predictions(question, *answer.together));
   std::string text = infer_table(question, answer);
@@ -207,8 +208,8 @@ ExitCode run(const InferOptions& o) {
   json["sand"] = nullptr;
   if (sand) {
     text = "The kind of grains is not given; choose with --grain-shape sand or sphere\n\n" +
-           sand_inference_text(question, *sand) + "\nbeads (spheres of the model)\n\n" + text;
-    json["sand"] = sand_inference_json(question, *sand);
+           sand_inference_text(of_sand, *sand) + "\nbeads (spheres of the model)\n\n" + text;
+    json["sand"] = sand_inference_json(of_sand, *sand);
     for (const std::string& note : sand->validity().notes)
       validity.add("sand: " + note);
   }
