@@ -60,7 +60,7 @@ double ask(const char* known, const Question& question) {
 }
 
 /// Whether the range is what its inputs make of G, added in quadrature of the logarithm, and the grains'
-/// part that of the law: G ~ G_g^(2/3) at given contacts.
+/// part that of the law: G ~ G_g^(2/3) at given contacts, but for branches that overlaps shorten by 2e-4.
 bool adds_up(const Question& question) {
   const Answer answer = estimate::answer(question, uncertain_inputs(question));
   const double value = answer[Field::shear_modulus].value;
@@ -74,7 +74,7 @@ bool adds_up(const Question& question) {
   }
   const double up = std::log(answer[Field::shear_modulus].high / value);
   return std::abs(std::sqrt(sum) - up) < 1e-12 &&
-         std::abs(by_grains - 2.0 / 3 * std::log1p(grain_deviation / grain_modulus)) < 1e-12;
+         std::abs(by_grains - 2.0 / 3 * std::log1p(grain_deviation / grain_modulus)) < 5e-5;
 }
 
 } // namespace

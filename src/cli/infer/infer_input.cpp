@@ -322,7 +322,8 @@ void resolve_shape(const InferOptions& o, const PackingOptions& packing, InferCa
   AnswerOptions grains = o.grains;
   grains.grain_shape = GrainShape::sand;
   PackingOptions of_quartz = packing; // as estimate: the grains of a sand are quartz unless others are given
-  apply_presets(of_quartz, grains);
+  if (!told_shape(packing, o.grains)) // presets of a named sand are applied already
+    apply_presets(of_quartz, grains);
   State state = state_of(of_quartz);
   const State& measured = question.measurements.front().state;
   state.void_ratio = measured.void_ratio;
