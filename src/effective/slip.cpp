@@ -63,8 +63,9 @@ SlipOnset slip_onset(const State& state, double mechanical_coordination_number, 
   if (!(h > 0))
     throw InvalidArgument("mechanical_coordination_number", z, "",
                           "above that of a packing that is just rigid");
-  constexpr double step = 1e-4; // of ln r; the error of the derivative is its square
-  const double slope = std::log(factor(r * std::exp(step)) / factor(r * std::exp(-step))) / (2 * step);
+  constexpr double step = 2e-3; // of ln r: truncation and rounding of the difference are both 1e-13
+  const auto logarithm = [&](double steps) { return std::log(factor(r * std::exp(steps * step))); };
+  const double slope = (8 * (logarithm(1) - logarithm(-1)) - (logarithm(2) - logarithm(-2))) / (12 * step);
   const double share = 3 * r / (2 + 3 * r) + slope;
   const double force = mean_contact_force(state);
   const double stiffness = kernel::contact_stiffness(state.law, geometry.force_area, 3 * state.mean_stress());
