@@ -65,11 +65,11 @@ TEST_CASE("a material that cannot be is refused by name") {
 }
 
 TEST_CASE("laws of grains of given sizes: by Hertz for spheres, the same for all other shapes") {
-  const double radius = 0.5e-3, d = 1e-7;
-  const PowerLaw sphere = PowerLaw::sphere(quartz, radius);
+  const double mean_radius = 0.5e-3, d = 1e-7;
+  const PowerLaw sphere = PowerLaw::sphere(quartz, mean_radius);
   CHECK(sphere.depends_on_size());
   for (const auto& [i, j] : {std::pair(1.0, 1.0), {0.5, 2.0}, {1.7, 0.3}, {0.2, 0.2}, {5.0, 1.0}}) {
-    const PowerLaw expected = PowerLaw::sphere(quartz, pair_radius(radius * i, radius * j));
+    const PowerLaw expected = PowerLaw::sphere(quartz, pair_radius(mean_radius * i, mean_radius * j));
     CHECK(of_sizes(sphere, i, j).force(d) == relative(expected.force(d), ulps));
     CHECK(of_sizes(SphereKernel{sphere.coefficient()}, i, j)(d).force == relative(expected.force(d), ulps));
     for (const PowerLaw& law :
