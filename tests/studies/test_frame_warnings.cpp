@@ -119,6 +119,11 @@ TEST_CASE("frame warnings: a row twice") {
 TEST_CASE("frame warnings: viscous parts show as tension, as scatter and as unrest") {
   const auto pulled = changed([](packing::Assembly& a) { a.contacts[3].normal_force *= -0.1; });
   CHECK(warns(pulled, "1 contacts are in tension"));
+  CHECK_FALSE(warns(pulled, "bonds"));
+  io::ImportedPacking bonded = pulled;
+  for (packing::Contact& c : bonded.assembly.contacts)
+    c.rolling_stiffness = 1e-3;
+  CHECK(warns(bonded, "bonds"));
   const auto damped = changed([](packing::Assembly& a) {
     for (std::size_t k = 0; k < a.contacts.size(); k += 4)
       a.contacts[k].normal_force *= 1.1;

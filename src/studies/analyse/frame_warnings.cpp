@@ -124,12 +124,20 @@ std::string vector_text(const Vec3& v) {
   return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
 }
 
+/// Whether a contact in tension resists rolling or twisting too.
+bool is_bonded(const packing::Assembly& assembly) {
+  return std::any_of(assembly.contacts.begin(), assembly.contacts.end(), [](const packing::Contact& c) {
+    return c.normal_force < 0 && (c.rolling_stiffness > 0 || c.twisting_stiffness > 0);
+  });
+}
+
 void judge_forces(const io::ImportedPacking& packing, const analysis::Forces& forces,
                   std::vector<std::string>& out) {
   const double at_rest = 1e-3 + unbalance_by_rounding(packing);
   if (forces.distribution.in_tension > 0)
-    out.push_back(std::to_string(forces.distribution.in_tension) +
-                  " contacts are in tension: their forces have viscous or cohesive parts");
+    out.push_back(std::to_string(forces.distribution.in_tension) + " contacts are in tension: " +
+                  (is_bonded(packing.assembly) ? "they are bonds, which resist rolling too"
+                                               : "their forces have viscous or cohesive parts"));
   if (forces.distribution.pressing + forces.distribution.in_tension == 0)
     out.emplace_back(
         "all forces are 0, though grains touch: the files were written before forces were computed, "

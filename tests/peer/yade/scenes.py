@@ -6,7 +6,7 @@
 
 YADE makes thirty packings whose model does not hold, five of each kind, and thirty of plain spheres; `granum analyse` reads
 each. A bad packing is judged right if a warning, or the reason why rung 3 is withheld, has the words of its cause; other causes
-beside it are not looked for, and bonds and cohesion have the same words. A good one has no warning at all. Exit code: 0 if all
+beside it are not looked for. A good one has no warning at all. Exit code: 0 if all
 are right.
 """
 
@@ -23,7 +23,7 @@ EACH = int(sys.argv[5]) if len(sys.argv) > 5 else 5
 SPRINGS = ["--law", "linear", "--step", "0.4"]
 CAUSES = {  # the word of the cause, and what makes it
     "rolling": ("rolling", ["--law", "rolling", "--step", "0.4"]),
-    "bonds": ("tension", ["--law", "bonds", "--step", "0.4", "--unload-to", "1e5"]),
+    "bonds": ("bonds", ["--law", "bonds", "--step", "0.4", "--unload-to", "1e5"]),
     "cohesion": ("tension", ["--law", "cohesion", "--step", "0.4", "--unload-to", "1e5"]),
     "overlaps": ("overlaps are large", [*SPRINGS, "--pressure", "1.5e8"]),
     "clumps": ("bodies", [*SPRINGS, "--clumps"]),
