@@ -107,7 +107,8 @@ struct RelaxedEstimate {
 /// % of G for C_u = 2, more beyond. b is contact_exponent(state). Contacts count as rough where b depends on
 /// the force. In the exponent above, b is limited to 1/2, because no sheared packings beyond it were
 /// available. Overlaps shorten branches by w, the overlap at the mean force over the diameter, which uniform
-/// strain leaves out: all moduli are multiplied by (1 - w)^(2-b), w at most 0.1.
+/// strain leaves out: all moduli are multiplied by (1 - w)^(2-b), w at most 0.1. For power laws of b beyond
+/// 1/2, which are given by k_n(f) alone, it is the overlap of b = 1/2 at the same stiffness.
 /// Assumes   as relaxation and uniform_strain; moduli of a packing at rest, not during shear.
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]
