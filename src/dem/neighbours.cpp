@@ -45,11 +45,24 @@ std::array<int, 3> bin_of(const Bins& bins, const Vec3& s) {
   return b;
 }
 
-Bins fill_bins(const Mat3& cell, std::span<const Vec3> position, double cutoff) {
+/// Bins on each axis, none narrower than the cutoff. Of a nearly empty cell the bins are wider, so that their
+/// number stays in proportion to that of the grains: dense packings have less than one bin per grain.
+std::array<int, 3> bin_counts(const Mat3& cell, std::size_t grains, double cutoff) {
   const Vec3 widths = packing::cell_widths(cell);
-  Bins bins;
+  std::array<int, 3> count{};
   for (int k = 0; k < 3; ++k)
-    bins.count[static_cast<std::size_t>(k)] = whole_within(widths[k] / cutoff, 1, 512);
+    count[static_cast<std::size_t>(k)] = whole_within(widths[k] / cutoff, 1, 512);
+  const double most = 64 + 8 * static_cast<double>(grains);
+  while (static_cast<double>(count[0]) * count[1] * count[2] > most) {
+    int& finest = *std::max_element(count.begin(), count.end());
+    finest = (finest + 1) / 2;
+  }
+  return count;
+}
+
+Bins fill_bins(const Mat3& cell, std::span<const Vec3> position, double cutoff) {
+  Bins bins;
+  bins.count = bin_counts(cell, position.size(), cutoff);
   const auto total = static_cast<std::size_t>(bins.count[0]) * static_cast<std::size_t>(bins.count[1]) *
                      static_cast<std::size_t>(bins.count[2]);
   const Mat3 to_fraction = inverse_of(cell);

@@ -52,6 +52,21 @@ TEST_CASE("the cell list finds exactly the pairs that a search over all images f
     }
 }
 
+TEST_CASE("the cell list finds the pairs of a nearly empty cell, whose bins are wider than the cutoff") {
+  const Mat3 slab = Mat3::diagonal(1, 2, 400);
+  for (const Mat3& cell : {Mat3::diagonal(1, 1, 1), slab}) {
+    std::vector<Vec3> x = random_points(cell, 20, 3);
+    for (int k = 0; k < 20; ++k) // a neighbour for each, across the edges of the cell too
+      x.push_back(x[static_cast<std::size_t>(k)] + Vec3{2e-3, -3e-3, 4e-3});
+    wrap(cell, x);
+    const std::vector<Pair> pairs = neighbour_pairs(cell, x, 1e-2);
+    CHECK(pairs.size() >= 20);
+    CHECK(pairs == all_pairs(cell, x, 1e-2));
+    const std::vector<double> radius(x.size(), 4e-3);
+    CHECK(neighbour_pairs(cell, x, radius, 2e-3) == pairs);
+  }
+}
+
 TEST_CASE("with a radius for each grain, the same pairs as a search over all images") {
   const Mat3 cube = Mat3::diagonal(1, 1, 1);
   const Mat3 slab = Mat3::diagonal(0.9, 1.7, 3.1);
