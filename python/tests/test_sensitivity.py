@@ -33,8 +33,11 @@ def test_exponents_are_slopes(rung):
     exponents = granum.exponents(rung=rung, modulus="G_vh", **STATE)
     assert exponents.stress_v == pytest.approx(slope(rung, "stress_v"), abs=1e-6)
     assert exponents.stress_h == pytest.approx(slope(rung, "stress_h"), abs=1e-6)
-    # Overlaps shorten the branches of rung 3, which takes 2e-4 from its exponent.
-    assert exponents.sum == pytest.approx(1 / 3, abs=5e-4 if rung == 3 else 1e-10)
+    # Overlaps w shorten the branches of rung 3, which takes (2-b)(1-b) w/(1-w) from b = 1/3.
+    pressure = (STATE["stress_v"] + 2 * STATE["stress_h"]) / 3
+    force = 4 * np.pi * STATE["radius"] ** 2 * pressure * (1 + STATE["void_ratio"]) / STATE["coordination_number"]
+    w = LAW.overlap(force) / (2 * STATE["radius"])
+    assert exponents.sum == pytest.approx(1 / 3 - (10 / 9 * w / (1 - w) if rung == 3 else 0), abs=1e-10)
 
 
 def test_exponents_of_arrays_are_nan_where_there_are_none():

@@ -5,10 +5,10 @@
 
 #include <granum/estimate/answer.hpp>
 
+#include "effective/support.hpp"
+
 /// Questions that the tests of this module begin with.
 namespace granum::test {
-
-inline bool close(double a, double b, double relative) { return std::abs(a - b) <= relative * std::abs(b); }
 
 /// Cones, spheres, flat punches or another profile of the grains of the paper, contacts unknown.
 inline estimate::Question grains_of(double alpha, double a, double stress_v, double stress_h) {

@@ -24,8 +24,6 @@ using estimate::RungVerdict;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// One row of validation/relaxation/states.csv: the moduli are those of the contact network.
 struct Recorded {
   double alpha, void_ratio, C_n, z, a, stress_v, stress_h; // [Pa]
