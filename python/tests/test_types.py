@@ -13,7 +13,8 @@ import granum
 
 def run(*arguments, cwd):
     folder = str(pathlib.Path(granum.__file__).resolve().parents[1])
-    environment = {**os.environ, "MYPY_CACHE_DIR": str(cwd / "cache"), "PYTHONPATH": folder}
+    # One cache for all tests, for the types of numpy take seconds to read.
+    environment = {**os.environ, "MYPY_CACHE_DIR": str(cwd.parent / "types"), "PYTHONPATH": folder}
     done = subprocess.run(
         [sys.executable, "-m", *arguments], cwd=cwd, env=environment, capture_output=True, text=True
     )
@@ -36,18 +37,6 @@ def test_the_examples_have_the_right_types(source, tmp_path):
     )
     code, said = run("mypy", "--strict", str(wrong), cwd=tmp_path)
     assert code == 1 and said.count("error:") == 4, said
-
-
-def test_the_notebooks_have_the_right_types(source, tmp_path):
-    notebooks = sorted((source / "examples" / "notebooks").glob("*.ipynb"))
-    for notebook in notebooks:
-        cells = json.loads(notebook.read_text())["cells"]
-        code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
-        (tmp_path / f"notebook_{notebook.stem}.py").write_text("\n".join(code) + "\n")
-    files = sorted(tmp_path.glob("notebook_*.py"))
-    # matplotlib of Debian 12 comes without types
-    code, said = run("mypy", "--strict", "--ignore-missing-imports", *map(str, files), cwd=tmp_path)
-    assert code == 0 and f"{len(notebooks)} source files" in said, said
 
 
 def test_numbers_give_floats_and_arrays_give_arrays(tmp_path):
@@ -87,3 +76,15 @@ reveal_type(
     code, said = run("mypy", "--strict", "kinds.py", cwd=tmp_path)
     revealed = re.findall(r'Revealed type is "granum\.(\w+)', said)
     assert code == 0 and revealed == ["Inference", "SandInference", "SandInference"], said
+
+
+def test_the_notebooks_have_the_right_types(source, tmp_path):
+    notebooks = sorted((source / "examples" / "notebooks").glob("*.ipynb"))
+    for notebook in notebooks:
+        cells = json.loads(notebook.read_text())["cells"]
+        code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+        (tmp_path / f"notebook_{notebook.stem}.py").write_text("\n".join(code) + "\n")
+    files = sorted(tmp_path.glob("notebook_*.py"))
+    # matplotlib of Debian 12 comes without types
+    code, said = run("mypy", "--strict", "--ignore-missing-imports", *map(str, files), cwd=tmp_path)
+    assert code == 0 and f"{len(notebooks)} source files" in said, said
