@@ -212,7 +212,3 @@ function addStep(granum, texts, step, number) {
     element("div", {}, ...pictures.flatMap((picture, k) => [picture, saveButton(texts, picture, `${name}${k ? "b" : ""}`)]))));
   drawnToSize(draw);
 }
-
-function addLesson(granum, texts) {
-  lessonSteps.forEach((step, number) => addStep(granum, texts, step, number));
-}

@@ -37,15 +37,27 @@ async function start() {
   for (const law of contactLaws) law.plural = filled(texts.shapes[law.name] ?? law.plural, Object.fromEntries(law.numbers.map(({ key, value }) => [key, written(value)])));
   document.getElementById("footer").append(filled(texts.footer, { version: granum.call("version").notes[0] }),
     ...Object.entries(texts.languages).filter(([name]) => name !== document.documentElement.lang).flatMap(([name, { file, title }]) => [" ", element("a", { href: file, lang: name }, title)]));
-  addLesson(granum, texts);
+  const [first, ...others] = lessonSteps.map((step, number) => () => addStep(granum, texts, step, number));
+  first();
+  const atTop = !location.hash && !address.only; // else a place below may be what is looked for
+  performance.mark("first step");
+  if (atTop) await drawn(); // what is below the first screen follows
+  for (const add of others) add();
   addCalculator(granum, texts);
   const panel = addExperiment(granum, texts);
   addTeachersNotes(texts);
   addSheet(granum, texts, panel);
   showPlace();
   document.documentElement.dataset.ready = "yes";
+  performance.mark("ready");
   if (!address.only) addHero(granum, texts);
 }
+
+/// When the browser has drawn what there is; a tab that is not in sight draws nothing.
+const drawn = () => new Promise((done) => {
+  requestAnimationFrame(() => setTimeout(done));
+  setTimeout(done, 100);
+});
 
 /// The step named by the address: alone, or first on the screen.
 function showPlace() {
