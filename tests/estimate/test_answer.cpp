@@ -318,7 +318,8 @@ TEST_CASE(
       CHECK(a[Field::vertical_exponent].value + a[Field::horizontal_exponent].value ==
             relative(a[Field::stress_exponent].value, 1e-12));
       if (counted)
-        CHECK(a[Field::stress_exponent].value == relative(1.0 / 3 - lost_exponent(question(1e5).state), 1e-9));
+        CHECK(a[Field::stress_exponent].value ==
+              relative(1.0 / 3 - lost_exponent(question(1e5).state), 1e-9));
       else
         CHECK(a[Field::stress_exponent].value > 0.35);
     }
