@@ -34,4 +34,7 @@ inline dem::Specimen fcc(double radius, int edges, double overlap) {
   return state;
 }
 
+/// Of most grains of these tests [m].
+constexpr double radius = 0.5e-3;
+
 } // namespace granum::test

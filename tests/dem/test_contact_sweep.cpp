@@ -17,7 +17,7 @@ using namespace granum::dem;
 
 namespace {
 
-constexpr double radius = 0.5e-3;
+using test::radius;
 
 /// A lattice whose grains have been moved, so that some touch and some do not.
 Specimen shaken_lattice(bool unequal) {

@@ -16,7 +16,7 @@ using namespace granum::dem;
 
 namespace {
 
-constexpr double radius = 0.5e-3;
+using test::radius;
 constexpr double overlap = 2e-7;
 
 /// Nothing slides.

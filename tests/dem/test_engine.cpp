@@ -18,7 +18,7 @@ using namespace granum::dem;
 
 namespace {
 
-constexpr double radius = 0.5e-3;
+using test::radius;
 
 /// Two spheres that touch with the given overlap along x.
 Specimen pair_state(double overlap) {

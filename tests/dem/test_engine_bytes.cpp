@@ -18,7 +18,7 @@ using namespace granum::dem;
 
 namespace {
 
-constexpr double radius = 0.5e-3;
+using test::radius;
 
 /// A lattice in motion: contacts open, close and slide.
 Specimen lively(bool walls, double speed = 5e-3) {

@@ -25,7 +25,8 @@ using namespace granum::dem;
 
 namespace {
 
-constexpr double radius = 0.5e-3, density = 2650, mass = 1.4e-6;
+using test::radius;
+constexpr double density = 2650, mass = 1.4e-6;
 
 /// Of the eigenvalues.
 constexpr double rounding = 1 - 1e-12;

@@ -17,7 +17,7 @@ using namespace granum;
 using namespace granum::dem;
 
 namespace {
-constexpr double radius = 0.5e-3;
+using test::radius;
 }
 
 TEST_CASE(

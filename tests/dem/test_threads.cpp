@@ -18,7 +18,7 @@ using namespace granum::dem;
 
 namespace {
 
-constexpr double radius = 0.5e-3;
+using test::radius;
 
 /// A lattice of 4 * 11^3 grains in motion: contacts open, close and slide.
 Engine lively(double friction, bool walls) {

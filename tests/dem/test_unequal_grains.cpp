@@ -22,7 +22,7 @@ using namespace granum::dem;
 
 namespace {
 
-constexpr double radius = 0.5e-3;
+using test::radius;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// Grains of two sizes that touch with the given overlap along x.
@@ -51,7 +51,7 @@ Specimen lively(int edges, double least, bool walls) {
   return state;
 }
 
-void run(Engine& engine, int steps) {
+void shear_on(Engine& engine, int steps) {
   for (int k = 0; k < steps; ++k) {
     engine.set_velocity_gradient(4e-6 / engine.time_step() * Mat3::diagonal(1, -1.5, 0.2));
     engine.step();
@@ -188,7 +188,7 @@ TEST_CASE("equal grains given one by one move as equal grains do") {
     Engine one(equal, material), other(listed, material), third(scaled, of_quarter);
     for (Engine* engine : {&one, &other, &third}) {
       engine->set_damping(0); // the adaptive one follows the last digits
-      run(*engine, 30);
+      shear_on(*engine, 30);
     }
     CHECK(one.figures().sliding > 0);
     const Specimen a = one.state(), b = other.state(), c = third.state();
@@ -214,15 +214,15 @@ TEST_CASE("unequal grains: any number of threads, and save and load, give the sa
       Engine one(start, material), many(start, material);
       many.set_threads(2);
       CHECK(many.threads() == 2);
-      run(one, 40);
+      shear_on(one, 40);
       CHECK(one.figures().contacts > 0);
-      run(many, 20);
+      shear_on(many, 20);
       ByteWriter bytes;
       many.save(bytes);
       ByteReader reader(bytes.bytes(), "bytes");
       Engine resumed = Engine::load(reader, material);
-      run(many, 20);
-      run(resumed, 20);
+      shear_on(many, 20);
+      shear_on(resumed, 20);
       CHECK(one.state() == many.state());
       CHECK(one.state() == resumed.state());
       CHECK(one.figures().stress == resumed.figures().stress);

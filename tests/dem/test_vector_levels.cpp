@@ -17,7 +17,7 @@ using namespace granum::dem;
 
 namespace {
 
-constexpr double radius = 0.5e-3;
+using test::radius;
 constexpr contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
 
 struct Scene {

@@ -22,7 +22,7 @@ using namespace granum::dem;
 
 namespace {
 
-constexpr double radius = 0.5e-3;
+using test::radius;
 
 /// A box of walls that nothing touches unless a test places it so.
 Specimen box(double x, double y, double z, double wall_friction) {

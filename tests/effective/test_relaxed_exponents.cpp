@@ -21,8 +21,8 @@ using effective::StressExponents;
 
 namespace {
 
-const std::vector<Modulus> all_moduli{Modulus::K,   Modulus::G_hh, Modulus::G_vh, Modulus::E_v,
-                                      Modulus::E_h, Modulus::C11,  Modulus::C33};
+const std::vector<Modulus> some_moduli{Modulus::K,   Modulus::G_hh, Modulus::G_vh, Modulus::E_v,
+                                       Modulus::E_h, Modulus::C11,  Modulus::C33};
 const Growth some_growth{
     .coordination_number = 0.05, .mechanical_coordination_number = 0.2, .void_ratio = -0.003};
 
@@ -45,7 +45,7 @@ TEST_CASE(
     "lose") {
   for (const double alpha : {1.0, 1.5, 2.0, infinity})
     for (const double a : {-0.2, 0.0, 0.2})
-      for (const Modulus which : all_moduli) {
+      for (const Modulus which : some_moduli) {
         const State s = state_of(alpha, a, 0.15, 1.5e5, 1e5);
         CHECK(std::abs(effective::relaxed_exponents(s, 5.0, {}, which).sum() - 1 / (1 + alpha) +
                        lost_exponent(s)) < 1e-12);
@@ -65,7 +65,7 @@ TEST_CASE("relaxed exponents: derivatives of the relaxed estimate along the path
     for (const double a : {-0.2, 0.0, 0.15})
       for (const double ratio : {0.6, 1.0, 1.8})
         for (const double z : {4.4, 5.3, 6.2})
-          for (const Modulus which : all_moduli) {
+          for (const Modulus which : some_moduli) {
             State s = state_of(2, a, 0.15, ratio * 1e5, 1e5);
             s.law = law;
             const StressExponents e = effective::relaxed_exponents(s, z, some_growth, which);
@@ -86,7 +86,7 @@ TEST_CASE("relaxed exponents: where constants of uniform strain vanish, the othe
   for (const double ratio : {0.0, 1e-300, 1.0, 1.0 + 1e-15, 4.0 / 3})
     for (const double alpha : {1.0, 2.0, infinity})
       for (const double a : {-1.0, 0.0, 1.0})
-        for (const Modulus which : all_moduli) {
+        for (const Modulus which : some_moduli) {
           State s = state_of(alpha, a, 0.15, 1.3e5, 1e5);
           s.tangential_ratio = ratio;
           CAPTURE(ratio);

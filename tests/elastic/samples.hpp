@@ -62,3 +62,11 @@ inline double ulps(double value, long double reference) {
   const long double place = std::ldexp(1.0L, std::ilogb(reference) - 52);
   return static_cast<double>(std::abs(static_cast<long double>(value) - reference) / place);
 }
+
+namespace granum::test {
+
+/// What a few products of 6 x 6 lose.
+constexpr double rounding = 1e-14;
+inline const Mat3 tilt = rotation_about({1, -2, 0.5}, 0.8);
+
+} // namespace granum::test

@@ -23,8 +23,8 @@ using namespace granum::elastic;
 namespace {
 
 constexpr double density = 1650; // of a dry sand [kg/m3]
-constexpr double rounding = 1e-14;
-const Mat3 tilt = rotation_about({1, -2, 0.5}, 0.8);
+using test::rounding;
+using test::tilt;
 
 /// The Christoffel matrix from the fourth-rank tensor, by the four-fold sum of its definition.
 Mat3 christoffel_matrix(const VoigtStiffness& c, const Vec3& n) {

@@ -8,13 +8,15 @@
 #include <granum/core/error.hpp>
 #include <relative.hpp>
 
+#include "samples.hpp"
+
 using namespace granum;
 using namespace granum::elastic;
 
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-14;
+using test::rounding;
 
 } // namespace
 

@@ -16,8 +16,8 @@ using namespace granum::elastic;
 
 namespace {
 
-constexpr double rounding = 1e-14; // a few 6 x 6 products
-const Mat3 tilt = rotation_about({1, -2, 0.5}, 0.8);
+using test::rounding;
+using test::tilt;
 const Mat3 spin = rotation_about({0, 0, 1}, 1.1);
 
 double distance(const VoigtStiffness& a, const VoigtStiffness& b) {

@@ -15,8 +15,8 @@ using namespace granum::elastic;
 
 namespace {
 
-constexpr double rounding = 1e-14;
-const Mat3 tilt = rotation_about({1, -2, 0.5}, 0.8);
+using test::rounding;
+using test::tilt;
 
 } // namespace
 

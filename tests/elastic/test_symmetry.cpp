@@ -19,7 +19,8 @@ using namespace granum::elastic;
 
 namespace {
 
-constexpr double rounding = 1e-14;
+using test::rounding;
+using test::tilt;
 constexpr double quarter = std::numbers::pi / 2;
 const Vec3 axis_1{1, 0, 0}, axis_2{0, 1, 0}, axis_3{0, 0, 1};
 
@@ -97,7 +98,6 @@ TEST_CASE("symmetry: classes are nested, and their members are at distance zero"
 }
 
 TEST_CASE("symmetry: only isotropy does not depend on the axes, and no distance on the unit") {
-  const Mat3 tilt = rotation_about({1, -2, 0.5}, 0.8);
   const SymmetryDistances here = symmetry_distances(voigt(layered_sample()));
   const SymmetryDistances turned = symmetry_distances(rotate(voigt(layered_sample()), tilt));
   CHECK(turned.isotropic == relative(here.isotropic, rounding));

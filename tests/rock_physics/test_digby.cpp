@@ -17,12 +17,12 @@ using rock_physics::digby;
 namespace {
 
 /// Bulk modulus 37 and shear modulus 44 GPa.
-constexpr BondedPacking example{.shear_modulus = 44e9,
-                                .poisson_ratio = (3 * 37.0 - 2 * 44) / (2 * (3 * 37.0 + 44)),
-                                .porosity = 0.36,
-                                .coordination_number = 9,
-                                .pressure = 20e6,
-                                .bond_radius_ratio = 0.2};
+constexpr BondedPacking bonded{.shear_modulus = 44e9,
+                               .poisson_ratio = (3 * 37.0 - 2 * 44) / (2 * (3 * 37.0 + 44)),
+                               .porosity = 0.36,
+                               .coordination_number = 9,
+                               .pressure = 20e6,
+                               .bond_radius_ratio = 0.2};
 
 BondedPacking with(BondedPacking packing, double BondedPacking::*member, double value) {
   packing.*member = value;
@@ -49,7 +49,7 @@ long double load(const BondedPacking& p) {
 } // namespace
 
 TEST_CASE("digby: the published example") {
-  const auto m = digby(example);
+  const auto m = digby(bonded);
   // Printed with 9 digits.
   CHECK(m.bulk_modulus == relative(5.81155426e9, 1e-9));
   CHECK(m.shear_modulus == relative(8.51375906e9, 1e-9));
@@ -60,7 +60,7 @@ TEST_CASE("digby: the contact radius against bisection, from strong bonds to str
   for (double pressure = 1e-12; pressure <= 1e12; pressure *= 10)
     for (double b = 1e-8; b < 1; b *= 10, ++tried) {
       const auto p =
-          with(with(example, &BondedPacking::pressure, pressure), &BondedPacking::bond_radius_ratio, b);
+          with(with(bonded, &BondedPacking::pressure, pressure), &BondedPacking::bond_radius_ratio, b);
       const long double d = bisected(b, load(p)), a = std::sqrt(d * d + static_cast<long double>(b) * b);
       const long double S_n = 4 * a / (1 - static_cast<long double>(p.poisson_ratio));
       const long double S_t =
@@ -79,33 +79,33 @@ TEST_CASE("digby: the contact radius against bisection, from strong bonds to str
 TEST_CASE("digby: the bulk modulus is the slope of pressure over volumetric strain") {
   // An overlap of 2 R e widens the contact until e = d a.
   const auto strain = [](double pressure) {
-    const auto p = with(example, &BondedPacking::pressure, pressure);
+    const auto p = with(bonded, &BondedPacking::pressure, pressure);
     const long double d = bisected(p.bond_radius_ratio, load(p));
     return double(3 * d * std::sqrt(d * d + 0.04L));
   };
   const double h = 20e6 * 1e-4; // truncation (h/p)^2 ~ 1e-8
-  CHECK(2 * h / (strain(20e6 + h) - strain(20e6 - h)) == relative(digby(example).bulk_modulus, 1e-7));
+  CHECK(2 * h / (strain(20e6 + h) - strain(20e6 - h)) == relative(digby(bonded).bulk_modulus, 1e-7));
 }
 
 TEST_CASE("digby: limits") {
   // Without bonds: the smooth packing, at any pressure.
   for (const double pressure : {0.0, 1e-300, 1e-150, 1.0, 1e12}) {
     const auto free =
-        digby(with(with(example, &BondedPacking::bond_radius_ratio, 0), &BondedPacking::pressure, pressure));
+        digby(with(with(bonded, &BondedPacking::bond_radius_ratio, 0), &BondedPacking::pressure, pressure));
     const auto smooth =
-        rock_physics::hertz_mindlin({example.shear_modulus, example.poisson_ratio, example.porosity,
-                                     example.coordination_number, pressure, 0});
+        rock_physics::hertz_mindlin({bonded.shear_modulus, bonded.poisson_ratio, bonded.porosity,
+                                     bonded.coordination_number, pressure, 0});
     CHECK(std::abs(free.bulk_modulus - smooth.bulk_modulus) <= 9e-16 * smooth.bulk_modulus);
     CHECK(std::abs(free.shear_modulus - smooth.shear_modulus) <= 9e-16 * smooth.shear_modulus);
   }
   // Without pressure: the bonds alone, a = b to the last bit.
-  const auto unloaded = digby(with(example, &BondedPacking::pressure, 0));
-  const double rough = 3 * (1 - example.poisson_ratio) / (2 - example.poisson_ratio);
+  const auto unloaded = digby(with(bonded, &BondedPacking::pressure, 0));
+  const double rough = 3 * (1 - bonded.poisson_ratio) / (2 - bonded.poisson_ratio);
   CHECK(unloaded.shear_modulus == relative(0.6 * unloaded.bulk_modulus * (1 + rough), 4e-16));
   CHECK(unloaded.bulk_modulus ==
-        relative(9 * 0.64 * 44e9 * 0.2 / (3 * M_PI * (1 - example.poisson_ratio)), 4e-16));
-  CHECK(digby(with(example, &BondedPacking::pressure, 1e-300)).bulk_modulus == unloaded.bulk_modulus);
-  const auto empty = digby(with(example, &BondedPacking::coordination_number, 0));
+        relative(9 * 0.64 * 44e9 * 0.2 / (3 * M_PI * (1 - bonded.poisson_ratio)), 4e-16));
+  CHECK(digby(with(bonded, &BondedPacking::pressure, 1e-300)).bulk_modulus == unloaded.bulk_modulus);
+  const auto empty = digby(with(bonded, &BondedPacking::coordination_number, 0));
   CHECK(empty.bulk_modulus == 0);
   CHECK(empty.shear_modulus == 0);
 }
@@ -116,8 +116,8 @@ TEST_CASE("digby: bad input and notes") {
         &BondedPacking::coordination_number, &BondedPacking::pressure, &BondedPacking::bond_radius_ratio})
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), -1.0, std::numeric_limits<double>::infinity()})
-      CHECK_THROWS_AS((void)digby(with(example, member, bad)), InvalidArgument);
-  CHECK_THROWS_AS((void)digby(with(example, &BondedPacking::bond_radius_ratio, 1)), InvalidArgument);
-  CHECK_FALSE(digby(example).validity.ok());
-  CHECK(digby(with(example, &BondedPacking::bond_radius_ratio, 0.05)).validity.ok());
+      CHECK_THROWS_AS((void)digby(with(bonded, member, bad)), InvalidArgument);
+  CHECK_THROWS_AS((void)digby(with(bonded, &BondedPacking::bond_radius_ratio, 1)), InvalidArgument);
+  CHECK_FALSE(digby(bonded).validity.ok());
+  CHECK(digby(with(bonded, &BondedPacking::bond_radius_ratio, 0.05)).validity.ok());
 }

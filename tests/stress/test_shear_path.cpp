@@ -15,7 +15,7 @@ using namespace granum::stress;
 
 namespace {
 
-constexpr double ulps = 8 * std::numeric_limits<double>::epsilon();
+constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
 
 double end_of(ShearPath path) { return is_compression(path) ? 1 : -0.75; }
 
@@ -27,7 +27,7 @@ TEST_CASE("each path keeps its constant stress to the bit and reaches its stress
       CAPTURE(name(path));
       const double eta = share * end_of(path);
       const AxialStress stress = stress_on_path(path, 100e3, eta);
-      CHECK(stress.ratio() == relative(eta, 4 * ulps)); // v - h cancels at small eta
+      CHECK(stress.ratio() == relative(eta, 4 * rounding)); // v - h cancels at small eta
       const bool horizontal_constant = path == ShearPath::txc || path == ShearPath::rtxe;
       CHECK((horizontal_constant ? stress.h : stress.v) == 100e3);
     }
@@ -48,11 +48,11 @@ TEST_CASE("each path starts isotropic, and the stress that changes does so in it
 
 TEST_CASE("stresses of a path are those of its two linear equations") {
   // eta = 0.6: v = 1.4 p', h = 0.8 p'; eta = -0.6: v = 0.6 p', h = 1.2 p'
-  CHECK(stress_on_path(ShearPath::txc, 80e3, 0.6).v == relative(140e3, ulps));
-  CHECK(stress_on_path(ShearPath::txc, 80e3, 0.6).mean() == relative(100e3, ulps));
-  CHECK(stress_on_path(ShearPath::rtxc, 140e3, 0.6).h == relative(80e3, ulps));
-  CHECK(stress_on_path(ShearPath::rtxe, 120e3, -0.6).v == relative(60e3, ulps));
-  CHECK(stress_on_path(ShearPath::txe, 60e3, -0.6).h == relative(120e3, ulps));
+  CHECK(stress_on_path(ShearPath::txc, 80e3, 0.6).v == relative(140e3, rounding));
+  CHECK(stress_on_path(ShearPath::txc, 80e3, 0.6).mean() == relative(100e3, rounding));
+  CHECK(stress_on_path(ShearPath::rtxc, 140e3, 0.6).h == relative(80e3, rounding));
+  CHECK(stress_on_path(ShearPath::rtxe, 120e3, -0.6).v == relative(60e3, rounding));
+  CHECK(stress_on_path(ShearPath::txe, 60e3, -0.6).h == relative(120e3, rounding));
 }
 
 TEST_CASE("at the failure ratio the friction angle is mobilised") {
@@ -61,11 +61,11 @@ TEST_CASE("at the failure ratio the friction angle is mobilised") {
       CAPTURE(name(path));
       const double angle = degrees * std::numbers::pi / 180;
       const AxialStress s = stress_on_path(path, 100e3, failure_ratio(path, angle));
-      CHECK(std::abs(s.v - s.h) / (s.v + s.h) == relative(std::sin(angle), 4 * ulps));
+      CHECK(std::abs(s.v - s.h) / (s.v + s.h) == relative(std::sin(angle), 4 * rounding));
     }
   // sin 30 = 1/2: 6/5 and -6/7
-  CHECK(failure_ratio(ShearPath::txc, std::numbers::pi / 6) == relative(1.2, ulps));
-  CHECK(failure_ratio(ShearPath::txe, std::numbers::pi / 6) == relative(-6.0 / 7, ulps));
+  CHECK(failure_ratio(ShearPath::txc, std::numbers::pi / 6) == relative(1.2, rounding));
+  CHECK(failure_ratio(ShearPath::txe, std::numbers::pi / 6) == relative(-6.0 / 7, rounding));
 }
 
 TEST_CASE("a ratio that a path does not reach, and an angle that no material has, are refused") {

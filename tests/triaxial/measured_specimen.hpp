@@ -5,6 +5,8 @@
 #include <granum/dem/specimen.hpp>
 #include <granum/triaxial/probe.hpp>
 
+#include "dem/lattice_state.hpp"
+
 namespace granum::test {
 
 /// A specimen as it stands, measured.
@@ -19,5 +21,9 @@ inline analysis::Network frozen_network(const dem::Specimen& state, const dem::M
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
   return measured(frozen.state(), material, {.network = network::ResponseOptions{}}).solved_network();
 }
+
+/// Of specimens between walls.
+constexpr double pressure = 100e3;
+inline const dem::Material material = quartz(radius, 0.4986);
 
 } // namespace granum::test

@@ -23,9 +23,9 @@ using elastic::Matrix6;
 
 namespace {
 
-constexpr double pressure = 100e3;
-constexpr double radius = 0.5e-3;
-const dem::Material material = test::quartz(radius, 0.4986);
+using test::material;
+using test::pressure;
+using test::radius;
 
 /// Loose specimens take long to come to rest: fewer grains.
 SpecimenRecipe recipe(Density density) {

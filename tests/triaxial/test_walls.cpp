@@ -22,9 +22,9 @@ using namespace granum::stress;
 
 namespace {
 
-constexpr double pressure = 100e3;
-constexpr double radius = 0.5e-3;
-const dem::Material material = test::quartz(radius, 0.4986);
+using test::material;
+using test::pressure;
+using test::radius;
 
 SpecimenRecipe boxed() {
   SpecimenRecipe recipe{.material = material, .radius = radius};

@@ -7,18 +7,15 @@
 
 #include <doctest/doctest.h>
 
+#include "core/vector/ulps.hpp"
+
 using namespace granum;
 
 namespace {
 
-long double exactly(double x) { return x; }
+using test::ulps;
 
-/// Error of `value` in units of the last place of the exact number, which long double knows 11 bits better.
-double ulps(double value, long double exact) {
-  const double nearest = static_cast<double>(exact);
-  const double place = std::nextafter(nearest, std::numeric_limits<double>::infinity()) - nearest;
-  return static_cast<double>(std::abs(exactly(value) - exact) / exactly(place));
-}
+long double exactly(double x) { return x; }
 
 double cube_root(double x) {
   return cube_root_from(x, inverse_cube_root_step(x, inverse_cube_root_guess(x)));

@@ -7,15 +7,13 @@
 
 #include <doctest/doctest.h>
 
+#include "core/vector/ulps.hpp"
+
 using namespace granum;
 
 namespace {
 
-double ulps(double value, long double exact) {
-  const double nearest = static_cast<double>(exact);
-  const double place = std::nextafter(nearest, 1e308) - nearest;
-  return static_cast<double>(std::abs(static_cast<long double>(value) - exact) / place);
-}
+using test::ulps;
 
 template <VectorLevel level>
 double power(double x, double b) {

@@ -11,7 +11,7 @@ using namespace granum::samples;
 
 namespace {
 
-const std::string grains =
+const std::string grain_rows =
     "id,x_mm,y_mm,z_mm,radius_mm\n1,1,2,2,0.5\n2,1.9999,2,2,0.5\n3,1.9999,2,2.9998,0.5\n";
 const std::string contacts =
     "# units: SI\nid1,id2,nx,ny,nz,fx,fy,fz,lx,ly,lz\n1,2,1,0,0,0.0235294118,0.01,0,0.0009999,0,0\n"
@@ -30,7 +30,7 @@ ContactTable table(const std::string& text) { return read_contact_csv(text_sourc
 
 TEST_CASE(
     "CSV: the chain with units in the headings or SI throughout, forces exerted by the first on the second") {
-  const ImportedPacking packing = read(grains, contacts);
+  const ImportedPacking packing = read(grain_rows, contacts);
   check_chain(packing, 1e-15, 1e-8);
   CHECK(packing.assembly.contacts[0].tangential_force == Vec3{0, 0.01, 0});
   check_vector(residuals(packing.assembly)[0].force, {-force_ab, -0.01, 0}, 1e-15);
@@ -38,19 +38,19 @@ TEST_CASE(
   CHECK_FALSE(packing.has(Finding::boundary_unknown));
 
   const ImportedPacking scalar =
-      read(grains, "id1,id2,nx,ny,nz,fn_mN,ft_mN,delta_mm\n1,2,1,0,0,23.5294118,1,1e-4\n"
-                   "2,3,0,0,1,66.5512265,2,2e-4\n");
+      read(grain_rows, "id1,id2,nx,ny,nz,fn_mN,ft_mN,delta_mm\n1,2,1,0,0,23.5294118,1,1e-4\n"
+                       "2,3,0,0,1,66.5512265,2,2e-4\n");
   check_chain(scalar, 1e-15, 1e-15);
   CHECK(scalar.has(Finding::tangential_unknown));
 }
 
 TEST_CASE("CSV: numbers whose products overflow are refused, with grains and without") {
   const std::string huge = with(contacts, "0.0235294118", "1e305");
-  CHECK(refused(grains, huge).find("beyond all range") != std::string::npos);
+  CHECK(refused(grain_rows, huge).find("beyond all range") != std::string::npos);
   CHECK(refusal([&] { (void)table(huge); }).find("c:3: ") != std::string::npos);
   CHECK(refusal([] { (void)table("nx,ny,nz,fn_N\n1,0,0,1e200\n"); }).find("c:2: ") != std::string::npos);
-  CHECK(refused(with(grains, "1.9999", "1e90")).find("beyond all range") != std::string::npos);
-  CHECK(refused(with(grains, "2,0.5", "2,1e90")).find("expected a positive radius") != std::string::npos);
+  CHECK(refused(with(grain_rows, "1.9999", "1e90")).find("beyond all range") != std::string::npos);
+  CHECK(refused(with(grain_rows, "2,0.5", "2,1e90")).find("expected a positive radius") != std::string::npos);
 }
 
 TEST_CASE("CSV: normals alone are enough for a table of contacts") {
@@ -67,7 +67,7 @@ TEST_CASE("CSV: normals alone are enough for a table of contacts") {
 
 TEST_CASE("CSV: a table without forces keeps its contacts even where grains seem apart") {
   const ImportedPacking packing =
-      read(with(grains, "2,1.9999,2", "2,2.001,2"), "id1,id2,nx,ny,nz\n1,2,1,0,0\n");
+      read(with(grain_rows, "2,1.9999,2", "2,2.001,2"), "id1,id2,nx,ny,nz\n1,2,1,0,0\n");
   REQUIRE(packing.assembly.contacts.size() == 1);
   CHECK(packing.has(Finding::forces_unknown));
   CHECK(packing.has(Finding::open_contacts));
@@ -85,10 +85,10 @@ TEST_CASE(
 
 TEST_CASE("CSV: each field that is wrong is refused with path and line") {
   const auto grain = [](const std::string& from, const std::string& to) {
-    return refused(with(grains, from, to));
+    return refused(with(grain_rows, from, to));
   };
   const auto row = [](const std::string& from, const std::string& to) {
-    return refused(grains, with(contacts, from, to));
+    return refused(grain_rows, with(contacts, from, to));
   };
   CHECK(grain("x_mm,y_mm,z_mm", "u,v,w") == "g: expected columns x, y, z with a unit of length");
   CHECK(grain("y_mm", "y").starts_with("g:1: "));
@@ -111,15 +111,16 @@ TEST_CASE("CSV: each field that is wrong is refused with path and line") {
   CHECK(row("0.0009999", "-0.0009999")
             .starts_with("c:3: the pair 1, 2 has a line of centres that does not fit"));
   CHECK(row(",0.0009999,0,0", ",0.0009999,0").starts_with("c:3: expected 11 fields"));
-  CHECK(refused(grains, "").starts_with("c: is empty"));
+  CHECK(refused(grain_rows, "").starts_with("c: is empty"));
 }
 
 TEST_CASE("CSV: pairs by ids and forces have the normals of their grains") {
-  const std::string grains =
+  const std::string grain_rows =
       "id,x_m,y_m,z_m,radius_m\n1,0.001,0.005,0.005,0.0005\n2,0.00199,0.005,0.005,0.0005\n"
       "3,0.00298,0.005,0.005,0.0005\n";
   const auto read = [&](const std::string& pairs) {
-    return read_packing_csv(TextSource::of_text("g", grains), TextSource::of_text("c", pairs), std::nullopt);
+    return read_packing_csv(TextSource::of_text("g", grain_rows), TextSource::of_text("c", pairs),
+                            std::nullopt);
   };
   const ImportedPacking sizes = read("id1,id2,fn_N,ft_N\n1,2,0.0123,0.001\n2,3,0.0123,0.001\n");
   REQUIRE(sizes.assembly.contacts.size() == 2);

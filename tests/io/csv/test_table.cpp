@@ -17,8 +17,8 @@ using namespace granum::io;
 namespace {
 
 /// The message with which reading one column of the text fails; empty if it does not.
-std::string refusal(std::string_view text, std::string_view quantity = "G",
-                    Dimension dimension = Dimension::pressure) {
+std::string table_refusal(std::string_view text, std::string_view quantity = "G",
+                          Dimension dimension = Dimension::pressure) {
   try {
     (void)CsvTable("a.csv", text).numbers(quantity, dimension);
   } catch (const FileError& error) {
@@ -58,26 +58,30 @@ TEST_CASE("quotes, byte order mark and lines inside quotes") {
   CHECK(table.headings() == std::vector<std::string>{"name", "G_Pa"});
   CHECK(table.numbers("G", Dimension::pressure) == std::vector<double>{1, 2});
   CHECK(table.line(1) == 4);
-  CHECK(refusal("G_Pa\n\"1\n2\n") == "a.csv:2: a quoted field begins here and is never closed");
-  CHECK(refusal("G_Pa\n\"1\"2\n") == "a.csv:2: expected a comma after the closing quote");
+  CHECK(table_refusal("G_Pa\n\"1\n2\n") == "a.csv:2: a quoted field begins here and is never closed");
+  CHECK(table_refusal("G_Pa\n\"1\"2\n") == "a.csv:2: expected a comma after the closing quote");
 }
 
 TEST_CASE("a bad file is refused with path, line and expectation") {
-  CHECK(refusal("").starts_with("a.csv: is empty; expected a heading line"));
-  CHECK(refusal("# only a comment\n\n").starts_with("a.csv: is empty"));
-  CHECK(refusal("G_MPa,e\n") == "a.csv:1: there are no rows below the heading line");
-  CHECK(refusal("G_MPa,e\n1,0.5\n2\n") == "a.csv:3: expected 2 fields (G_MPa, e), found 1");
-  CHECK(refusal("G_MPa,e\n1,0.5,\n") == "a.csv:2: expected 2 fields (G_MPa, e), found 3");
-  CHECK(refusal("G_MPa,e\nabc,0.5\n") == "a.csv:2: expected a finite number in column 'G_MPa', found 'abc'");
-  CHECK(refusal("G_MPa\n1\nnan\n") == "a.csv:3: expected a finite number in column 'G_MPa', found 'nan'");
-  CHECK(refusal("G_MPa,e\n,1\n") == "a.csv:2: expected a finite number in column 'G_MPa', found ''");
-  CHECK(refusal("G_GPa\n1e305\n") == "a.csv:2: expected a finite number in column 'G_GPa', found '1e305'");
-  CHECK(refusal("G,e\n1,2\n") == "a.csv:1: column 'G' has no unit; name it G_Pa, G_kPa, G_MPa, G_GPa");
-  CHECK(refusal("G_mm,e\n1,2\n").starts_with("a.csv:1: column 'G_mm' has the unit of something else"));
-  CHECK(refusal("p_kPa,e\n1,2\n") == "a.csv:1: expected a column 'G_Pa' (or another unit), found p_kPa, e");
-  CHECK(refusal("G_Pa,G_kPa\n1,2\n") == "a.csv:1: both 'G_Pa' and 'G_kPa' contain G");
-  CHECK(refusal("G_Pa,G_Pa\n1,2\n") == "a.csv:1: the heading 'G_Pa' occurs twice");
-  CHECK(refusal(std::string_view("G_Pa\n\0\n", 7)).starts_with("a.csv: is not a text file"));
+  CHECK(table_refusal("").starts_with("a.csv: is empty; expected a heading line"));
+  CHECK(table_refusal("# only a comment\n\n").starts_with("a.csv: is empty"));
+  CHECK(table_refusal("G_MPa,e\n") == "a.csv:1: there are no rows below the heading line");
+  CHECK(table_refusal("G_MPa,e\n1,0.5\n2\n") == "a.csv:3: expected 2 fields (G_MPa, e), found 1");
+  CHECK(table_refusal("G_MPa,e\n1,0.5,\n") == "a.csv:2: expected 2 fields (G_MPa, e), found 3");
+  CHECK(table_refusal("G_MPa,e\nabc,0.5\n") ==
+        "a.csv:2: expected a finite number in column 'G_MPa', found 'abc'");
+  CHECK(table_refusal("G_MPa\n1\nnan\n") ==
+        "a.csv:3: expected a finite number in column 'G_MPa', found 'nan'");
+  CHECK(table_refusal("G_MPa,e\n,1\n") == "a.csv:2: expected a finite number in column 'G_MPa', found ''");
+  CHECK(table_refusal("G_GPa\n1e305\n") ==
+        "a.csv:2: expected a finite number in column 'G_GPa', found '1e305'");
+  CHECK(table_refusal("G,e\n1,2\n") == "a.csv:1: column 'G' has no unit; name it G_Pa, G_kPa, G_MPa, G_GPa");
+  CHECK(table_refusal("G_mm,e\n1,2\n").starts_with("a.csv:1: column 'G_mm' has the unit of something else"));
+  CHECK(table_refusal("p_kPa,e\n1,2\n") ==
+        "a.csv:1: expected a column 'G_Pa' (or another unit), found p_kPa, e");
+  CHECK(table_refusal("G_Pa,G_kPa\n1,2\n") == "a.csv:1: both 'G_Pa' and 'G_kPa' contain G");
+  CHECK(table_refusal("G_Pa,G_Pa\n1,2\n") == "a.csv:1: the heading 'G_Pa' occurs twice");
+  CHECK(table_refusal(std::string_view("G_Pa\n\0\n", 7)).starts_with("a.csv: is not a text file"));
 }
 
 TEST_CASE("unreadable files are reported") {
@@ -165,9 +169,9 @@ TEST_CASE("commas that could be either are refused with path and line") {
 TEST_CASE("a point that may separate thousands is refused if other numbers have decimal commas") {
   for (const char* number : {"1.500", "-12.000", "+999.999", "\"1.500\""}) {
     const std::string rows = std::string(";") + number + "\n0,6;2\n";
-    CHECK(refusal("e;p_kPa\n0.7" + rows, "p").starts_with("a.csv:2: "));
-    CHECK(refusal("e;p_kPa\n0.7" + rows, "p").find("'p_kPa'") != std::string::npos);
-    CHECK(refusal("e;p_kPa\n0.7" + rows.substr(0, rows.find('\n')) + "\n0.6;2\n", "p")
+    CHECK(table_refusal("e;p_kPa\n0.7" + rows, "p").starts_with("a.csv:2: "));
+    CHECK(table_refusal("e;p_kPa\n0.7" + rows, "p").find("'p_kPa'") != std::string::npos);
+    CHECK(table_refusal("e;p_kPa\n0.7" + rows.substr(0, rows.find('\n')) + "\n0.6;2\n", "p")
               .empty()); // no commas at all
   }
   for (const char* number :

@@ -11,7 +11,7 @@ namespace {
 
 const std::string data = data_text("lammps_chain.data");
 
-std::string refused(const std::string& text) {
+std::string data_refused(const std::string& text) {
   return refusal([&] { (void)read_lammps_data(text_source("d", text)); });
 }
 
@@ -60,10 +60,10 @@ TEST_CASE("LAMMPS data: sections in another order, without hint, without image f
 
 TEST_CASE("LAMMPS data: each field that is wrong is refused with path and line") {
   const auto changed = [](const std::string& from, const std::string& to) {
-    return refused(with(data, from, to));
+    return data_refused(with(data, from, to));
   };
-  CHECK(refused("") == "d: is empty; expected a LAMMPS data file");
-  CHECK(refused("title\n").find("expected a section Atoms") != std::string::npos);
+  CHECK(data_refused("") == "d: is empty; expected a LAMMPS data file");
+  CHECK(data_refused("title\n").find("expected a section Atoms") != std::string::npos);
   CHECK(changed("Atoms # sphere", "Atoms # atomic") == "d:10: expected atom style sphere, found 'atomic'");
   CHECK(changed("3 atoms", "3 apples").find("expected a line with the number of atoms") != std::string::npos);
   CHECK(changed("3 atoms", "4 atoms") == "d:16: expected 4 atoms, found 3");

@@ -18,8 +18,8 @@ LammpsDump dump(const std::string& atom_text, const std::string& contact_text, c
   return LammpsDump(text_source("a", atom_text), text_source("c", contact_text), parse_column_map(map));
 }
 
-std::string refused(const std::string& atom_text, const std::string& contact_text = contacts,
-                    const std::string& map = "") {
+std::string dump_refused(const std::string& atom_text, const std::string& contact_text = contacts,
+                         const std::string& map = "") {
   return refusal([&] {
     LammpsDump reader = dump(atom_text, contact_text, map);
     while (reader.next())
@@ -86,7 +86,7 @@ TEST_CASE("LAMMPS: frames of both files are joined by their time step, others ar
   CHECK_FALSE(later.next());
   CHECK(later.skipped() == 2);
 
-  CHECK(refused(atoms, with(with(contacts, "\n0\n", "\n1\n"), "\n20\n", "\n21\n")) ==
+  CHECK(dump_refused(atoms, with(with(contacts, "\n0\n", "\n1\n"), "\n20\n", "\n21\n")) ==
         "c:22: contains no time step of a");
   const std::string back = with(atoms, "TIMESTEP\n0\n", "TIMESTEP\n30\n");
   CHECK(refusal([&] {
@@ -158,7 +158,7 @@ TEST_CASE("LAMMPS: without branches the nearest image of the tilted cell is take
   check_vector(packing->assembly.contacts[0].branch, {0, -0.9999e-3, 0}, 1e-12);
   CHECK(packing->has(Finding::tangential_unknown));
 
-  CHECK(refused(with(a, "pp pp pp", "pp ff pp"), c) ==
+  CHECK(dump_refused(with(a, "pp pp pp", "pp ff pp"), c) ==
         "c:10: the pair 1, 2 is in contact across a gap: are the right faces periodic?");
 }
 
@@ -198,7 +198,7 @@ TEST_CASE("LAMMPS: other units are converted to SI, also if only one file states
   CHECK(packing->assembly.radius[0] == relative(0.5e-5, 1e-15));
   CHECK(packing->assembly.contacts[0].normal_force == relative(force_ab * 1e-5, 1e-15));
   CHECK(norm(packing->assembly.contacts[0].branch) == relative(0.9999e-5, 1e-12));
-  CHECK(refused("ITEM: UNITS\nlj\n" + atoms).find("units 'lj' are not supported; expected si") !=
+  CHECK(dump_refused("ITEM: UNITS\nlj\n" + atoms).find("units 'lj' are not supported; expected si") !=
         std::string::npos);
 }
 
@@ -220,8 +220,9 @@ TEST_CASE(
   CHECK_FALSE(first->has(Finding::forces_swapped));
   CHECK(second->has(Finding::forces_swapped));
   // on grain 2 instead of grain 1: refused rather than turned round
-  CHECK(refused(atoms, head + ab + "0.0235294118 0 0 " + t1 + "\n" + bc + "0 0 0.0665512265 " + t2 + "\n")
-            .starts_with("c:10: no columns agree with the positions of the grains"));
+  CHECK(
+      dump_refused(atoms, head + ab + "0.0235294118 0 0 " + t1 + "\n" + bc + "0 0 0.0665512265 " + t2 + "\n")
+          .starts_with("c:10: no columns agree with the positions of the grains"));
 }
 
 TEST_CASE("LAMMPS: a column map overrides the names, and forces as one vector are split") {
@@ -232,9 +233,10 @@ TEST_CASE("LAMMPS: a column map overrides the names, and forces as one vector ar
   REQUIRE(packing);
   check_chain(*packing, 1e-12, 1e-8);
   CHECK(packing->assembly.contacts[0].tangential_force == Vec3{});
-  CHECK(refused(atoms, contacts, "id1=c_pl[1],id2=c_pl[9]") == "c:9: expected a column 'c_pl[9]' for id2");
-  CHECK(refused(atoms, contacts, "id1=c_pl[1]") == "c:9: the column map gives no column for id2");
-  CHECK(refused(atoms, contacts, "radius=c_r") == "a:9: expected a column 'c_r' for radius");
+  CHECK(dump_refused(atoms, contacts, "id1=c_pl[1],id2=c_pl[9]") ==
+        "c:9: expected a column 'c_pl[9]' for id2");
+  CHECK(dump_refused(atoms, contacts, "id1=c_pl[1]") == "c:9: the column map gives no column for id2");
+  CHECK(dump_refused(atoms, contacts, "radius=c_r") == "a:9: expected a column 'c_r' for radius");
 }
 
 TEST_CASE("LAMMPS: rows out of order, twice, and neighbours without contact") {
@@ -247,8 +249,8 @@ TEST_CASE("LAMMPS: rows out of order, twice, and neighbours without contact") {
   check_chain(*packing, 1e-12, 1e-8);
   CHECK(packing->has(Finding::duplicated));
   CHECK(packing->has(Finding::unsorted));
-  CHECK(refused(atoms, with(first, "ENTRIES\n2\n", "ENTRIES\n3\n") +
-                           with(row1, "0.0235294118 -0.0235294118", "0.0235 -0.0235"))
+  CHECK(dump_refused(atoms, with(first, "ENTRIES\n2\n", "ENTRIES\n3\n") +
+                                with(row1, "0.0235294118 -0.0235294118", "0.0235 -0.0235"))
             .starts_with("c:12: the pair 1, 2 is also on line 10"));
 
   const std::string apart = with(with(atoms, "0.0019999 0.002 0.002 ", "0.002001 0.002 0.002 "), "", "");
@@ -264,7 +266,7 @@ TEST_CASE("LAMMPS: rows out of order, twice, and neighbours without contact") {
 
 TEST_CASE("LAMMPS: each field of the grains that is wrong is refused with path and line") {
   const auto atom = [](const std::string& from, const std::string& to) {
-    return refused(with(atoms, from, to));
+    return dump_refused(with(atoms, from, to));
   };
   CHECK(atom("id type", "ID type") == "a:9: expected a column 'id'");
   CHECK(atom("radius x", "r x") == "a:9: expected a column 'radius' or 'diameter'");
@@ -292,15 +294,15 @@ TEST_CASE("LAMMPS: each field of the grains that is wrong is refused with path a
   CHECK(atom("ITEM: TIMESTEP", "ITEM: TIMESTAMP")
             .find("the file ends within a frame; expected ITEM: TIMESTEP") != std::string::npos);
   CHECK(atom("ITEM: ATOMS", "ITEM: MOTES").find("frame is not complete") != std::string::npos);
-  CHECK(refused("").find("no time step of a") != std::string::npos);
-  CHECK(refused("hello\n") == "a:1: expected a line that begins with ITEM:, found 'hello'");
-  CHECK(refused(atoms.substr(0, 40)).find("expected ITEM:") != std::string::npos);
-  CHECK(refused(atoms.substr(0, atoms.find("2 1 0.0005"))) == "a:10: expected 3 rows, found 1");
+  CHECK(dump_refused("").find("no time step of a") != std::string::npos);
+  CHECK(dump_refused("hello\n") == "a:1: expected a line that begins with ITEM:, found 'hello'");
+  CHECK(dump_refused(atoms.substr(0, 40)).find("expected ITEM:") != std::string::npos);
+  CHECK(dump_refused(atoms.substr(0, atoms.find("2 1 0.0005"))) == "a:10: expected 3 rows, found 1");
 }
 
 TEST_CASE("LAMMPS: each field of the contacts that is wrong is refused with path and line") {
   const auto contact = [](const std::string& from, const std::string& to) {
-    return refused(atoms, with(contacts, from, to));
+    return dump_refused(atoms, with(contacts, from, to));
   };
   CHECK(contact("c_pl[2]", "c_pl[7]").starts_with("c:10: no columns of ids"));
   CHECK(contact("1 1 2 1 1", "1 1 4 1 1") == "c:10: the grain 4 is not among the 3 grains (ids 1 to 3)");
@@ -319,9 +321,9 @@ TEST_CASE("LAMMPS: each field of the contacts that is wrong is refused with path
       contact("1 1 2 1 1 0.0009999", "1 1 1 1 1 0.0009999").starts_with("c:10: the pair 1, 1 has a line of"));
   CHECK(contact("ENTRIES\n2", "ENTRIES\n3") == "c:12: expected 3 rows, found 2");
   CHECK(contact("ENTRIES\n2", "ENTRIES\nmany") == "c:4: expected a finite number as rows, found 'many'");
-  CHECK(refused(contacts, atoms) == "a:9: expected a column 'id'"); // the two files the wrong way round
+  CHECK(dump_refused(contacts, atoms) == "a:9: expected a column 'id'"); // the two files the wrong way round
   const std::string near =
       "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n"
       "ITEM: ENTRIES id1 id2\n2 2\n";
-  CHECK(refused(atoms, near) == "c:10: the grain 2 is in contact with itself");
+  CHECK(dump_refused(atoms, near) == "c:10: the grain 2 is in contact with itself");
 }

@@ -62,7 +62,7 @@ ImportedPacking read(const std::string& contacts, const std::string& map = "") {
   return dump.next().value();
 }
 
-std::string refused(const std::string& contacts) {
+std::string layout_refused(const std::string& contacts) {
   return refusal([&] { static_cast<void>(read(contacts)); });
 }
 
@@ -144,19 +144,22 @@ TEST_CASE("LAMMPS layouts: six digits, several computes, ids behind the values")
 
 TEST_CASE("LAMMPS layouts: values of an unknown order are refused, with the option for a map") {
   // the scalar last, a distance that is none, a vector turned round its axes
-  std::string message = refused(contacts_with("p1 p2 p3 p4 force"));
+  std::string message = layout_refused(contacts_with("p1 p2 p3 p4 force"));
   CHECK(message.starts_with("c:10: no columns agree with the positions of the grains (tried: "));
   CHECK(message.find("force p1 to p4") != std::string::npos);
   CHECK(message.find("column map, such as id1=") != std::string::npos);
-  CHECK(refused(contacts_with("p4 force fx fy fz")).find("agree with the positions") != std::string::npos);
-  CHECK(refused(contacts_with("fy fz fx")).find("agree with the positions") != std::string::npos);
-  CHECK(refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1 200 ")).find("no column has ids") !=
+  CHECK(layout_refused(contacts_with("p4 force fx fy fz")).find("agree with the positions") !=
         std::string::npos);
-  CHECK(refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1.5 2 ")).find("no column has ids") !=
-        std::string::npos);
-  CHECK(refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 x 2 ")) ==
+  CHECK(layout_refused(contacts_with("fy fz fx")).find("agree with the positions") != std::string::npos);
+  CHECK(
+      layout_refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1 200 ")).find("no column has ids") !=
+      std::string::npos);
+  CHECK(
+      layout_refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1.5 2 ")).find("no column has ids") !=
+      std::string::npos);
+  CHECK(layout_refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 x 2 ")) ==
         "c:10: expected a finite number as value of c_ids[1], found 'x'");
-  CHECK(refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1 2 3 "))
+  CHECK(layout_refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1 2 3 "))
             .starts_with("c:10: expected 5 fields"));
 }
 

@@ -24,7 +24,7 @@ std::optional<ImportedPacking> read(const std::string& data_text_, const std::st
   return reader.next();
 }
 
-std::string refused(const std::string& data_text_, const std::string& fstat_text = fstat) {
+std::string output_refused(const std::string& data_text_, const std::string& fstat_text = fstat) {
   return refusal([&] { (void)read(data_text_, fstat_text); });
 }
 
@@ -52,11 +52,11 @@ TEST_CASE("MercuryDPM: the tangential force has its side, and mirror rows are ch
   // the first row is the force on grain 1 by grain 0: so what 0 exerts on 1 points along +y
   check_vector(packing->assembly.contacts[0].tangential_force, {0, 0.0114329834, 0}, 1e-15);
   check_vector(residuals(packing->assembly)[1].force, {force_ab, 0.0114329834, -force_bc}, 1e-15);
-  CHECK(refused(data, with(fstat, plain_ab, with(sheared_ab, "-0 -1 -0", "0 1 0")))
+  CHECK(output_refused(data, with(fstat, plain_ab, with(sheared_ab, "-0 -1 -0", "0 1 0")))
             .starts_with("f:5: the pair 0, 1 is also on line 4, with another line of centres or force"));
-  CHECK(refused(data, with(fstat, plain_ab,
-                           with(plain_ab, "0 0 1 0.00149995 0.002 0.002 1e-07 0 0.0235294118",
-                                "0 0 1 0.00149995 0.002 0.002 1e-07 0 0.0245294118")))
+  CHECK(output_refused(data, with(fstat, plain_ab,
+                                  with(plain_ab, "0 0 1 0.00149995 0.002 0.002 1e-07 0 0.0235294118",
+                                       "0 0 1 0.00149995 0.002 0.002 1e-07 0 0.0245294118")))
             .starts_with("f:5: the pair 0, 1 is also on line 4"));
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("MercuryDPM: frames are joined by their time") {
   CHECK(second->time == 0.2);
   CHECK_FALSE(reader.next());
   CHECK(reader.skipped() == 1);
-  CHECK(refused(data, at(fstat, "# 0 1", "# 7 1")).ends_with("contains no time of d"));
+  CHECK(output_refused(data, at(fstat, "# 0 1", "# 7 1")).ends_with("contains no time of d"));
   MercuryOutput grains(text_source("d", data2));
   CHECK(grains.next()->has(Finding::contacts_unknown));
   CHECK(grains.next());
@@ -126,10 +126,10 @@ TEST_CASE("MercuryDPM: frames are joined by their time") {
 
 TEST_CASE("MercuryDPM: each field that is wrong is refused with path and line") {
   const auto grain = [](const std::string& from, const std::string& to) {
-    return refused(with(data, from, to));
+    return output_refused(with(data, from, to));
   };
   const auto row = [](const std::string& from, const std::string& to) {
-    return refused(data, with(fstat, from, to));
+    return output_refused(data, with(fstat, from, to));
   };
   CHECK(grain("3 0 0", "4 0 0") == "d:4: expected 4 grains, found 3");
   CHECK(grain("3 0 0", "x 0 0") == "d:1: expected a finite number as grains, found 'x'");
@@ -155,6 +155,6 @@ TEST_CASE("MercuryDPM: each field that is wrong is refused with path and line") 
   CHECK(row(" 1 0 0 0 0 0", " 0 1 0 0 0 0")
             .starts_with("f:4: the pair 1, 0 has a line of centres that does not fit"));
   CHECK(row(" 1 0 0 0 0 0", " 1 0 0 0 0").starts_with("f:4: expected 16 numbers"));
-  CHECK(refused(data, fstat.substr(0, 6)).find("within the three lines") != std::string::npos);
-  CHECK(refused("") == "f:7: contains no time of d");
+  CHECK(output_refused(data, fstat.substr(0, 6)).find("within the three lines") != std::string::npos);
+  CHECK(output_refused("") == "f:7: contains no time of d");
 }

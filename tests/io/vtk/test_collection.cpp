@@ -12,7 +12,7 @@ namespace {
 const std::vector<SeriesEntry> entries{{20, "grains-20.vtu"}, {-0.5, "a & b/grains.vtu"}, {3.25, "c.vtu"}};
 
 std::vector<SeriesEntry> read(const std::string& text) { return read_collection(text_source("s.pvd", text)); }
-std::string refused(const std::string& text) {
+std::string collection_refused(const std::string& text) {
   return refusal([&] { (void)read(text); });
 }
 
@@ -52,18 +52,18 @@ TEST_CASE("VTK series: told from other files") {
 
 TEST_CASE("VTK series: damaged files are refused with their line") {
   const std::string good = pvd(entries);
-  CHECK(refused(good.substr(0, good.size() - 12)).find("is no XML") != std::string::npos);
-  CHECK(refused(with(good, "timestep=\"20\"", "timestep=\"nan\""))
+  CHECK(collection_refused(good.substr(0, good.size() - 12)).find("is no XML") != std::string::npos);
+  CHECK(collection_refused(with(good, "timestep=\"20\"", "timestep=\"nan\""))
             .find("s.pvd:4: expected a number as timestep of a DataSet") != std::string::npos);
-  CHECK(refused(with(good, " timestep=\"20\"", "")).find("expected a number as timestep") !=
+  CHECK(collection_refused(with(good, " timestep=\"20\"", "")).find("expected a number as timestep") !=
         std::string::npos);
-  CHECK(refused(with(good, " file=\"c.vtu\"", "")).find("s.pvd:6: expected the name of a file") !=
+  CHECK(collection_refused(with(good, " file=\"c.vtu\"", "")).find("s.pvd:6: expected the name of a file") !=
         std::string::npos);
-  CHECK(refused(with(good, "3.25", "20")).find("several of timestep 20") != std::string::npos);
-  CHECK(refused(pvd({})).find("expected elements DataSet, found none") != std::string::npos);
-  CHECK(refused(with(good, "Collection\"", "PolyData\"")).find("s.pvd:2: expected an element VTKFile") !=
-        std::string::npos);
-  CHECK(refused(with(good, "<VTKFile", "<!DOCTYPE VTKFile><VTKFile")).find("found a document type") !=
-        std::string::npos);
-  CHECK(refused("").find("is no XML") != std::string::npos);
+  CHECK(collection_refused(with(good, "3.25", "20")).find("several of timestep 20") != std::string::npos);
+  CHECK(collection_refused(pvd({})).find("expected elements DataSet, found none") != std::string::npos);
+  CHECK(collection_refused(with(good, "Collection\"", "PolyData\""))
+            .find("s.pvd:2: expected an element VTKFile") != std::string::npos);
+  CHECK(collection_refused(with(good, "<VTKFile", "<!DOCTYPE VTKFile><VTKFile"))
+            .find("found a document type") != std::string::npos);
+  CHECK(collection_refused("").find("is no XML") != std::string::npos);
 }

@@ -11,19 +11,19 @@ using namespace granum::samples;
 
 namespace {
 
-const std::string grains = "# granum: grains of a YADE scene, SI\n# step 20\n# time 2.5e-07\n"
-                           "# cell 0.004 0 0 0 0.004 0 0 0 0.004\n# id x y z r\n"
-                           "0 0.001 0.002 0.002 0.0005\n1 0.0019999 0.002 0.002 0.0005\n"
-                           "2 0.0019999 0.002 0.0029998 0.0005\n";
+const std::string script_grains = "# granum: grains of a YADE scene, SI\n# step 20\n# time 2.5e-07\n"
+                                  "# cell 0.004 0 0 0 0.004 0 0 0 0.004\n# id x y z r\n"
+                                  "0 0.001 0.002 0.002 0.0005\n1 0.0019999 0.002 0.002 0.0005\n"
+                                  "2 0.0019999 0.002 0.0029998 0.0005\n";
 const std::string heading =
     "# id1 id2 cellDistX cellDistY cellDistZ cpx cpy cpz nx ny nz pd fnx fny fnz fsx fsy fsz kn ks\n";
-const std::string contacts = data_text("yade_chain.contacts");
+const std::string script_contacts = data_text("yade_chain.contacts");
 
-ImportedPacking read(const std::string& grain_text, const std::string& contact_text) {
+ImportedPacking read_script(const std::string& grain_text, const std::string& contact_text) {
   return read_yade(text_source("g", grain_text), text_source("c", contact_text));
 }
-std::string refused(const std::string& grain_text, const std::string& contact_text = contacts) {
-  return refusal([&] { (void)read(grain_text, contact_text); });
+std::string script_refused(const std::string& grain_text, const std::string& contact_text = script_contacts) {
+  return refusal([&] { (void)read_script(grain_text, contact_text); });
 }
 
 } // namespace
@@ -34,7 +34,7 @@ TEST_CASE("YADE: the chain as the script writes it, forces on the second grain, 
       heading + "0 1 0 0 0 0.00149995 0.002 0.002 1 0 0 1e-07 0.0235294118 0 0 0 0.003 0 352941.177 "
                 "324324.325\n2 1 0 0 0 0.0019999 0.002 0.0024999 0 0 -1 2e-07 0 0 -0.0665512265 0 0 "
                 "0 499134.199 458663.858\n";
-  const ImportedPacking packing = read(grains, rows);
+  const ImportedPacking packing = read_script(script_grains, rows);
   check_chain(packing, 1e-15, 1e-15);
   CHECK(packing.step == 20);
   CHECK(packing.time == 2.5e-7);
@@ -60,7 +60,8 @@ TEST_CASE(
 }
 
 TEST_CASE("YADE: rows that it printed itself") {
-  const ImportedPacking packing = read_yade(text_source("g", grains), data_source("yade_chain.contacts"));
+  const ImportedPacking packing =
+      read_yade(text_source("g", script_grains), data_source("yade_chain.contacts"));
   const packing::Contact &ab = packing.assembly.contacts[0], &bc = packing.assembly.contacts[1];
   CHECK(ab.overlap == 9.93569733362e-08);
   CHECK(ab.normal_force == relative(0.0233028264076, 1e-11));
@@ -71,17 +72,17 @@ TEST_CASE("YADE: rows that it printed itself") {
 }
 
 TEST_CASE("YADE: a pair through a face, in a sheared cell") {
-  const std::string two =
-      with(with(grains.substr(0, grains.find("0 0.001")), "0.004 0 0 0 0.004", "0.004 0.0004 0 0 0.004"),
-           "# step", "# step") +
-      "4 0.002 0.0004 0.002 0.0005\n7 0.0024 0.0034001 0.002 0.0005\n";
+  const std::string two = with(with(script_grains.substr(0, script_grains.find("0 0.001")),
+                                    "0.004 0 0 0 0.004", "0.004 0.0004 0 0 0.004"),
+                               "# step", "# step") +
+                          "4 0.002 0.0004 0.002 0.0005\n7 0.0024 0.0034001 0.002 0.0005\n";
   const std::string row = "4 7 0 -1 0 0 0 0 0 -1 0 1e-07 0 -0.0235294118 0 0 0 0 1 1\n";
-  const ImportedPacking packing = read(two, heading + row);
+  const ImportedPacking packing = read_script(two, heading + row);
   REQUIRE(packing.assembly.contacts.size() == 1);
   check_vector(packing.assembly.contacts[0].branch, {0, -0.9999e-3, 0}, 1e-12);
   CHECK(packing.assembly.contacts[0].normal_force == force_ab);
   CHECK(packing.has(Finding::through_faces));
-  CHECK(refused(two, heading + with(row, "0 -1 0 0 0 0", "0 1 0 0 0 0")) ==
+  CHECK(script_refused(two, heading + with(row, "0 -1 0 0 0 0", "0 1 0 0 0 0")) ==
         "c:2: the line of centres does not fit the positions and cellDist");
 }
 
@@ -114,20 +115,20 @@ TEST_CASE("YADE: a wall is second in a pair, after its sphere") {
 }
 
 TEST_CASE("YADE: contacts that were not exported are counted") {
-  const ImportedPacking packing = read(grains, "# left_out 3\n" + contacts);
+  const ImportedPacking packing = read_script(script_grains, "# left_out 3\n" + script_contacts);
   CHECK(packing.has(Finding::walls_unknown));
   CHECK(packing.assembly.wall_contacts.empty());
-  CHECK_FALSE(read(grains, contacts).has(Finding::walls_unknown));
+  CHECK_FALSE(read_script(script_grains, script_contacts).has(Finding::walls_unknown));
 }
 
 TEST_CASE("YADE: each field that is wrong is refused with path and line") {
   const auto grain = [](const std::string& from, const std::string& to) {
-    return refused(with(grains, from, to));
+    return script_refused(with(script_grains, from, to));
   };
   const auto row = [](const std::string& from, const std::string& to) {
-    return refused(grains, with(contacts, from, to));
+    return script_refused(script_grains, with(script_contacts, from, to));
   };
-  CHECK(refused("") == "g: contains no grains");
+  CHECK(script_refused("") == "g: contains no grains");
   CHECK(grain("# id x y z r", "# rows").starts_with("g:6: expected a heading"));
   CHECK(grain("x y z r", "x y z radius") == "g:6: expected a column 'r' in the heading");
   CHECK(grain("x y z r", "x y r") == "g:6: expected 4 fields, as many as the heading names, found 5");
@@ -139,8 +140,8 @@ TEST_CASE("YADE: each field that is wrong is refused with path and line") {
   CHECK(grain("# cell 0.004", "# cell 0").starts_with("g:4: expected a box of positive volume"));
   CHECK(grain("# step 20", "# step x") == "g:2: expected a finite number as step, found 'x'");
   CHECK(grain("# time 2.5e-07", "# time") == "g:3: expected time as field 3, found 2 fields");
-  CHECK(refused(grains, "") == "c: contains no contacts; expected a heading '# id1 id2 ...'");
-  CHECK(refused(grains, "0 1\n") == "c:1: expected a heading '# id1 id2 ...' above the rows");
+  CHECK(script_refused(script_grains, "") == "c: contains no contacts; expected a heading '# id1 id2 ...'");
+  CHECK(script_refused(script_grains, "0 1\n") == "c:1: expected a heading '# id1 id2 ...' above the rows");
   CHECK(row("id2", "second") == "c:1: expected a column 'id2' in the heading");
   CHECK(row(" pd ", " overlap ") == "c:1: expected a column 'pd' in the heading");
   CHECK(row("\n0 1 0", "\n0 5 0") == "c:2: the grain 5 is not among the 3 grains (ids 0 to 2)");
