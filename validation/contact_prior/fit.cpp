@@ -7,8 +7,8 @@
 //                             ../verify_default/states.csv
 //                                      fits again, compares with that file, and asks whether recipes left
 //                                      out, packings of others, rough ones and verify's lie where it says
-//     contact_prior_fit points states.csv
-//     contact_prior_fit lines          CSV for the picture: z* measured and by the prior; z* over void ratio
+//     contact_prior_fit picture states.csv
+//                                      SVG: z* over the void ratio, and of packings beside the prior
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -23,6 +23,7 @@
 #include "../relaxation/coverage.hpp"
 #include "calibration.hpp"
 #include "effective/contact_prior_coefficients.hpp"
+#include "picture.hpp"
 #include "unfitted.hpp"
 
 namespace {
@@ -301,53 +302,16 @@ int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
   return claims.failed() == 0 ? 0 : 1;
 }
 
-/// Columns for the picture: void ratio without pressure, z* less what overlaps add.
-void print_points(const std::vector<Packing>& packings) {
-  std::printf("contact,preparation,pressure_Pa,rigid_void_ratio,z_star,z_prior,rattlers,rattlers_prior\n");
-  const auto& c = kernel::contact_coefficients;
-  for (const Packing& p : packings)
-    std::printf("%s,%s,%g,%.5g,%.5g,%.5g,%.5g,%.5g\n", p.contact.c_str(), p.preparation.c_str(), p.pressure,
-                rigid<double>(p, c), p.mechanical_coordination, by_recipe<double>(p, c), p.rattler_fraction,
-                rattlers_of(p, kernel::rattler_coefficients));
-}
-
-/// Densest line and friction 0.5 of spheres at 10 kPa and 1 MPa, against the void ratio without pressure.
-void print_lines() {
-  std::printf("rigid_void_ratio,densest_10kPa,loosest_10kPa,densest_1MPa,loosest_1MPa\n");
-  for (double e = 0.55; e < 0.9; e += 0.005) {
-    std::printf("%g", e);
-    for (const double pressure : {10e3, 1e6}) {
-      State state{
-          .law = granum::contact::PowerLaw::sphere({.shear_modulus = 30e9, .poisson_ratio = 0.15}, 0.5e-3),
-          .radius = 0.5e-3,
-          .void_ratio = e,
-          .stress_v = pressure,
-          .stress_h = pressure};
-      const double overlap = granum::effective::contact_prior(state).relative_overlap;
-      state.void_ratio = (1 + e) / (1 + overlap * kernel::contact_coefficients[3]) - 1;
-      const ContactPrior prior = granum::effective::contact_prior(state);
-      std::printf(",%.4f,%.4f", prior.densest.mechanical_coordination_number,
-                  prior.loosest.mechanical_coordination_number);
-    }
-    std::printf("\n");
-  }
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
   const std::string_view command = argc > 1 ? argv[1] : "";
-  if (command == "lines" && argc == 2) {
-    print_lines();
-    return 0;
-  }
-  if (!((command == "coefficients" || command == "points") && argc == 3) &&
+  if (!((command == "coefficients" || command == "picture") && argc == 3) &&
       !(command == "check" && argc == 7)) {
-    std::fprintf(
-        stderr,
-        "usage: %s coefficients|points states.csv, lines, or check states.csv published.csv rough.csv "
-        "../infer/states.csv ../verify_default/states.csv\n",
-        argv[0]);
+    std::fprintf(stderr,
+                 "usage: %s coefficients|picture states.csv, or check states.csv published.csv rough.csv "
+                 "../infer/states.csv ../verify_default/states.csv\n",
+                 argv[0]);
     return 2;
   }
   try {
@@ -358,8 +322,8 @@ int main(int argc, char** argv) {
         (p.contact == relaxation::unfitted_contact ? other_shape : packings).push_back(p);
     if (command == "coefficients")
       print_coefficients(fit_everything(packings));
-    else if (command == "points")
-      print_points(packings);
+    else if (command == "picture")
+      std::fputs(picture(packings).c_str(), stdout);
     else
       return check(all, packings, other_shape, read_published(argv[3]), argv + 4);
     return 0;

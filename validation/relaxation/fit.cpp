@@ -4,7 +4,7 @@
 //     relaxation_fit coefficients FILES   writes src/effective/relaxation_coefficients.hpp
 //     relaxation_fit check FILES          fits again, compares with that file, and asks whether errors, also
 //                                         on packings left out of the fit, are in reach
-//     relaxation_fit points FILES         measured and fitted factors as CSV, for a picture
+//     relaxation_fit picture FILES        SVG: factors of the networks and of the library
 //     relaxation_fit besides FILES        what the void ratio and the stretch do, and errors by z*
 //
 // FILES: states.csv unequal.csv gradations.csv codes.csv exponents.csv rough.csv
@@ -24,6 +24,7 @@
 #include "factor_errors.hpp"
 #include "gradations.hpp"
 #include "library_errors.hpp"
+#include "picture.hpp"
 #include "reading.hpp"
 #include "size_coverage.hpp"
 
@@ -384,23 +385,13 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfi
   return claims.failed() == 0 ? 0 : 1;
 }
 
-/// Columns for the pictures.
-void print_points(const std::vector<Packing>& packings, const Result& result) {
-  std::printf("contact,z_star,ratio,shear,shear_fit,bulk,bulk_fit,isotropic\n");
-  for (const Packing& p : packings)
-    for (const Network& n : p.networks)
-      std::printf("%s,%.5g,%.3g,%.5g,%.5g,%.5g,%.5g,%d\n", p.contact.c_str(), p.mechanical_coordination,
-                  n.ratio, shear_factor(p, n), shear_model(p, n, result.shear.coefficients),
-                  bulk_factor(p, n), bulk_model(p, n, result.bulk.coefficients), p.isotropic() ? 1 : 0);
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
   if (argc != 8) {
     std::fprintf(
         stderr,
-        "usage: %s coefficients|check|points|besides states.csv unequal.csv gradations.csv codes.csv "
+        "usage: %s coefficients|check|picture|besides states.csv unequal.csv gradations.csv codes.csv "
         "exponents.csv rough.csv\n",
         argv[0]);
     return 2;
@@ -417,8 +408,8 @@ int main(int argc, char** argv) {
       print_coefficients(result);
       return 0;
     }
-    if (std::strcmp(argv[1], "points") == 0) {
-      print_points(packings, result);
+    if (std::strcmp(argv[1], "picture") == 0) {
+      std::fputs(picture(packings).c_str(), stdout);
       return 0;
     }
     if (std::strcmp(argv[1], "besides") == 0) {
