@@ -43,7 +43,8 @@ inline std::array<Series, 2> range_lines(double pressure, const std::string& nam
   return {densest, loosest};
 }
 
-/// Recorded packings of spheres at one pressure: made from a gas or without friction, or opened a little first.
+/// Recorded packings of spheres at one pressure: made from a gas or without friction, or opened a little
+/// first.
 inline Series recorded(const std::vector<Packing>& packings, double pressure, bool opened,
                        const std::string& name, Colour colour) {
   Series series{.name = name,
