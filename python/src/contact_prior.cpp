@@ -90,7 +90,7 @@ void bind_contact_prior(py::module_& module) {
       .def_readonly("rattler_fraction", &ContactCounts::rattler_fraction, "x_0 [1].")
       .def_property_readonly("coordination_number", &ContactCounts::coordination_number,
                              "C_n, over all grains [1].");
-  py::class_<ContactPrior>(module, "ContactPrior", "Possible contact numbers of a packing.")
+  py::class_<ContactPrior>(module, "ContactPrior", "Possible coordination numbers of a packing.")
       .def_readonly("loosest", &ContactPrior::loosest, "The fewest.")
       .def_readonly("middle", &ContactPrior::middle, "Half way, by z*.")
       .def_readonly("densest", &ContactPrior::densest, "The most.")
@@ -102,19 +102,20 @@ void bind_contact_prior(py::module_& module) {
       .def_property_readonly(
           "notes", [](const ContactPrior& prior) { return prior.validity.notes; },
           "Remarks on numbers outside the range of a formula, a sentence each.");
-  define(module,
-         {"contact_prior", and_keywords(grains_keywords, {{"preparation", "None"}}), &contact_prior,
-          std::string("Possible contact numbers of a packing if only void ratio and stress are known.\n") +
-              grains_parameters + R"(preparation : str, optional
+  define(
+      module,
+      {"contact_prior", and_keywords(grains_keywords, {{"preparation", "None"}}), &contact_prior,
+       std::string("Possible coordination numbers of a packing if only void ratio and stress are known.\n") +
+           grains_parameters + R"(preparation : str, optional
     "dense", "loose", or "friction:0.3", a friction coefficient; without it unknown.
 
 Returns
 -------
 ContactPrior
 )" + raises_invalid("For impossible numbers, or another preparation.") +
-              notes("Calibrated on granum's own packings of all recipes, with their scatter: "
-                    "validation/contact_prior.",
-                    "effective::contact_prior", "effective/contact_prior.hpp")});
+           notes("Calibrated on granum's own packings of all recipes, with their scatter: "
+                 "validation/contact_prior.",
+                 "effective::contact_prior", "effective/contact_prior.hpp")});
   using effective::CarriedContacts;
   py::class_<CarriedContacts>(module, "CarriedContacts",
                               "A packing with known contacts at another mean stress.")

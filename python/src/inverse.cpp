@@ -28,7 +28,7 @@ struct Answer {
 const Inference& together(const Answer& answer) {
   if (answer.found.together)
     return *answer.found.together;
-  std::string why = "no contact number explains what was measured";
+  std::string why = "no coordination number explains what was measured";
   for (const std::string& note : answer.found.validity.notes)
     why += "; " + note;
   throw NotConverged(why);
@@ -68,16 +68,16 @@ Raises
 InvalidArgument
     For another quantity, or a wave speed without grain_density.
 NotConverged
-    Where no contact number explains what was measured.
+    Where no coordination number explains what was measured.
 )";
 
 void bind_answer(py::module_& module) {
   py::class_<Answer>(module, "Inference", R"(What measurements say of the contacts of a packing.
 
-Its numbers raise NotConverged where no contact number explains what was measured; `explained` tells.)")
+Its numbers raise NotConverged where no coordination number explains what was measured; `explained` tells.)")
       .def_property_readonly(
           "explained", [](const Answer& a) { return a.found.together.has_value(); },
-          "Whether any contact number explains what was measured.")
+          "Whether any coordination number explains what was measured.")
       .def_property_readonly(
           "pressure", [](const Answer& a) { return together(a).reference_stress(); },
           "Mean stress that the contacts belong to: that of the first measurement [Pa].")
@@ -96,7 +96,7 @@ Its numbers raise NotConverged where no contact number explains what was measure
               out.push_back(one.mechanical_coordination_number);
             return out;
           },
-          "z* that each measurement implies by itself; None where no contact number explains it.")
+          "z* that each measurement implies by itself; None where no coordination number explains it.")
       .def_property_readonly(
           "fitted", [](const Answer& a) { return fitted_values(together(a).measurements()); },
           "Each measurement as all of them together have it [Pa or m/s].")
@@ -170,7 +170,7 @@ Its numbers raise NotConverged where no contact number explains what was measure
            py::arg("void_ratio") = py::none(), py::arg("specimen") = "same", predict_documentation.c_str())
       .def("__repr__", [](const Answer& a) {
         if (!a.found.together)
-          return std::string("<Inference: no contact number explains what was measured>");
+          return std::string("<Inference: no coordination number explains what was measured>");
         const Measured z = contacts(a).mechanical_coordination_number;
         return "Inference(mechanical_coordination_number=" +
                std::string(py::str("{:.3f} +- {:.3f})").format(z.value, z.standard_error));

@@ -154,7 +154,7 @@ def test_a_hole_in_the_measurements_is_left_out():
 def test_measurements_that_no_contacts_explain_are_reported():
     stiff = granum.infer(**BEADS, pressure=1e5, G=9e9, relative_error=0.02)
     assert not stiff.explained and stiff.alone == [None] and stiff.notes
-    with pytest.raises(granum.NotConverged, match="no contact number"):
+    with pytest.raises(granum.NotConverged, match="no coordination number"):
         stiff.mechanical_coordination_number
     with pytest.raises(granum.InvalidArgument, match="sound"):
         granum.infer(**BEADS, pressure=1e5, G=150e6, relative_error=0.02).predict("sound", pressure=1e5)

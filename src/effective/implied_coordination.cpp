@@ -31,7 +31,7 @@ void require_growing(Modulus which) {
       which == Modulus::C33)
     return;
   throw InvalidArgument(
-      "a contact number follows from K, G_hh, G_vh, C11 or C33, which grow with it; the given "
+      "a coordination number follows from K, G_hh, G_vh, C11 or C33, which grow with it; the given "
       "modulus may not");
 }
 

@@ -61,7 +61,7 @@ Eigen::RowVector2d calibration_of(const QuantityRow& row, const effective::Relax
 
 const State& first_state(std::span<const Observation> measurements) {
   if (measurements.empty())
-    throw InvalidArgument("there is no measurement: a contact number follows from at least one");
+    throw InvalidArgument("there is no measurement: a coordination number follows from at least one");
   return measurements.front().state;
 }
 
@@ -318,7 +318,7 @@ Inference ContactModel::solve_from(const std::shared_ptr<const ContactModel>& mo
     const hardin::NonlinearProblem problem{residuals,
                                            [&](const Eigen::VectorXd& at) { return slopes(residuals, at); }};
     const hardin::NonlinearSolution solution =
-        hardin::solve(problem, theta, model->options_.iteration_limit, "a contact number");
+        hardin::solve(problem, theta, model->options_.iteration_limit, "a coordination number");
     theta = solution.theta;
     jacobian = slopes(residuals, theta);
     // GSL compares sums of squares, which near the minimum differ only by rounding: take one more step.
@@ -328,7 +328,7 @@ Inference ContactModel::solve_from(const std::shared_ptr<const ContactModel>& mo
     if (gain <= negligible_gain * (1 + misfit.squaredNorm()))
       theta -= step;
     if (solution.status != hardin::FitStatus::converged && gain > gain_at_kink)
-      throw NotConverged("the fit of a contact number did not converge after " +
+      throw NotConverged("the fit of a coordination number did not converge after " +
                          std::to_string(solution.iterations) + " iterations");
   }
   Inference inference;

@@ -57,13 +57,13 @@ std::string bound_text(const Observation& m, const InferenceOptions& options, do
 void note_unexplained(const Observation& m, const InferenceOptions& options,
                       const effective::ImpliedCoordination& implied, Validity& validity) {
   if (implied.explained == Explained::too_stiff)
-    validity.add("no contact number explains " + named(m) +
+    validity.add("no coordination number explains " + named(m) +
                  ": with 12 contacts per grain, the largest number for equal "
                  "spheres, it would be " +
                  bound_text(m, options, implied.stiffest) +
                  "; the grains may be bonded, flat at their contacts, or stiffer than given");
   if (implied.explained == Explained::too_soft)
-    validity.add("no contact number explains " + named(m) +
+    validity.add("no coordination number explains " + named(m) +
                  ": the loosest rigid network of contacts "
                  "would have " +
                  bound_text(m, options, implied.softest) +
@@ -85,7 +85,7 @@ void note_states(const Inference& all, std::span<const Observation> measurements
                                            static_cast<double>(measurements.size())));
 }
 
-/// Adds a note if the contact number is unusual for packings of that void ratio.
+/// Adds a note if the coordination number is unusual for packings of that void ratio.
 void note_density(const Inference& all, const effective::State& first, Validity& validity) {
   const effective::ContactPrior prior = effective::contact_prior(first);
   const Measured z = all.packing(first).mechanical_coordination_number;
@@ -110,7 +110,7 @@ void note_contradiction(const Inference& all, std::span<const Observation> measu
       worst = k;
   const double deviation = all.measurements()[worst].deviation;
   validity.add(
-      "the measurements contradict each other: no single contact number explains them all within their "
+      "the measurements contradict each other: no single coordination number explains them all within their "
       "errors and that of rung 3 (" +
       granum::detail::formatted("chi^2 %.3g at %.0f degrees of freedom); ", all.chi_square(),
                                 static_cast<double>(all.degrees_of_freedom())) +
@@ -131,7 +131,7 @@ Inference solve_together(const std::shared_ptr<const detail::ContactModel>& mode
       if (!alone[k].implied.mechanical_coordination_number)
         unexplained += (unexplained.empty() ? "; alone, none explains " : ", ") + named(measurements[k]);
     throw NotConverged(
-        "no single contact number can be fitted to the measurements: they contradict each other "
+        "no single coordination number can be fitted to the measurements: they contradict each other "
         "by far more than their errors" +
         unexplained);
   }

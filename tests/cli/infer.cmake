@@ -50,7 +50,7 @@ granum_cli_test("infer: K and G that contradict each other" EXIT 4 STDOUT "chi\\
   STDERR "^granum: error: the measurements contradict each other: [^\n]*V_p = 838 m/s at 2760 kPa, [0-9.]+ standard errors softer[^\n]*\n$"
   ARGS ${beads} --vs 587m/s+-1% --vp 838m/s+-1% --strict)
 granum_cli_test("infer: too stiff for any contacts" EXIT 1 STDOUT "V_s +1587 m/s \\+- 2 % .*z\\* none"
-  STDERR "no contact number explains V_s = 1587 m/s at 2760 kPa: with 12 contacts[^\n]*\ngranum: error: no measurement can be explained"
+  STDERR "no coordination number explains V_s = 1587 m/s at 2760 kPa: with 12 contacts[^\n]*\ngranum: error: no measurement can be explained"
   ARGS ${beads} --vs 1587m/s)
 granum_cli_test("infer: too soft for any contacts" EXIT 1 JSON "measurements/0/explained=^too soft$"
   STDERR "the loosest rigid network of contacts would have" ARGS ${beads} --bulk-modulus 100MPa --json)

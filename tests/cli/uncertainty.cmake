@@ -50,6 +50,9 @@ granum_uncertainty_test(mechanical-coordination-number 5.5 0.1 5.4 5.6 ARGS ${st
 granum_uncertainty_test(void-ratio 0.6 5% 0.57 0.63 WITHOUT stress_exponent ARGS --pressure 100kPa)
 granum_uncertainty_test(d50 0.5mm 0.1mm 0.4mm 0.6mm POWER shear_modulus=0 ARGS ${spheres} ${light} --uniformity 1.5 --grain-shape sphere)
 
+granum_uncertainty_test(relative-density 60% 0.1 50% 70% WITHOUT stress_exponent
+  ARGS --grain glass --least-void-ratio 0.55 --largest-void-ratio 0.75 --pressure 100kPa)
+
 # A share of rattlers below 0 is impossible: 2 % less 3.25 % becomes 2 % less 1.625 %, z* = 5.9/(1-x).
 granum_cli_test("estimate --uncertainty: impossible values are moved less far" EXIT 0
   JSON "answer/mechanical_coordination_number/low=^5\\.9222"

@@ -56,7 +56,7 @@ TEST_CASE("implied coordination: moduli grow with z*, so that there is one answe
     }
 }
 
-TEST_CASE("implied coordination: moduli that no contact number explains") {
+TEST_CASE("implied coordination: moduli that no coordination number explains") {
   const State state = state_of(2, 0, 0.15, 100e3, 100e3);
   const double most = modulus_with(state, 12, Modulus::G_vh);
   const auto stiff = implied_coordination(state, Modulus::G_vh, 1.001 * most);

@@ -258,14 +258,14 @@ TEST_CASE("inference: a probability of three in a thousand counts as a contradic
   CHECK(before);
 }
 
-TEST_CASE("inference: measurements that no contact number explains") {
+TEST_CASE("inference: measurements that no coordination number explains") {
   Observation stiff = measurement(Quantity::V_s, beads(1e6), 12);
   stiff.value.value *= 1.01;
   const auto none = infer(std::span(&stiff, 1), options_with());
   CHECK_FALSE(none.together);
   CHECK_FALSE(none.alone.front().mechanical_coordination_number);
   REQUIRE(none.validity.notes.size() == 1);
-  CHECK(none.validity.notes.front().find("no contact number explains V_s = ") == 0);
+  CHECK(none.validity.notes.front().find("no coordination number explains V_s = ") == 0);
   CHECK(none.validity.notes.front().find("12 contacts") != std::string::npos);
   Observation soft = measurement(Quantity::K, beads(1e6), 4.3);
   soft.value.value *= 0.5;
@@ -276,7 +276,7 @@ TEST_CASE("inference: measurements that no contact number explains") {
   const std::vector<Observation> both{measurement(Quantity::G_vh, beads(1e6), 5), soft};
   const auto mixed = infer(both, options_with());
   CHECK(mixed.together);
-  CHECK(mixed.validity.notes.front().find("no contact number explains K") == 0);
+  CHECK(mixed.validity.notes.front().find("no coordination number explains K") == 0);
 }
 
 TEST_CASE("inference: errors common to measurement and prediction cancel") {

@@ -72,7 +72,7 @@ TEST_CASE("classes of a large sample make no difference to its means") {
 }
 
 TEST_CASE("contacts drawn according to the theory have the expected means") {
-  // 400 radii by classes; every pair counted in proportion to the product of both contact numbers.
+  // 400 radii by classes; every pair counted in proportion to the product of both coordination numbers.
   const Distribution sizes = Distribution::lognormal(0.35);
   const std::vector<double> radii = sample_radii(sizes, 400, 2);
   double mean = 0;

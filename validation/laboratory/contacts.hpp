@@ -149,7 +149,7 @@ inline void print_sand_contacts(const char* law, double void_ratio) {
   for (const char* kind : contact_kinds) {
     const auto answer = ask(quartz, known, kind);
     if (!answer.together) {
-      std::printf("  %-10s no contact number explains it\n", kind);
+      std::printf("  %-10s no coordination number explains it\n", kind);
       continue;
     }
     std::printf("  %-10s chi^2 %.1f of %zu;", kind, answer.together->chi_square(),

@@ -83,7 +83,7 @@ const sameInference = {
       `  const inverse::Observation measured{.quantity = inverse::Quantity::${measurable[known.quantity].cpp},`,
       `                                      .value = {${literal(known.value)}, ${literal(known.error)} * ${literal(known.value)}},`, "                                      .state = state};",
       `  const inverse::InferenceAnswer found = inverse::infer(std::span(&measured, 1), {.grain_density = ${literal(known.density)}});`,
-      "  if (!found.together)", "    return 1; // no contact number explains it", "  const Measured z = found.together->packing(state).mechanical_coordination_number;",
+      "  if (!found.together)", "    return 1; // no coordination number explains it", "  const Measured z = found.together->packing(state).mechanical_coordination_number;",
       "  effective::State there = state;", `  there.stress_v = there.stress_h = ${literal(known.otherPressure)};`, "  there.void_ratio = found.together->void_ratio_at(there.stress_v);",
       "  const Measured G = found.together->predict(inverse::Quantity::G_vh, there);", '  std::printf("%.17g %.17g %.17g %.17g\\n", z.value, z.standard_error, G.value, G.standard_error);', "}"].join("\n");
   },

@@ -34,10 +34,10 @@ enum class Explained {
   too_stiff ///< stiffer than with 12 contacts, the most that equal spheres can have
 };
 
-/// The contact number that follows from a modulus.
+/// The coordination number that follows from a modulus.
 struct ImpliedCoordination {
   Explained explained = Explained::yes;
-  std::optional<double> mechanical_coordination_number; ///< z*; empty if no contact number fits
+  std::optional<double> mechanical_coordination_number; ///< z*; empty if no coordination number fits
   double softest = 0;  ///< the modulus at the isostatic point, above which packings are rigid [Pa]
   double stiffest = 0; ///< that with 12 contacts [Pa]
 };

@@ -100,7 +100,7 @@ class Answer {
 /// sands::pooled_shear_modulus at the mean stress (under anisotropic stress its exponent is split into n and
 /// m); K, E and V_p with sands::poisson_ratio; the range from sands::stated_factor and the other deviations
 /// there. z* and the softness of contacts are inferred: with them rung 3 gives this Poisson's ratio and this
-/// G. Neither is known independently, and no other contact number is stated.
+/// G. Neither is known independently, and no other coordination number is stated.
 /// \throws   InvalidArgument as relaxed and contact_prior, for a saturation or density out of its range,
 ///           for a shear strain of spheres, for spheres of C_u above sphere_uniformity_limit, if C_n, z* and
 ///           x_0 are all given, and if the moduli exceed the range of a double

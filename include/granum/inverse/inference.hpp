@@ -18,8 +18,8 @@
 #include <granum/inverse/growth.hpp>
 #include <granum/inverse/quantity.hpp>
 
-/// Calibrate once, predict elsewhere: infers the contact number from measured moduli or wave speeds by rung
-/// 3, with its standard error, and predicts quantities at another stress, void ratio or direction.
+/// Calibrate once, predict elsewhere: infers the coordination number from measured moduli or wave speeds by
+/// rung 3, with its standard error, and predicts quantities at another stress, void ratio or direction.
 /// Checked by tests/inverse/test_inference.cpp, validation/infer
 namespace granum::inverse {
 
@@ -136,7 +136,7 @@ struct AloneAnswer {
 
 struct InferenceAnswer {
   std::vector<AloneAnswer> alone;    ///< one per measurement
-  std::optional<Inference> together; ///< empty if no contact number fits any of the measurements
+  std::optional<Inference> together; ///< empty if no coordination number fits any of the measurements
   Validity validity;                 ///< notes on measurements that cannot be fitted, and on contradictions
 };
 

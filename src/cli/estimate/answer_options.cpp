@@ -31,22 +31,25 @@ std::vector<std::string> keys_of(const Items& items) {
   return keys;
 }
 
+double void_ratio_by_relative_density(const AnswerOptions& o) {
+  const double D_r = require_share(o.relative_density, 1.2);
+  return o.usual_limits ? sands::void_ratio_of_relative_density(D_r, sands::usual_least_void_ratio,
+                                                                sands::usual_largest_void_ratio)
+                        : sands::void_ratio_of_relative_density(D_r, o.least_void_ratio.value,
+                                                                o.largest_void_ratio.value);
+}
+
 void apply_relative_density(PackingOptions& packing, AnswerOptions& o) {
   if (!o.relative_density.given())
     return;
   if (packing.void_ratio.given() || packing.porosity.given() || packing.solid_fraction.given())
     throw InvalidArgument(given_twice::density);
-  const double D_r = require_share(o.relative_density, 1.2);
   if (o.least_void_ratio.given() != o.largest_void_ratio.given())
     throw InvalidArgument("--least-void-ratio and --largest-void-ratio go together: give both, or neither");
   o.usual_limits = !o.least_void_ratio.given();
   if (o.usual_limits && told_shape(packing, o) != estimate::GrainShape::sand)
     throw InvalidArgument("--relative-density of spheres needs --least-void-ratio and --largest-void-ratio");
-  set_unless_given(packing.void_ratio,
-                   o.usual_limits ? sands::void_ratio_of_relative_density(D_r, sands::usual_least_void_ratio,
-                                                                          sands::usual_largest_void_ratio)
-                                  : sands::void_ratio_of_relative_density(D_r, o.least_void_ratio.value,
-                                                                          o.largest_void_ratio.value));
+  set_unless_given(packing.void_ratio, void_ratio_by_relative_density(o));
 }
 
 /// sigma_h from sigma_v and K_0.
@@ -191,6 +194,7 @@ std::string key_of(const Number& number) { return number.name.substr(2); }
 std::vector<Number*> movable(PackingOptions& packing, AnswerOptions& options) {
   std::vector<Number*> all = numbers(packing);
   all.push_back(&options.grain_density);
+  all.push_back(&options.relative_density);
   return all;
 }
 
@@ -342,20 +346,23 @@ std::vector<estimate::UncertainInput> uncertain_inputs_of(const PackingOptions& 
   const std::vector<Setting> settings = settings_of(texts, known);
   std::vector<estimate::UncertainInput> inputs;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const Number& number = *all[k];
+    const Number& input = *all[k];
     const auto found = std::find_if(settings.begin(), settings.end(),
-                                    [&](const Setting& one) { return one.key == key_of(number); });
+                                    [&](const Setting& one) { return one.key == key_of(input); });
     const bool assumed = found == settings.end();
-    const double deviation = assumed ? assumed_deviation(packing, options, number)
-                                     : deviation_of("--uncertainty " + found->key, found->deviation, number);
+    const double deviation = assumed ? assumed_deviation(packing, options, input)
+                                     : deviation_of("--uncertainty " + found->key, found->deviation, input);
     if (deviation > 0)
-      inputs.push_back({.input = key_of(number),
+      inputs.push_back({.input = key_of(input),
                         .deviation = deviation,
                         .assumed = assumed,
                         .moved = [given, given_options, k](double change) {
                           PackingOptions moved = given;
                           AnswerOptions moved_options = given_options;
-                          movable(moved, moved_options)[k]->value += change;
+                          Number& number = *movable(moved, moved_options)[k];
+                          number.value += change;
+                          if (&number == &moved_options.relative_density)
+                            moved.void_ratio.value = void_ratio_by_relative_density(moved_options);
                           return question_of(moved, moved_options);
                         }});
   }

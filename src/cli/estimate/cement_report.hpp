@@ -30,8 +30,8 @@ struct CementAnswer {
 };
 
 /// Cement of the same mineral as the grains, at three locations: in the pores away from contacts (soft sand,
-/// friable), as a layer on the grain surfaces, or at the contacts. The contact number is that of the answer
-/// for spheres.
+/// friable), as a layer on the grain surfaces, or at the contacts. The coordination number is that of the
+/// answer for spheres.
 /// \param    share   of the whole volume that is cement, > 0 and less than the porosity [1]
 /// \throws   InvalidArgument naming --cement out of its range, for wet pores, and as the models
 [[nodiscard]] CementAnswer cement_answer(const AnswerCase& answer, double share);
