@@ -56,25 +56,48 @@ bool is_hidden(char32_t code) {
                      [code](const auto& range) { return code >= range.first && code <= range.second; });
 }
 
-} // namespace
-
-std::string printable(std::string_view text) {
-  constexpr const char* digits = "0123456789abcdef";
+/// The text with what `escaped` makes of each hidden character.
+template <class Escaped>
+std::string with_hidden(std::string_view text, const Escaped& escaped) {
   std::string shown;
   while (!text.empty()) {
     const std::size_t taken = std::max<std::size_t>(utf8_length(text), 1);
+    const std::string_view character = text.substr(0, taken);
     // a byte that is no UTF-8 is a character of an encoding of one byte
-    const bool hidden = is_hidden(code_point(text.substr(0, taken))) && text[0] != '\xAD';
-    for (const char c : text.substr(0, taken)) {
-      const auto value = static_cast<unsigned char>(c);
-      if (hidden)
-        shown += {'\\', 'x', digits[value / 16], digits[value % 16]};
-      else
-        shown += c;
-    }
+    if (is_hidden(code_point(character)) && character != "\xAD")
+      shown += escaped(character);
+    else
+      shown += character;
     text.remove_prefix(taken);
   }
   return shown;
+}
+
+constexpr const char* digits = "0123456789abcdef";
+
+} // namespace
+
+std::string printable(std::string_view text) {
+  return with_hidden(text, [](std::string_view character) {
+    std::string bytes;
+    for (const char c : character) {
+      const auto value = static_cast<unsigned char>(c);
+      bytes += {'\\', 'x', digits[value / 16], digits[value % 16]};
+    }
+    return bytes;
+  });
+}
+
+std::string printable_json(std::string_view json) {
+  return with_hidden(json, [](std::string_view character) {
+    const char32_t code = code_point(character);
+    const auto unit = [](char32_t of) {
+      return std::string{'\\',           'u', digits[of >> 12], digits[of >> 8 & 15], digits[of >> 4 & 15],
+                         digits[of & 15]};
+    };
+    return code < 0x10000 ? unit(code)
+                          : unit(0xD7C0 + (code >> 10)) + unit(0xDC00 + (code & 0x3FF)); // a pair of UTF-16
+  });
 }
 
 } // namespace granum

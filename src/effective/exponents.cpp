@@ -76,9 +76,11 @@ Constants<Dual> stress_derivatives(const State& s, const Model& model) {
   AxialMoments<Dual> moments = fabric;
   Dual load = stress_v + 2 * stress_h;
   if (model.forces == ContactForces::by_direction) {
-    const NormalLoads<Dual> loads = static_loads(a, stress_v, stress_h);
+    // By a power of two near 1, for the square in the derivative of a ratio leaves the range of a double.
+    const double unit = std::scalbn(1.0, std::ilogb(s.stress_v));
+    const NormalLoads<Dual> loads = static_loads(a, Dual(stress_v / unit), Dual(stress_h / unit));
     const Dual root = sqrt(Dual(loads.horizontal / loads.vertical));
-    load = root * loads.vertical;
+    load = Dual(root * loads.vertical) * unit;
     if (const std::optional<double> b = s.law.constant_exponent())
       moments = moments_of(s.fabric_anisotropy, root, (by_stress ? -1 : 1) * *b);
     else

@@ -55,7 +55,12 @@ inline void check_numbers(const nlohmann::json& json, const std::string& key, co
     demand(std::isfinite(json.get<double>()), "not finite: " + key);
   if (json.is_string())
     demand(!speaks_of_no_number(json.get<std::string>()), "a text speaks of no number: " + key);
-  if (json.is_object() && is_number(json, "value") && is_number(json, "low") && is_number(json, "high")) {
+  const bool ranged =
+      json.is_object() && json.contains("value") && json.contains("low") && json.contains("high");
+  if (ranged) // JSON has null for NaN and infinity
+    for (const char* part : {"value", "low", "high"})
+      demand(is_number(json, part), "null in " + key + ": " + part);
+  if (ranged && is_number(json, "value") && is_number(json, "low") && is_number(json, "high")) {
     const double low = json.at("low"), value = json.at("value"), high = json.at("high");
     demand(low <= value && value <= high, "not within its range: " + key);
     for (const Bounds& b : bounds)

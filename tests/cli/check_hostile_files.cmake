@@ -41,6 +41,12 @@ foreach(file frames.csv rose.csv forces.csv rose.svg forces.svg analysis.json)
     message(FATAL_ERROR "${file} is missing")
   endif()
 endforeach()
+attack("a name that a terminal would obey beyond ASCII, as JSON" 0 [[f="$(printf 'o\302\233\342\200\256.csv')"
+  cp "$data/analyse_chain_contacts.csv" "$f"; granum analyse "$f" --json]])
+string(FIND "${out}" [["o\u009b\u202e.csv"]] at)
+if(at EQUAL -1)
+  message(FATAL_ERROR "U+009B or U+202E is not escaped:\n${out}")
+endif()
 attack("a hostile name that is not there" 3 [[granum analyse "$(printf 'm\033[2J.csv')"]])
 must(err "x1b")
 attack("hostile headings" 3 [[printf 'nx,ny,nz,\033[2J,nx\n1,0,0,1,1\n' > h.csv; granum analyse h.csv]])
@@ -87,3 +93,8 @@ must(err "only the first 10000 frames were read; select others with --frames, su
 attack("too many grains" 1 [[ulimit -v 200000
   granum export lammps --set study.contacts=sphere --grains 10000000 --start scattered --out deck]])
 must(err "out of memory: .*--grains 10000000")
+foreach(study verify reproduce)
+  attack("too many grains of ${study}" 1 "ulimit -v 200000
+    granum ${study} --set study.contacts=sphere --grains 10000000 --out deck")
+  must(err "out of memory: .*--grains 10000000")
+endforeach()

@@ -30,3 +30,10 @@ TEST_CASE("utf8: control characters are escaped, and nothing else is changed") {
       "p\u2032 = 1\tkPa\n\u03c3_v, H\xF6he, \u00df, \u2030, \u200D, \U0001F600, \xE4, \xAD";
   CHECK(printable(harmless) == harmless);
 }
+
+TEST_CASE("hidden characters of JSON are escapes, which its reader takes back") {
+  CHECK(printable_json("{\"a\u202Eb\": \"\u009B2J\x7f\"}\n") == "{\"a\\u202eb\": \"\\u009b2J\\u007f\"}\n");
+  CHECK(printable_json("\"\U000E0041\"") == "\"\\udb40\\udc41\"");
+  const std::string harmless = "{\n\t\"path\": \"/Körner/砂 \U0001F3D6.csv\"\n}\n";
+  CHECK(printable_json(harmless) == harmless);
+}

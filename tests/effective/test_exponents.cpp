@@ -100,6 +100,19 @@ TEST_CASE("exponents: flat punches do not stiffen") {
     }
 }
 
+TEST_CASE("exponents: the same at any stress that a double can have") {
+  for (const double stress : {1e-300, 1e-160, 1e154, 1e200, 1e300})
+    for (const Modulus which : {Modulus::K, Modulus::G_hh, Modulus::G_vh, Modulus::C33}) {
+      CAPTURE(stress);
+      const StressExponents usual =
+          effective::uniform_strain_exponents(state_of(2, 0.2, 0.15, 1e5, 6e4), which);
+      const StressExponents far =
+          effective::uniform_strain_exponents(state_of(2, 0.2, 0.15, stress, 0.6 * stress), which);
+      CHECK(far.stress_v == relative(usual.stress_v, 1e-12));
+      CHECK(far.stress_h == relative(usual.stress_h, 1e-12));
+    }
+}
+
 TEST_CASE("exponents: a shear modulus that is small, not zero, has exponents") {
   State nearly_smooth = state_of(2, 0.1, 0.15, 1.5e5, 1e5);
   const auto exponents_at = [&](double ratio) {

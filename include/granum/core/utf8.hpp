@@ -18,4 +18,9 @@ namespace granum {
 /// Line ends and tabs stay, and so do bytes that are no UTF-8 but letters in other encodings.
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// JSON for a terminal: its strings have escapes (a backslash, u and four digits) for these characters, so
+/// that a reader of JSON finds the same text.
+/// Assumes   valid UTF-8, with control characters below U+0020 escaped already
+[[nodiscard]] std::string printable_json(std::string_view json);
+
 } // namespace granum

@@ -36,7 +36,8 @@ std::string comparison_text(const AnswerCase& c) {
   constexpr double alike = 1.25;
   const std::optional<estimate::Range> laws = range_of_laws(c, laws_tested(c));
   const double G = c.answer[Field::shear_modulus].value;
-  if (c.question.grain_shape == GrainShape::sand || !laws || !(G > 0))
+  if (c.question.grain_shape == GrainShape::sand || !laws || !(G > 0) || !std::isfinite(laws->value / G) ||
+      !std::isfinite(G / laws->value))
     return "";
   const double ratio = laws->value / G;
   if (ratio > alike)

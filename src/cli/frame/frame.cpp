@@ -101,7 +101,7 @@ nlohmann::ordered_json json_head(std::string_view command) {
 }
 
 std::string json_text(const nlohmann::ordered_json& json, int indent) {
-  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+  return printable_json(json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
          (indent >= 0 ? "\n" : "");
 }
 

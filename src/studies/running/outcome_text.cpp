@@ -2,6 +2,7 @@
 #include "outcome_text.hpp"
 
 #include <exception>
+#include <new>
 
 #include <granum/core/error.hpp>
 
@@ -29,6 +30,8 @@ std::string failure_of(const std::function<void()>& work) {
   } catch (const FileError&) {
     throw;
   } catch (const Stopped&) {
+    throw;
+  } catch (const std::bad_alloc&) { // no fault of this specimen: the others would end in the same way
     throw;
   } catch (const std::exception& error) {
     return error.what();

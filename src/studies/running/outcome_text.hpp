@@ -15,7 +15,7 @@ inline constexpr const char* stopped_on_request = "stopped on request"; ///< the
 
 /// Runs a part of a piece of work and turns an error into the text of a failure; empty if there was none.
 /// \throws   FileError as work does: a file that cannot be written ends the whole study; Stopped as work
-///           does: a stopped part has not failed, and runs again when the study is resumed
+///           does: a stopped part has not failed, and runs again when the study is resumed; std::bad_alloc
 [[nodiscard]] std::string failure_of(const std::function<void()>& work);
 
 /// Runs a whole piece of work. As failure_of, but a stop on request also gives a text, stopped_on_request.
