@@ -87,10 +87,14 @@ const KnownSand& known_sand(std::string_view key) {
   throw InvalidArgument(unknown_word("sand", key, known));
 }
 
+void require_void_ratio_limits(double least, double largest) {
+  require_positive("least_void_ratio", least);
+  require_closed("largest_void_ratio - least_void_ratio", largest - least, 1e-3, 100);
+}
+
 double void_ratio_of_relative_density(double relative_density, double least, double largest) {
   require_closed("relative_density", relative_density, 0, 1.2);
-  require_positive("least_void_ratio", least);
-  require_positive("largest_void_ratio - least_void_ratio", largest - least);
+  require_void_ratio_limits(least, largest);
   return require_positive("void_ratio", largest - relative_density * (largest - least));
 }
 

@@ -9,6 +9,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
+#include <granum/sands/known_sands.hpp>
 #include <granum/sands/measured_sands.hpp>
 
 #include "constants.hpp"
@@ -44,8 +45,7 @@ void require_valid(const Sand& sand, double void_ratio, double mean_stress) {
   if (sand.relative_density)
     require_closed("relative_density", *sand.relative_density, 0, 1.2);
   if (sand.least_void_ratio && sand.largest_void_ratio)
-    require_positive("largest_void_ratio - least_void_ratio",
-                     *sand.largest_void_ratio - require_positive("least_void_ratio", *sand.least_void_ratio));
+    require_void_ratio_limits(*sand.least_void_ratio, *sand.largest_void_ratio);
 }
 
 /// D_r of a void ratio between its limits.

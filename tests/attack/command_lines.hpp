@@ -200,7 +200,10 @@ class Lines {
 
   std::string quantity(const std::string& name, const OfType& of) {
     if (random_.one_in(12)) // wild
-      return (random_.one_in(3) ? "-" : "") + number(random_.one_in(4) ? 0 : random_.decades(-12, 12)) +
+      return (random_.one_in(3) ? "-" : "") +
+             number(random_.one_in(4)   ? 0
+                    : random_.one_in(2) ? random_.decades(-12, 12)
+                                        : random_.decades(-300, 300)) +
              of.unit;
     if (name == "--grain-shear-modulus")
       return number(random_.decades(0, 2)) + "GPa";

@@ -401,6 +401,9 @@ TEST_CASE("inference: refuses unusable measurements") {
   bad.value.standard_error = 1.001 * bad.value.value; // any positive number would do
   refused(bad, options_with());
   bad = good;
+  bad.value.value = 2e14; // no solid is as stiff, let alone as fast
+  refused(bad, options_with());
+  bad = good;
   bad.value.value = NAN;
   refused(bad, options_with());
   bad = good;

@@ -40,4 +40,6 @@ TEST_CASE("known sands: relative density runs from the loosest to the densest") 
   CHECK_THROWS_AS((void)void_ratio_of_relative_density(60, 0.6, 1.0), InvalidArgument);
   CHECK_THROWS_AS((void)void_ratio_of_relative_density(0.5, 1.0, 0.6), InvalidArgument);
   CHECK_THROWS_AS((void)void_ratio_of_relative_density(0.5, 0, 0.6), InvalidArgument);
+  CHECK_THROWS_AS(require_void_ratio_limits(0.6, 0.6005), InvalidArgument);
+  CHECK_THROWS_AS(require_void_ratio_limits(0.6, INFINITY), InvalidArgument);
 }

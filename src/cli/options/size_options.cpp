@@ -69,9 +69,11 @@ double resolve_radius(const PackingOptions& o) {
                                       (o.radius.given() ? o.radius : o.d50).name));
   if (of_sieve)
     return *of_sieve;
+  constexpr double most = 1e3; // of which contacts still have forces in the range of a double
   if (!o.d50.given())
-    return o.radius.value;
-  require_positive(o.d50.name, o.d50.value, "m");
+    return o.radius.value < most ? o.radius.value // below 0 it is refused with the state
+                                 : require_open(o.radius.name, o.radius.value, 0, most, "m");
+  require_open(o.d50.name, o.d50.value, 0, most, "m");
   return o.sizes ? sizes::mean_radius_of(*o.sizes, o.d50.value) : o.d50.value / 2;
 }
 
