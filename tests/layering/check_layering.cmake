@@ -42,7 +42,7 @@ set(modules_without_eigen core contact sizes stress fabric sands hardin packing)
 # Libraries that stay an affair of the sources.
 set(private_libraries "^(boost|gsl|nlohmann|toml\\+\\+|CLI|fmt)/|^(toml|json|zlib|expat)\\.h")
 # What only the program may do: print and exit.
-set(program_only "std::(cout|cerr|clog)|(^|[^A-Za-z0-9_])(printf|vprintf|puts|putchar|perror|exit|_Exit|quick_exit|abort)[ \t]*\\(|fprintf[ \t]*\\([ \t]*(stdout|stderr)")
+set(program_only "std::(cout|cerr|clog)|(^|[^A-Za-z0-9_])(printf|vprintf|puts|putchar|perror|exit|_Exit|quick_exit|abort|terminate|raise)[ \t]*\\(|(fmt|std)::print(ln)?[ \t]*\\(|fprintf[ \t]*\\([ \t]*(stdout|stderr)|(fputs|fwrite)[ \t]*\\([^;]*(stdout|stderr)")
 
 # Files are written by one source alone: whole or not at all, and never in the place of a device or a pipe.
 set(writing_source src/io/output_file.cpp)

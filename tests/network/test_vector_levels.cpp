@@ -13,7 +13,8 @@ TEST_CASE("the response of a network has the same bits at every vector level") {
   const packing::Assembly rough = samples::random_network({.seed = 21, .repeats = 2, .kept = 0.5});
   const packing::Assembly smooth =
       samples::random_network({.seed = 22, .repeats = 2, .kept = 0.7, .tangential_ratio = 0});
-  for (const packing::Assembly& assembly : {rough, smooth}) {
+  const packing::Assembly large = samples::large_network(28, 0.8); // with a coarse grid
+  for (const packing::Assembly& assembly : {rough, smooth, large}) {
     const auto response = [&](VectorLevel level) {
       const test::LevelSet at(level);
       return network::linear_response(assembly);
