@@ -17,10 +17,6 @@ else()
   target_compile_options(granum_warnings INTERFACE -w)
 endif()
 
-# Of several sources in one go a local name of one may be a name of another. Linked, to come behind the warnings.
-add_library(granum_shadows_allowed INTERFACE)
-target_compile_options(granum_shadows_allowed INTERFACE -Wno-shadow)
-
 # Language level and arithmetic: no contraction into fused multiply-add, so that every vector level and
 # every machine computes the same bits. The engine's sweep names its own (src/core/vector/level.hpp).
 function(granum_compile_settings target)
@@ -122,9 +118,6 @@ function(granum_tests module)
   endif()
   # Several in one go: no two of them give one name two meanings.
   granum_unity_build(test_${module} 4)
-  if(GRANUM_UNITY_BUILD)
-    target_link_libraries(test_${module} PRIVATE granum_shadows_allowed)
-  endif()
   doctest_discover_tests(test_${module} TEST_PREFIX "${module}: " PROPERTIES LABELS unit)
 endfunction()
 

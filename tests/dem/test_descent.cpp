@@ -17,7 +17,7 @@ using namespace granum::dem;
 namespace {
 
 using test::radius;
-constexpr double overlap = 2e-7;
+constexpr double lattice_overlap = 2e-7;
 
 /// Nothing slides.
 Material sticking() { return test::quartz(radius, std::numeric_limits<double>::infinity()); }
@@ -25,16 +25,16 @@ Material sticking() { return test::quartz(radius, std::numeric_limits<double>::i
 /// A lattice, every centre of which is a little out of its place; unequal grains differ by a part of the
 /// overlap.
 Specimen shaken(int edges, bool unequal, bool walls) {
-  Specimen state = test::fcc(radius, edges, overlap);
+  Specimen state = test::fcc(radius, edges, lattice_overlap);
   for (std::size_t g = 0; g < state.grain_count(); ++g) {
     const auto phase = static_cast<double>(g);
     state.position[g] +=
-        0.05 * overlap * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
+        0.05 * lattice_overlap * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
     if (unequal)
-      state.size.push_back(1 + 0.1 * overlap / radius * std::sin(7 * phase));
+      state.size.push_back(1 + 0.1 * lattice_overlap / radius * std::sin(7 * phase));
   }
   if (walls) { // the outermost layers overlap with them as grains do
-    const double room = radius - overlap / 2 - std::sqrt(2.0) / 4 * (2 * radius - overlap);
+    const double room = radius - lattice_overlap / 2 - std::sqrt(2.0) / 4 * (2 * radius - lattice_overlap);
     state.cell = state.cell + 2 * room * Mat3::identity();
     for (Vec3& x : state.position)
       x += {room, room, room};
@@ -49,7 +49,7 @@ Specimen pair_and_one() {
   state.radius = radius;
   state.cell = Mat3::diagonal(10 * radius, 10 * radius, 10 * radius);
   state.position = {{2 * radius, 2 * radius, 2 * radius},
-                    {4 * radius - overlap, 2 * radius, 2 * radius},
+                    {4 * radius - lattice_overlap, 2 * radius, 2 * radius},
                     {7 * radius, 7 * radius, 7 * radius}};
   state.velocity.resize(3);
   state.angular_velocity.resize(3);
@@ -78,7 +78,7 @@ TEST_CASE("a descent comes to the rest that drag comes to") {
         for (std::size_t g = 0; g < one.grain_count(); ++g)
           farthest = std::max(
               farthest, norm((one.position[g] - one.position[0]) - (other.position[g] - other.position[0])));
-        CHECK(farthest < near * overlap);
+        CHECK(farthest < near * lattice_overlap);
         for (int axis = 0; axis < 3; ++axis)
           CHECK(descent.figures().stress(axis, axis) == relative(drag.figures().stress(axis, axis), same));
       }

@@ -14,13 +14,13 @@ using namespace granum::dem;
 
 namespace {
 
-constexpr std::size_t count = 7;
+constexpr std::size_t grain_total = 7;
 
 template <class AnyGrains>
 AnyGrains moving_grains() {
   AnyGrains grains;
-  grains.resize(count);
-  for (std::size_t g = 0; g < count; ++g) {
+  grains.resize(grain_total);
+  for (std::size_t g = 0; g < grain_total; ++g) {
     const double n = static_cast<double>(g);
     grains.set_centre(g, {n, 2 - n, 0.5 * n});
     grains.set_velocity(g, {0.1 * n + 0.4, 0.3, -0.2 * n});
@@ -30,8 +30,8 @@ AnyGrains moving_grains() {
 
 template <class Row>
 std::vector<Row> forces() {
-  std::vector<Row> load(count, Row{});
-  for (std::size_t g = 0; g < count; ++g)
+  std::vector<Row> load(grain_total, Row{});
+  for (std::size_t g = 0; g < grain_total; ++g)
     add_force(load[g], {1, -static_cast<double>(g), 0.25});
   return load;
 }
@@ -42,7 +42,7 @@ double mass_of(std::size_t g) { return 1 + 0.5 * static_cast<double>(g); }
 TranslatingGrains unequal_grains() {
   auto grains = moving_grains<TranslatingGrains>();
   std::vector<OwnSize> own;
-  for (std::size_t g = 0; g < count; ++g)
+  for (std::size_t g = 0; g < grain_total; ++g)
     own.push_back({.size = 1, .radius = 1, .mass = mass_of(g), .per_mass = 1 / mass_of(g)});
   grains.set_sizes(own);
   return grains;
@@ -53,8 +53,8 @@ TranslatingGrains unequal_grains() {
 TEST_CASE("sums over forces include spare rows, for any number of grains") {
   const auto grains = moving_grains<TranslatingGrains>();
   const Vec3 lent{0.5, 4, -3};
-  const std::vector<Addition> additions = {{count, 2}};
-  for (std::size_t end = 3; end <= count; ++end) {
+  const std::vector<Addition> additions = {{grain_total, 2}};
+  for (std::size_t end = 3; end <= grain_total; ++end) {
     CAPTURE(end);
     std::vector<PushRow> load = forces<PushRow>();
     load.push_back(PushRow{});
@@ -80,7 +80,7 @@ TEST_CASE("sums over forces include spare rows, for any number of grains") {
 
 TEST_CASE("a kick finds the fastest grain wherever it is") {
   const Kick kick{.keep = 0.9, .push = 0.3, .turn = 0.2};
-  for (std::size_t end = 1; end <= count; ++end)
+  for (std::size_t end = 1; end <= grain_total; ++end)
     for (std::size_t fast = 0; fast < end; ++fast) {
       CAPTURE(end);
       CAPTURE(fast);
@@ -109,7 +109,7 @@ TEST_CASE("grains glide with their new velocities, which have a largest length, 
   TranslatingGrains grains = before;
   const GlideSums sums = glide_grains(grains, taken, glide);
   double squares = 0, fastest = 0;
-  for (std::size_t g = 0; g < count; ++g) {
+  for (std::size_t g = 0; g < grain_total; ++g) {
     CHECK(force(taken[g]) == Vec3{});
     Vec3 v = glide.keep * before.velocity(g) + glide.push * force(load[g]);
     fastest = std::max(fastest, norm(v));
@@ -128,14 +128,14 @@ TEST_CASE("grains glide with their new velocities, which have a largest length, 
 TEST_CASE("grains of masses of their own glide as much less as they are heavier") {
   const TranslatingGrains before = unequal_grains();
   std::vector<PushRow> load = forces<PushRow>();
-  const Chunk all{.grains = {0, count}, .pairs = {}, .spare_rows = {}, .additions = {0, 0}};
+  const Chunk all{.grains = {0, grain_total}, .pairs = {}, .spare_rows = {}, .additions = {0, 0}};
   const PushSums pushes = settle_pushes(before, all, {}, load);
   const Glide glide{.keep = 0.9, .push = 0.3, .dt = 0.01, .growth = 1.5, .largest = 1};
   TranslatingGrains grains = before;
   std::vector<PushRow> taken = load;
   const GlideSums sums = glide_grains(grains, taken, glide);
   double power = 0, pull = 0, squares = 0;
-  for (std::size_t g = 0; g < count; ++g) {
+  for (std::size_t g = 0; g < grain_total; ++g) {
     const Vec3 f = force(load[g]);
     Vec3 v = glide.keep * before.velocity(g) + glide.push / mass_of(g) * f;
     if (norm(v) > glide.largest)

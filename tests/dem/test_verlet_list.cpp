@@ -41,12 +41,12 @@ Specimen scattered(const Mat3& shape, std::size_t grains, unsigned seed, bool un
 
 /// What a search finds for the state as it is.
 std::vector<Pair> searched(const Specimen& state, double skin_of_list = skin) {
-  std::vector<double> radius;
+  std::vector<double> radii;
   for (std::size_t g = 0; g < state.grain_count(); ++g)
-    radius.push_back(state.radius_of(g));
+    radii.push_back(state.radius_of(g));
   if (state.size.empty())
     return neighbour_pairs(state.cell, state.position, 2 + skin_of_list, images(state));
-  return neighbour_pairs(state.cell, state.position, radius, skin_of_list, images(state));
+  return neighbour_pairs(state.cell, state.position, radii, skin_of_list, images(state));
 }
 
 /// All grains by up to `step` on each axis, the cell and they by a little strain.

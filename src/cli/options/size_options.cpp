@@ -69,11 +69,10 @@ double resolve_radius(const PackingOptions& o) {
                                       (o.radius.given() ? o.radius : o.d50).name));
   if (of_sieve)
     return *of_sieve;
-  constexpr double most = 1e3; // of which contacts still have forces in the range of a double
+  const Number& size = o.d50.given() ? o.d50 : o.radius;
+  require_open(size.name, size.value, 0, 1e3, "m"); // no grain is larger; forces stay finite
   if (!o.d50.given())
-    return o.radius.value < most ? o.radius.value // below 0 it is refused with the state
-                                 : require_open(o.radius.name, o.radius.value, 0, most, "m");
-  require_open(o.d50.name, o.d50.value, 0, most, "m");
+    return size.value;
   return o.sizes ? sizes::mean_radius_of(*o.sizes, o.d50.value) : o.d50.value / 2;
 }
 

@@ -57,13 +57,13 @@ std::string contacts_with(const std::string& values, int digits = 17) {
   return out;
 }
 
-ImportedPacking read(const std::string& contacts, const std::string& map = "") {
-  LammpsDump dump(text_source("a", grains), text_source("c", contacts), parse_column_map(map));
+ImportedPacking read(const std::string& contact_text, const std::string& map = "") {
+  LammpsDump dump(text_source("a", grains), text_source("c", contact_text), parse_column_map(map));
   return dump.next().value();
 }
 
-std::string layout_refused(const std::string& contacts) {
-  return refusal([&] { static_cast<void>(read(contacts)); });
+std::string layout_refused(const std::string& contact_text) {
+  return refusal([&] { static_cast<void>(read(contact_text)); });
 }
 
 std::string told(const ImportedPacking& packing) {
