@@ -137,7 +137,7 @@ class Measuring {
     make_state();
     if (wanted_.closed_forms && out_.state) {
       out_.closed_forms = closed_forms(*out_.state);
-      withhold_relaxed();
+      withhold_closed_forms();
     }
     if (wanted_.network && out_.counts.mechanical.contact_count > 0)
       solve_network();
@@ -174,16 +174,16 @@ class Measuring {
       out_.moments = "contacts carry moments (rolling resistance, bonds, clumps)";
   }
 
-  /// Rung 3 is calibrated on packings of single spheres whose contacts carry forces and no moments.
-  void withhold_relaxed() {
-    if (out_.moments.empty())
-      return;
-    for (ClosedForm& form : out_.closed_forms)
-      if (form.rung->name == effective::RungName::relaxed) {
-        form.answer.reset();
-        form.refusal =
-            "not evaluated: " + out_.moments + "; the calibration is for single spheres without moments";
-      }
+  /// Closed forms are those of single spheres; rung 3 is calibrated on spheres whose contacts carry no moments.
+  void withhold_closed_forms() {
+    for (ClosedForm& form : out_.closed_forms) {
+      if (!bodies_ && (out_.moments.empty() || form.rung->name != effective::RungName::relaxed))
+        continue;
+      form.answer.reset();
+      form.refusal = "not evaluated: " + out_.moments +
+                     (bodies_ ? "; closed forms are for single spheres"
+                              : "; the calibration is for single spheres without moments");
+    }
   }
 
   void measure_load() {

@@ -17,10 +17,9 @@ const program =
   process.env.GRANUM_PROGRAM ?? ["ci", "release"].map((preset) => path.join(root, "build", preset, "granum")).find((file) => fs.existsSync(file));
 const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "granum-pictures-"));
-const data = (name) => path.join(root, "examples/data", name);
 const small = ["--grains", "120", "--quiet"];
 const few = ["--set", "study.pressures=10kPa,30kPa,100kPa", "--set", "study.probe_pressures=30kPa,100kPa"];
-const packing = fs.readdirSync(path.join(root, "examples/data")).filter((name) => name.startsWith("lammps_loose_p50.")).map(data);
+const packing = ["atoms", "contacts"].map((part) => path.join(root, `validation/sizes/lognormal_loose.${part}.gz`)); // 800 grains
 
 /// What each command draws: its name, and its arguments.
 const commands = [
@@ -207,19 +206,22 @@ test("a report gives values under the pointer, fades series, and shows one modul
 async function saidAt(page, svg, x, y) {
   await svg.scrollIntoViewIfNeeded();
   const [left, top] = await svg.evaluate((picture, at) => {
-    const box = picture.getBoundingClientRect(), per = picture.viewBox.baseVal.width / box.width;
-    return [box.left + at[0] / per, box.top + at[1] / per];
+    const place = new DOMPoint(...at).matrixTransform(picture.getScreenCTM());
+    return [place.x, place.y];
   }, [x, y]);
   await page.mouse.move(left, top);
   return page.evaluate(() => (document.querySelector(".tip").hidden ? "" : document.querySelector(".tip").textContent));
 }
 
 test("roses and force chains give values under the pointer too", async () => {
-  const page = await opened(made("analyse", "report.html")[0]);
+  // 10,000 grains, so that no bars are joined.
+  const large = ["atoms", "contacts"].map((part) => path.join(root, `examples/data/lammps_loose_p50.${part}.gz`));
+  execFileSync(program, ["analyse", ...large, "--out", "large"], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
+  const page = await opened(path.join(folder, "large/report.html"));
   const rose = page.locator("svg:has(circle.rose)").first();
   const { cx, cy, r, most } = await rose.locator("circle.rose").evaluate((circle) => ({
     cx: Number(circle.getAttribute("cx")), cy: Number(circle.getAttribute("cy")), r: Number(circle.getAttribute("r")), most: Number(circle.dataset.most) }));
-  const csv = fs.readFileSync(made("analyse", "rose.csv")[0], "utf8").trim().split("\n").filter((line) => !line.startsWith("#")).map((line) => line.split(","));
+  const csv = fs.readFileSync(path.join(folder, "large/rose.csv"), "utf8").trim().split("\n").filter((line) => !line.startsWith("#")).map((line) => line.split(","));
   const column = (name) => csv[0].indexOf(name);
   const bins = csv.slice(1);
   assert.equal(bins.length % 18, 0);

@@ -39,6 +39,8 @@ double rescaled(double void_ratio, double factor) {
 constexpr double least_void_ratio = 0.2;
 
 void judge_void_ratio(const packing::Assembly& assembly, double e, std::vector<std::string>& out) {
+  if (e < least_void_ratio && !assembly.body.empty())
+    return; // overlaps of grains of one body are counted twice
   constexpr double most = 3, half_way = 0.75;
   const double distance = median_distance(assembly);
   const std::string start = "the void ratio is " + short_text(e, 3) + ": ";

@@ -28,7 +28,8 @@ options.add_argument("--friction-at-rest", type=float, help="angle once the pres
 options.add_argument("--law", default="hertz", choices=["hertz", "linear", "cohesion", "rolling", "bonds"],
                      help="hertz; linear: springs, k_t/k_n = 0.919 as in hertz; cohesion: these, glued at rest; rolling: with springs "
                      "against rolling and twisting too; bonds: these, glued at rest")
-options.add_argument("--clumps", action="store_true", help="rigid pairs of overlapping grains")
+options.add_argument("--clumps", nargs="?", const="pairs", choices=["pairs", "rods", "tetrahedra"],
+                     help="rigid bodies of two, three (in a row) or four spheres, which overlap: neighbours are a radius apart")
 options.add_argument("--walls", action="store_true", help="six smooth walls in place of periodic faces")
 options.add_argument("--unload-to", type=float, help="pressure to which the glued grains are brought at last [Pa]")
 options.add_argument("--probe", type=float, help="small strain by which YADE probes its stiffness: packing.probes")
@@ -111,9 +112,14 @@ if O.periodic:
 else:
     O.bodies.append(utils.aabbWalls([(0, 0, 0), (edge, edge, edge)], thickness=0, material=quartz))
 if asked.clumps:
-    pair = pack.SpherePack([((0, 0, 0), RADIUS), ((RADIUS, 0, 0), RADIUS)])
+    centres = {  # in radii
+        "pairs": [(0, 0, 0), (1, 0, 0)],
+        "rods": [(0, 0, 0), (1, 0, 0), (2, 0, 0)],
+        "tetrahedra": [(0, 0, 0), (1, 0, 0), (0.5, math.sqrt(3 / 4), 0), (0.5, math.sqrt(1 / 12), math.sqrt(2 / 3))],
+    }[asked.clumps]
+    body = pack.SpherePack([(tuple(RADIUS * x for x in centre), RADIUS) for centre in centres])
     spheres = pack.SpherePack()
-    spheres.makeClumpCloud((0, 0, 0), (edge, edge, edge), [pair], periodic=True, num=GRAINS // 2, seed=asked.seed)
+    spheres.makeClumpCloud((0, 0, 0), (edge, edge, edge), [body], periodic=True, num=GRAINS // len(centres), seed=asked.seed)
     spheres.toSimulation(material=quartz)
 elif asked.sizes == "equal":
     spheres = pack.SpherePack()
