@@ -174,7 +174,7 @@ class Measuring {
       out_.moments = "contacts carry moments (rolling resistance, bonds, clumps)";
   }
 
-  /// Closed forms are those of single spheres; rung 3 is calibrated on spheres whose contacts carry no moments.
+  /// Closed forms are of single spheres; rung 3 is calibrated on spheres whose contacts carry no moments.
   void withhold_closed_forms() {
     for (ClosedForm& form : out_.closed_forms) {
       if (!bodies_ && (out_.moments.empty() || form.rung->name != effective::RungName::relaxed))
