@@ -142,7 +142,7 @@ void bind_forces(py::module_& module) {
           },
           "1 + 1/alpha [1].")
       .def_readonly("coefficient_ratio", &LawCheck::coefficient_ratio,
-                    "Median of f_n over the force of the law [1].")
+                    "Median of f_n over the force of the law [1]; None if G_g is not known.")
       .def_readonly("median_misfit", &LawCheck::median_misfit, "[1]")
       .def_readonly("worst_misfit", &LawCheck::worst_misfit, "[1]");
 }

@@ -122,9 +122,10 @@ void measure_misfit(const std::vector<Point>& points, LawCheck& out) {
   std::vector<double> ratios;
   for (const Point& p : points)
     ratios.push_back(p.ratio);
-  out.coefficient_ratio = quantile(ratios, 0.5);
+  const double median = quantile(ratios, 0.5);
+  out.coefficient_ratio = median;
   for (double& ratio : ratios)
-    ratio = std::abs(ratio / out.coefficient_ratio - 1);
+    ratio = std::abs(ratio / median - 1);
   out.median_misfit = quantile(ratios, 0.5);
   out.misfit_90 = quantile(ratios, 0.9);
   out.worst_misfit = quantile(ratios, 1);

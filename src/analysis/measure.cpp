@@ -219,15 +219,19 @@ class Measuring {
     if (given_.grain_shear_modulus) {
       out_.grain = contact::GrainMaterial{modulus, nu};
     } else if (out_.law_check && law_is_clear(*out_.law_check, rounded_) &&
-               of_any_modulus().constant_exponent()) {
-      const double found = any_modulus * out_.law_check->coefficient_ratio;
+               out_.law_check->coefficient_ratio && of_any_modulus().constant_exponent()) {
+      const double found = any_modulus * *out_.law_check->coefficient_ratio;
       out_.grain = contact::GrainMaterial{found, nu};
       out_.law_check->coefficient_ratio = 1;
       out_.notes.push_back("G_g of the grains = " + pretty(found, Dimension::pressure) + " with nu_g = " +
                            short_text(nu) + ", from the forces, which determine G_g/(1 - nu_g) only");
-    } else if (!take_hertz()) {
-      out_.notes.emplace_back("G_g of the grains is not given and cannot be found from forces and overlaps: "
-                              "no stiffness and no closed forms are computed");
+    } else {
+      if (out_.law_check)
+        out_.law_check->coefficient_ratio.reset();
+      if (!take_hertz())
+        out_.notes.emplace_back(
+            "G_g of the grains is not given and cannot be found from forces and overlaps: "
+            "no stiffness and no closed forms are computed");
     }
     if (out_.grain)
       out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
@@ -378,12 +382,12 @@ class Measuring {
     network::ResponseOptions options = *wanted_.network;
     options.force_terms = options.force_terms && !bodies_ && !turning_resisted();
     const network::Response response = network::linear_response(assembly, options);
-    out_.network = Network{.response = response,
-                           .affine = network_matrix(response.affine(), out_.bulk_density),
-                           .affine_of_all_contacts = network_matrix(
-                               network::affine_of_all_contacts(assembly, options), out_.bulk_density),
-                           .relaxed = network_matrix(response.last_iterate(), out_.bulk_density),
-                           .bulk_bounds = bounds_of(assembly)};
+    out_.network =
+        Network{.response = response,
+                .affine = network_matrix(response.affine(), out_.bulk_density),
+                .affine_all = network_matrix(network::affine_all(assembly, options), out_.bulk_density),
+                .relaxed = network_matrix(response.last_iterate(), out_.bulk_density),
+                .bulk_bounds = bounds_of(assembly)};
   }
 
   /// Bounds, valid for contacts without moments and branches along the normals.

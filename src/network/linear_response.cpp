@@ -142,8 +142,7 @@ Response linear_response(const packing::Assembly& assembly, const ResponseOption
   return {{unit * affine}, {unit * (relaxed + relaxed.transpose()) / 2}, report, by_forces};
 }
 
-elastic::VoigtStiffness affine_of_all_contacts(const packing::Assembly& assembly,
-                                               const ResponseOptions& options) {
+elastic::VoigtStiffness affine_all(const packing::Assembly& assembly, const ResponseOptions& options) {
   require_valid(assembly);
   const Backbone network = network_with_rattlers(assembly, options);
   if (network.links.empty() && network.wall_links.empty())

@@ -175,13 +175,12 @@ TEST_CASE("uniform strain is the closed sum over load-bearing contacts") {
 TEST_CASE("uniform strain of all contacts includes those of rattlers") {
   const packing::Assembly sparse = samples::random_network({.seed = 11, .kept = 0.35});
   REQUIRE(mechanical_coordination(sparse, packing::ContactKind::frictional).rattler_count > 0);
-  const Matrix6 all = network::affine_of_all_contacts(sparse).matrix;
+  const Matrix6 all = network::affine_all(sparse).matrix;
   CHECK(twin::distance(all, twin::contact_sum(sparse)) < 1e-13);
   CHECK(twin::smallest_eigenvalue(all - network::linear_response(sparse).affine().matrix) >
         -1e-13 * all.cwiseAbs().maxCoeff());
   CHECK(twin::distance(network::linear_response(sparse).affine().matrix, all) > 1e-3);
-  CHECK(network::affine_of_all_contacts(samples::random_network({.seed = 11, .kept = 0})).matrix ==
-        Matrix6::Zero());
+  CHECK(network::affine_all(samples::random_network({.seed = 11, .kept = 0})).matrix == Matrix6::Zero());
 }
 
 TEST_CASE("the response turns with the assembly") {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include <doctest/doctest.h>
+#include <granum/core/number.hpp>
 #include <granum/effective/relaxation.hpp>
 
 #include "relative.hpp"
@@ -67,6 +68,22 @@ TEST_CASE(
   CHECK(contains(answer[2], "from 0.25 to 0.70"));
   for (const std::string& sentence : answer)
     CHECK(sentence.ends_with("."));
+}
+
+TEST_CASE("reasons are given only where the numbers show them") {
+  std::vector<Compression> all = both();
+  CHECK(contains(compression_answer(all)[1], "nearly that of a single contact"));
+  CHECK(contains(compression_answer(all)[2], "because pressure also adds contacts"));
+  all[0].exponent->value = all[0].contact_exponent + 0.1;
+  all[1].exponent->value = all[1].contact_exponent;
+  CHECK_FALSE(contains(compression_answer(all)[1], "nearly"));
+  CHECK_FALSE(contains(compression_answer(all)[2], "because"));
+  // Rung 3 beside the network of each state, in per cent.
+  const RouteState& state = all[0].states[0];
+  const double off = 100 * std::abs(*state.relaxed[2] / *state.network[2] - 1);
+  CHECK(off > 1);
+  CHECK(contains(modulus_panel(all, 2).chart.finding,
+                 "Rung 3 is within " + detail::formatted("%.2g", off) + " %"));
 }
 
 TEST_CASE("parts that were not run have no result") {

@@ -33,7 +33,7 @@ TEST_CASE("a report opens with the question, the answer and one figure, and fold
   CHECK(well_formed(markup(html)));
   std::size_t last = 0;
   for (const char* part : {"<h1>Why does the stiffness",
-                           "In dense packings s is nearly that of a single contact",
+                           "In dense packings s is",
                            "In loose packings",
                            "data-choice=\"G_hv\"",
                            "id=\"why\"",

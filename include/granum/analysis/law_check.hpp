@@ -29,8 +29,9 @@ struct LawCheck {
   std::optional<Measured> force_exponent = {};
   /// alpha = 1/(slope - 1); empty unless the slope is above 1 by more than its error: punches have 1.
   std::optional<Measured> alpha = {};
-  double coefficient_ratio = 0; ///< median of f_n over the law's force at the overlap [1]
-  /// |f_n/(coefficient_ratio force) - 1|, the part not explained by the law's shape [1]
+  /// Median of f_n over the law's force at the overlap [1]; empty if the grains' modulus is not known.
+  std::optional<double> coefficient_ratio = {};
+  /// |f_n/(median ratio * force) - 1|, the part not explained by the law's shape [1]
   double median_misfit = 0;
   double misfit_90 = 0; ///< of 90 % of the contacts
   double worst_misfit = 0;

@@ -102,8 +102,8 @@ struct NetworkMatrix {
 struct Network {
   network::Response response; ///< affine and relaxed stiffness, and the status of the solution
   NetworkMatrix affine = {};
-  NetworkMatrix affine_of_all_contacts = {}; ///< those of rattlers too
-  NetworkMatrix relaxed = {};                ///< of the last iterate, where the network was not solved
+  NetworkMatrix affine_all = {}; ///< those of rattlers too
+  NetworkMatrix relaxed = {};    ///< of the last iterate, where the network was not solved
   packing::BulkModulusBounds bulk_bounds = {};
 
   /// The nearest isotropic solids.

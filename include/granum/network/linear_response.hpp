@@ -126,7 +126,7 @@ Response linear_response(const packing::Assembly& assembly, const ResponseOption
 /// \param    options   sliding and prestress count
 /// \throws   InvalidArgument for an assembly that require_valid rejects
 /// Checked by tests/network/test_linear_response.cpp
-[[nodiscard]] elastic::VoigtStiffness affine_of_all_contacts(const packing::Assembly& assembly,
-                                                             const ResponseOptions& options = {});
+[[nodiscard]] elastic::VoigtStiffness affine_all(const packing::Assembly& assembly,
+                                                 const ResponseOptions& options = {});
 
 } // namespace granum::network

@@ -350,7 +350,7 @@ std::vector<NamedMatrix> network_matrices(const FrameAnswer& frame) {
   if (!frame.measured.packing.network)
     return {};
   const analysis::Network& network = *frame.measured.packing.network;
-  std::vector<NamedMatrix> out{{"affine", &network.affine}, {"affine_all", &network.affine_of_all_contacts}};
+  std::vector<NamedMatrix> out{{"affine", &network.affine}, {"affine_all", &network.affine_all}};
   if (network.response.converged())
     out.push_back({"relaxed", &network.relaxed});
   return out;

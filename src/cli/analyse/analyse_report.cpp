@@ -128,7 +128,7 @@ std::string stiffness_text(const FrameAnswer& frame) {
     return "";
   std::string text = "\nstiffness of this network in the axes of the file [MPa], Voigt notation\n";
   for (const NamedMatrix& m : matrices)
-    if (m.matrix != &frame.measured.packing.network->affine_of_all_contacts) // its moduli below suffice
+    if (m.matrix != &frame.measured.packing.network->affine_all) // its moduli below suffice
       text += matrix_text(m);
   return text + "\nalong these axes\n" + io::table_text(matrix_fields(), matrices) +
          waves_text(matrices, frame.measured.packing.bulk_density);

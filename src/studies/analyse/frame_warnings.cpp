@@ -211,8 +211,8 @@ void judge_law(const analysis::LawCheck& check, double rounded, bool law_known, 
   if (check.misfit_90 > scatter)
     out.push_back("forces do not follow the contact law: 10 % of the contacts are off by " +
                   percent(check.misfit_90) + " or more (" + cause_of_misfit(check, several_types) + ")");
-  else if (law_known && std::abs(check.coefficient_ratio - 1) > scatter)
-    out.push_back("forces are " + short_text(check.coefficient_ratio) +
+  else if (law_known && check.coefficient_ratio && std::abs(*check.coefficient_ratio - 1) > scatter)
+    out.push_back("forces are " + short_text(*check.coefficient_ratio) +
                   " times those of the given law: the grains are of another material");
 }
 

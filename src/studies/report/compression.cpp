@@ -65,8 +65,49 @@ std::optional<Range> mean_range(const std::vector<Compression>& all, Density den
 std::optional<double> z_star(const RouteState& s) { return s.mechanical_coordination_number; }
 std::optional<double> softening(const RouteState& s) { return s.softening; }
 
-std::string from_to(const std::optional<Range>& range) {
-  return range ? detail::formatted("from %.2f to %.2f", range->first, range->last) : "";
+std::string from_to(const Range& range) {
+  return detail::formatted("from %.2f to %.2f", range.first, range.last);
+}
+
+/// "dense packings from 6.03 to 6.25, loose ones from 4.26 to 5.59", of the densities that were run.
+std::string from_to(const std::vector<Compression>& all,
+                    const std::function<std::optional<double>(const RouteState&)>& of) {
+  const auto dense = mean_range(all, Density::dense, of), loose = mean_range(all, Density::loose, of);
+  std::string text;
+  if (dense)
+    text = "dense packings " + from_to(*dense);
+  if (loose)
+    text += (dense ? ", loose ones " : "loose packings ") + from_to(*loose);
+  return text;
+}
+
+/// Largest distance of s from the exponent of a contact, over the specimens of a density.
+double largest_excess(const std::vector<Compression>& all, Density density) {
+  double largest = 0;
+  for (const Compression& c : all)
+    if (c.density == density && c.exponent)
+      largest = std::max(largest, std::abs(c.exponent->value - c.contact_exponent));
+  return largest;
+}
+
+/// Whether s of every specimen of a density is larger than the exponent of its contacts, by two standard
+/// errors.
+bool exceeds_contact_law(const std::vector<Compression>& all, Density density) {
+  return std::all_of(all.begin(), all.end(), [&](const Compression& c) {
+    return c.density != density || !c.exponent ||
+           c.exponent->value - c.contact_exponent > 2 * c.exponent->standard_error;
+  });
+}
+
+/// Largest relative difference of a route from the network, or nothing where they have no state in common.
+std::optional<double> largest_difference(const std::vector<Compression>& all, std::size_t modulus,
+                                         ShearModuli RouteState::*route) {
+  std::optional<double> largest;
+  for (const Compression& c : all)
+    for (const RouteState& state : c.states)
+      if (const auto& network = state.network[modulus], &other = (state.*route)[modulus]; network && other)
+        largest = std::max(largest.value_or(0), std::abs(*other / *network - 1));
+  return largest;
 }
 
 const char* density_name(const Compression& c) { return c.density == Density::dense ? "dense" : "loose"; }
@@ -123,15 +164,21 @@ std::optional<plot::SlopeTriangle> triangle(const Compression& c, std::size_t mo
 }
 
 std::string modulus_finding(const std::vector<Compression>& all, std::size_t modulus) {
-  std::string text =
-      std::string(shear_modulus_names[modulus]) + " against p' on logarithmic axes: straight lines. s is";
+  std::string exponents;
   for (const Compression& c : all)
     if (c.exponent)
-      text += " " + detail::formatted("%.2f", c.exponent->value) + " for " + density_name(c) + " " +
-              plural(c.contact) + ",";
-  text.back() = ';';
-  return text +
-         " loose packings are softer and their lines steeper. Rung 3 and the probe agree with the network.";
+      exponents += (exponents.empty() ? "" : ", ") + detail::formatted("%.2f", c.exponent->value) + " for " +
+                   density_name(c) + " " + plural(c.contact);
+  std::string text = std::string(shear_modulus_names[modulus]) + " against p' on logarithmic axes.";
+  if (!exponents.empty())
+    text += " s, the slope: " + exponents + ".";
+  constexpr std::pair<const char*, ShearModuli RouteState::*> routes[] = {{"Rung 3", &RouteState::relaxed},
+                                                                          {"The probe", &RouteState::probe}};
+  for (const auto& [route, moduli] : routes)
+    if (const auto largest = largest_difference(all, modulus, moduli))
+      text += std::string(" ") + route + " is within " + detail::formatted("%.2g", 100 * *largest) +
+              " % of the network.";
+  return text;
 }
 
 /// The shapes that were run, each once.
@@ -148,8 +195,7 @@ Panel contact_law_panel(const Scene& scene, const std::vector<Compression>& all)
       "contact_law", "One contact", {"f_N", {.title = "normal force [N]", .scale = plot::Scale::logarithmic}},
       {"k_n_N_per_m", {.title = "stiffness k_n [N/mm]", .scale = plot::Scale::logarithmic, .unit = 1e3}});
   constexpr double force = 0.01; // N, near the mean of the default scene at 10 kPa, and a decade up
-  out.chart.finding = "Stiffness of a contact against its force: a power of 1/2 for cones and 1/3 for "
-                      "spheres, constant for flat contacts.";
+  out.chart.finding = "Stiffness of a contact against its force; the numbers are slopes.";
   for (const contact::Shape shape : shapes_of(all)) {
     const contact::NormalLaw contact_law = law(scene, shape);
     plot::Series line{.name = std::string(name(shape)),
@@ -195,9 +241,7 @@ Panel contacts_panel(const std::vector<Compression>& all) {
     add(out, std::move(series), key_of(c));
   }
   list_shapes_and_densities(out, all);
-  out.chart.finding = "Contacts of a grain, z*, against p': dense packings " +
-                      from_to(mean_range(all, Density::dense, z_star)) + ", nearly constant; loose ones " +
-                      from_to(mean_range(all, Density::loose, z_star)) + ", rising.";
+  out.chart.finding = "Contacts of a grain, z*, against p': " + from_to(all, z_star) + ".";
   return out;
 }
 
@@ -255,9 +299,7 @@ Panel softening_panel(const Scene& scene, const std::vector<Compression>& all) {
   list_shapes_and_densities(out, all);
   add_closed_forms(out, scene, all);
   out.chart.finding =
-      "G of the network over G under uniform strain, against z*: one rising curve for all shapes; dense " +
-      from_to(mean_range(all, Density::dense, softening)) + ", loose " +
-      from_to(mean_range(all, Density::loose, softening)) + ".";
+      "G of the network over G under uniform strain, against z*: " + from_to(all, softening) + ".";
   return out;
 }
 
@@ -299,18 +341,35 @@ std::vector<std::string> compression_answer(const std::vector<Compression>& all)
   std::vector<std::string> answer{
       "The shear modulus of a packing grows with the pressure on it as G ~ p\u02e2, "
       "and s is the slope of its line in the picture."};
-  if (const std::string dense = exponents_text(all, Density::dense, true); !dense.empty())
-    answer.push_back(
-        "In dense packings s is nearly that of a single contact, 1/(1+\u03b1), which depends on the "
-        "shape of the contact (in brackets): " +
-        dense + "; pressure makes every contact stiffer and hardly adds new ones: a grain has " +
-        from_to(mean_range(all, Density::dense, z_star)) + " of them.");
-  if (const std::string loose = exponents_text(all, Density::loose, false); !loose.empty())
-    answer.push_back("In loose packings s is larger, " + loose + ", because pressure also adds contacts, " +
-                     from_to(mean_range(all, Density::loose, z_star)) +
-                     " a grain, and each new one limits the motion of the grains: the modulus rises " +
-                     from_to(mean_range(all, Density::loose, softening)) +
-                     " of its value for grains that all move with the mean strain.");
+  if (const std::string dense = exponents_text(all, Density::dense, true); !dense.empty()) {
+    constexpr double nearly = 0.06, hardly = 0.3; // of s, and of z*
+    std::string sentence = "In dense packings s is ";
+    sentence +=
+        largest_excess(all, Density::dense) < nearly
+            ? "nearly that of a single contact, 1/(1+\u03b1), which depends on its shape (in brackets): " +
+                  dense
+            : dense + " (in brackets 1/(1+\u03b1), that of a single contact of this shape)";
+    if (const auto contacts = mean_range(all, Density::dense, z_star))
+      sentence +=
+          (std::abs(contacts->last - contacts->first) < hardly ? "; pressure hardly adds contacts, "
+                                                               : "; pressure changes the contacts, ") +
+          from_to(*contacts) + " a grain";
+    answer.push_back(sentence + ".");
+  }
+  if (const std::string loose = exponents_text(all, Density::loose, false); !loose.empty()) {
+    const auto contacts = mean_range(all, Density::loose, z_star);
+    const auto softer = mean_range(all, Density::loose, softening);
+    std::string sentence = "In loose packings s is " + loose;
+    if (contacts && contacts->last > contacts->first && exceeds_contact_law(all, Density::loose))
+      sentence += ", larger than that of a contact because pressure also adds contacts, " +
+                  from_to(*contacts) + " a grain";
+    else if (contacts)
+      sentence += "; a grain has " + from_to(*contacts) + " contacts";
+    if (softer)
+      sentence += "; the modulus goes " + from_to(*softer) +
+                  " of its value for grains that all move with the mean strain";
+    answer.push_back(sentence + ".");
+  }
   return answer;
 }
 
@@ -388,11 +447,10 @@ CompressionStory compression_story(const Scene& scene, const std::vector<Compres
                      "With a constant set "
                      "of contacts the packing would have the same power of p.",
                      figures) +
-              why_figure(contacts,
-                         "2. Contacts per grain that carries load. Compression hardly changes them in a "
-                         "dense packing; "
-                         "a loose one gains contacts.",
-                         figures) +
+              why_figure(
+                  contacts,
+                  "2. Contacts per grain that carries load, z*. Each new contact makes the packing stiffer.",
+                  figures) +
               why_figure(relaxation,
                          "3. Grains do not move exactly with the mean strain; the deviation is larger with "
                          "fewer contacts. New "
