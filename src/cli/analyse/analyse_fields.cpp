@@ -204,9 +204,10 @@ const io::Columns<Fabric>& fabric_fields() {
         {"", "",
          of_part(&Fabric::isotropy,
                  [](const fabric::IsotropyTest& t) { return verdict(t.p_value, "no", "yes"); }),
-         item("different from 0?")},
+         item("a differs from 0?")},
     };
-    add_test(list, "density", &Fabric::density, &fabric::DensityTest::chi_square, "E(gamma; a) fits?");
+    add_test(list, "density", &Fabric::density, &fabric::DensityTest::chi_square,
+             "E(gamma; a) fits?");
     add_test(list, "axisymmetry", &Fabric::axisymmetry, &fabric::AxisymmetryTest::both, "symmetric about z?");
     return list;
   }();
@@ -252,9 +253,9 @@ const io::Columns<Forces>& force_fields() {
        io::or_null(of_part(&Forces::friction, &packing::FrictionEstimate::coefficient)),
        item("friction coefficient", 4, "f_t/f_n of the sliding contacts")},
       {"", "", of_part(&Forces::friction, &packing::FrictionEstimate::contacts),
-       item("contacts at friction")},
+       item("contacts at friction", 0, "f_t/f_n within 1e-4 of it")},
       {"sliding_fraction", "sliding_fraction", io::or_null(&Forces::sliding_fraction),
-       share("sliding contacts")},
+       share("sliding contacts", "f_t within 1e-3 of the limit")},
       {"", "", [](const Forces& f) { return f.unbalance ? std::nullopt : std::optional("unknown"); },
        item("unbalanced force", 0, "tangential forces not known")},
       {"unbalanced_force_ratio", "unbalanced_force_ratio",

@@ -275,7 +275,8 @@ void add_grain_options(Command& command, AnalyseOptions& o) {
       {{.name = "--grain-density",
         .value = number_without_default(o.grain_density),
         .group = grains_group,
-        .meaning = "Density rho_s of the grain mineral, 2650kg/m3; needed for wave speeds",
+        .meaning =
+            "Density rho_s of the grain mineral, such as 2650kg/m3; no default; needed for wave speeds",
         .synonyms = grain_density_synonyms()},
        {.name = "--friction-angle",
         .value = number_without_default(o.friction_angle),
@@ -316,7 +317,7 @@ void add_file_options(Command& command, AnalyseOptions& o) {
       {{.name = "--column-map",
         .value = text(o.column_map, "MAP"),
         .group = group,
-        .meaning = "Meaning of the columns of dumps, if granum does not find it from their values: "
+        .meaning = "Meaning of the columns of dumps, if granum cannot recognise them from their values: "
                    "id1=c_cl[1],id2=c_cl[2],force=c_cp[2]"},
        {.name = "--stress",
         .value = spaced(texts(o.stress, "PRESSURES|FILE"), Dimension::pressure),
@@ -343,8 +344,8 @@ void add_file_options(Command& command, AnalyseOptions& o) {
         .value = choice({"name", "all"}, o.series),
         .group = group,
         .meaning =
-            "Frames fitted together for exponents: name, frames of files whose names differ only in numbers "
-            "(dense_p50, dense_p100); or all"}});
+            "Which frames are fitted together for exponents: name, those of files whose names differ only in "
+            "numbers (dense_p50, dense_p100); all, every frame"}});
 }
 
 void add_measuring_options(Command& command, AnalyseOptions& o) {
@@ -359,7 +360,8 @@ void add_measuring_options(Command& command, AnalyseOptions& o) {
         .value = text(o.window, "RANGES"),
         .group = group,
         .meaning = "Part of the packing used for e, C_n, z*, fabric and stress: x0..x1,y0..y1,z0..z1, "
-                   "each end a length; .. is the whole axis"},
+                   "each end a length; .. is the whole axis; auto: an interior if there are walls or a free "
+                   "surface; none: the whole packing"},
        {.name = "--depth",
         .value = text(o.depth, "RANGE"),
         .group = group,

@@ -56,7 +56,7 @@ std::string window_text(const analysis::Window& window, const analysis::Interior
 std::string stress_text(const FrameAnswer& frame) {
   const studies::PrintedStress stress = studies::printed(*frame.measured.packing.stress);
   const auto differences = studies::stress_differences(frame);
-  std::string text = "\nstress [kPa], by contacts";
+  std::string text = "\nstress [kPa], from the contact forces";
   text += frame.code_stress ? " against the code's own\n" : "\n";
   for (std::size_t k = 0; k < stress.size(); ++k) {
     text += fmt::format("  {:<4} {:>18.10f}", studies::stress_names[k], stress[k] / 1e3);
@@ -71,7 +71,8 @@ std::string stress_text(const FrameAnswer& frame) {
 std::string moduli_text(const FrameAnswer& frame) {
   std::string text =
       "\nmoduli: K and G of the nearest isotropic stiffness, the others of the nearest one that is "
-      "symmetric about z; net/K and net/G: those of the network over those of the row; error: "
+      "symmetric about z: G_hh in the horizontal plane, G_vh in vertical planes; net/K and net/G: those of "
+      "the network over those of the row; error: "
       "standard error of G_vh\n" +
       io::heading_line(rung_fields()) + "\n";
   for (const RungResult& rung : frame.rungs)
@@ -130,7 +131,8 @@ std::string stiffness_text(const FrameAnswer& frame) {
   for (const NamedMatrix& m : matrices)
     if (m.matrix != &frame.measured.packing.network->affine_all) // its moduli below suffice
       text += matrix_text(m);
-  return text + "\nalong these axes\n" + io::table_text(matrix_fields(), matrices) +
+  text += "\nalong these axes; affine_all: uniform strain of all contacts, those of rattlers too\n";
+  return text + io::table_text(matrix_fields(), matrices) +
          waves_text(matrices, frame.measured.packing.bulk_density);
 }
 

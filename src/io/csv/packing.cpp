@@ -268,8 +268,8 @@ ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> co
 
 const PackingFormat csv_format{
     .name = "CSV",
-    .sign =
-        "headings between commas; contacts if they have nx, ny, nz (without grains) or id1, id2; else grains",
+    .sign = "headings separated by commas; contacts if they have nx, ny, nz (without grains) or id1, id2; "
+            "else grains",
     .grains = "a CSV table of grains",
     .contacts = "a CSV table of contacts",
     .recognise = [](TextSource& source) -> std::optional<Holds> {

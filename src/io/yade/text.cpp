@@ -297,7 +297,7 @@ ImportedPacking read_yade(TextSource grains, std::optional<TextSource> contacts)
 
 const PackingFormat yade_text_format{
     .name = "YADE's text",
-    .sign = "the first line of share/yade/granum_export.py or export.text",
+    .sign = "a first line as share/yade/granum_export.py or export.text writes it",
     .grains = "grains of YADE as text",
     .contacts = "contacts of YADE as text",
     .recognise = [](TextSource& source) -> std::optional<Holds> {
