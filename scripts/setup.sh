@@ -18,7 +18,7 @@ web_packages=("${run_packages[@]}" clang lld wasi-libc libclang-rt-dev-wasm32 li
   nodejs chromium)
 command -v npm >/dev/null || web_packages+=(npm) # some packages of nodejs bring it along
 test_packages=("${docs_packages[@]}" doctest-dev librapidcheck-dev clang-format
-  clang libclang-rt-dev libc++-dev libc++abi-dev libbenchmark-dev dpkg-dev file pkg-config)
+  clang lld libclang-rt-dev libc++-dev libc++abi-dev libbenchmark-dev dpkg-dev file pkg-config)
 tidy_packages=("${test_packages[@]}" clang-tidy)
 bench_packages=("${run_packages[@]}" libbenchmark-dev python3-numpy)
 # Beside which bench/solvers measures the network's solver; what is missing is left out there.

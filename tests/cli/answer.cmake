@@ -46,7 +46,7 @@ granum_cli_test("answer: given options override the preset" EXIT 0 JSON "inputs/
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --grain quartz --grain-shear-modulus 45GPa --json)
 granum_cli_test("answer: unknown grain" EXIT 2 STDERR "grain 'cheese' is unknown; known are quartz" ARGS estimate --void-ratio 0.6
   --pressure 100kPa --grain cheese)
-granum_cli_test("answer: sand" EXIT 0 STDOUT "e = 0\\.802 between 0\\.616 and 0\\.988.*d50 = 200 um.*G_g = 44 GPa.*Toyoura sand .CubrinovskiIshihara2002"
+granum_cli_test("answer: sand" EXIT 0 STDOUT "e = 0\\.802 .e_min 0\\.616, e_max 0\\.988.*d50 = 200 um.*G_g = 44 GPa.*Toyoura sand .CubrinovskiIshihara2002"
   ARGS estimate --sand toyoura --relative-density 50% --pressure 100kPa)
 granum_cli_test("answer: a sand with limits of its tests" EXIT 0 JSON "inputs/void_ratio=^0\\.8(3$|30|29)"
   ARGS estimate --sand hostun --relative-density 50% --pressure 100kPa --json)

@@ -206,8 +206,7 @@ const io::Columns<Fabric>& fabric_fields() {
                  [](const fabric::IsotropyTest& t) { return verdict(t.p_value, "no", "yes"); }),
          item("a differs from 0?")},
     };
-    add_test(list, "density", &Fabric::density, &fabric::DensityTest::chi_square,
-             "E(gamma; a) fits?");
+    add_test(list, "density", &Fabric::density, &fabric::DensityTest::chi_square, "E(gamma; a) fits?");
     add_test(list, "axisymmetry", &Fabric::axisymmetry, &fabric::AxisymmetryTest::both, "symmetric about z?");
     return list;
   }();

@@ -259,8 +259,8 @@ void add_answer_options(Command& command, AnswerOptions& o) {
        {.name = "--saturation",
         .value = number(o.saturation),
         .group = state_group,
-        .meaning = "Degree of saturation S_r; at 100% V_p follows Gassmann, below it V_p is nearly that of "
-                   "dry pores",
+        .meaning = "Degree of saturation S_r; at 100% V_p follows Gassmann, at 99% and less it is nearly "
+                   "that of dry pores",
         .synonyms = {{"s sr"}}}});
 }
 
@@ -314,7 +314,7 @@ OptionRow uncertainty_row(std::vector<std::string>& settings) {
           .value = std::move(value),
           .group = "More results",
           .meaning = "Standard deviation of an input, may be repeated. KEY is the name of its option: "
-                     "void-ratio=0.02; in per cent of the value: pressure=5%"};
+                     "void-ratio=0.02; or relative to its value: pressure=5%"};
 }
 
 estimate::Question question_of(const PackingOptions& packing, const AnswerOptions& o) {

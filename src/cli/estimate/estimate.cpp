@@ -123,7 +123,9 @@ Command make_estimate() {
       {{.name = "--bounds",
         .value = flag(options->bounds),
         .group = "More results",
-        .meaning = "Also show uniform strain, uniform stress and the relaxed closed form, with exponents"},
+        .meaning = "Also show three closed forms with their exponents: uniform strain (all grains move with "
+                   "the mean "
+                   "strain), uniform stress (all contacts carry the mean stress), and relaxed"},
        {.name = "--tolerance",
         .value = number_without_default(options->tolerance),
         .group = "More results",

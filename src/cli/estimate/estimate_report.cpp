@@ -138,7 +138,7 @@ namespace {
 std::string sand_line(const sands::Sand& sand, double void_ratio) {
   std::string text = "e = " + short_text(void_ratio);
   if (sand.least_void_ratio && sand.largest_void_ratio)
-    text += fmt::format(" between {} and {}", short_text(*sand.least_void_ratio),
+    text += fmt::format(" (e_min {}, e_max {})", short_text(*sand.least_void_ratio),
                         short_text(*sand.largest_void_ratio));
   else if (sand.relative_density)
     text += ", D_r = " + percent_text(*sand.relative_density);

@@ -147,7 +147,7 @@ std::string sands_text(const AnswerCase& c) {
     text += fmt::format("    {:<26}{:>11}  {:.2f} {}{}\n", sand.law->key,
                         sand.modulus ? pretty(sand.modulus->shear_modulus, Dimension::pressure) : "none",
                         sand.law->record.bias, sand.law->sand,
-                        sand.modulus && sand.modulus->validity.ok() ? "" : " (not tested here)");
+                        sand.modulus && sand.modulus->validity.ok() ? "" : " (outside its tests)");
   return text + comparison_text(c) + strain_text(c);
 }
 
@@ -168,14 +168,15 @@ std::vector<std::string> sand_notes(const AnswerCase& c, const AnswerOptions& op
                   short_text(sands::stated_factor(q.sand, q.state.void_ratio, q.state.mean_stress()), 3)));
   if (const double p = q.state.mean_stress(); p > 0 && p < sands::least_tested_stress)
     notes.emplace_back("sand: there are no tests below 25 kPa; the factor is larger there");
-  notes.emplace_back(
-      "sand: nu follows from measurements; it changes E little, V_p by about 10 %, and K by a factor "
-      "of 1.5");
+  notes.push_back(
+      fmt::format("sand: nu follows from measurements; its scatter changes E little, {}K by a factor of 1.5",
+                  q.saturation < 1 ? "V_p by about 10 %, and " : "V_p of saturated sand hardly, and "));
   if (q.state.mean_stress() > 0)
-    notes.emplace_back("sand: z* and k/k_H, the contact stiffness over that of smooth spheres, are inferred: "
-                       "with them rung 3 gives this nu and this G. Without nu, few contacts and soft "
-                       "contacts cannot be distinguished; k_t/k_n is assumed as that of smooth "
-                       "spheres");
+    notes.emplace_back(
+        "sand: z* and k/k_H, the contact stiffness over that of smooth spheres, are inferred: "
+        "with them the closed form for spheres gives this nu and this G. From G alone, few contacts and "
+        "soft contacts cannot be distinguished; k_t/k_n is assumed as that of smooth "
+        "spheres");
   if (options.usual_limits)
     notes.push_back(
         fmt::format("sand: void ratio {} from this relative density with e_min {} and e_max {}, as "

@@ -14,14 +14,16 @@
 namespace granum::cli {
 
 void add_output_options(Command& command, OutputOptions& options) {
-  command.add({{.name = "--json",
-                .value = flag(options.json),
-                .group = output_group,
-                .meaning = "Print one JSON object, SI units"},
-               {.name = "--strict",
-                .value = flag(options.strict),
-                .group = output_group,
-                .meaning = "Fail (exit code 4) if the result lies outside a formula's validity"}});
+  command.add(
+      {{.name = "--json",
+        .value = flag(options.json),
+        .group = output_group,
+        .meaning = "Print one JSON object, SI units"},
+       {.name = "--strict",
+        .value = flag(options.strict),
+        .group = output_group,
+        .meaning =
+            "Fail (exit code 4) if there is a warning or the result lies outside a formula's validity"}});
   add_output_place(command, options.out, options.force, "FILE", "Write the result to this file",
                    "an existing file");
 }

@@ -239,7 +239,7 @@ const std::vector<NumberRow>& number_rows() {
        false,
        {.name = "--pressure",
         .group = state_group,
-        .meaning = "Isotropic effective stress",
+        .meaning = "Mean effective stress, the same in all directions",
         .excludes = {{"--stress-v --stress-h", given_twice::stress}},
         .synonyms = {{words_for_pressure}}}},
       {&PackingOptions::stress_v,
