@@ -46,7 +46,7 @@ def row_of(program, name, shape, preparation, seed):
     frame = json.loads(said.stdout)["frames"][0]
     counts, moduli = frame["counts"], frame["moduli"]
     count = GRAINS_OF[shape]
-    # the grains of a body stand one after the other
+    # the grains of a body follow one another
     body = np.loadtxt(f"{name}.grains", usecols=(2, 3, 4))[:count]
     volume = union_volume(body) if count > 1 else 4 / 3 * np.pi * RADIUS**3
     bodies = counts["grains"] // count

@@ -82,7 +82,7 @@ std::string from_to(const std::vector<Compression>& all,
 }
 
 /// Largest distance of s from the exponent of a contact, over the specimens of a density.
-double largest_excess(const std::vector<Compression>& all, Density density) {
+double largest_distance(const std::vector<Compression>& all, Density density) {
   double largest = 0;
   for (const Compression& c : all)
     if (c.density == density && c.exponent)
@@ -345,7 +345,7 @@ std::vector<std::string> compression_answer(const std::vector<Compression>& all)
     constexpr double nearly = 0.06, hardly = 0.3; // of s, and of z*
     std::string sentence = "In dense packings s is ";
     sentence +=
-        largest_excess(all, Density::dense) < nearly
+        largest_distance(all, Density::dense) < nearly
             ? "nearly that of a single contact, 1/(1+\u03b1), which depends on its shape (in brackets): " +
                   dense
             : dense + " (in brackets 1/(1+\u03b1), that of a single contact of this shape)";
@@ -358,15 +358,15 @@ std::vector<std::string> compression_answer(const std::vector<Compression>& all)
   }
   if (const std::string loose = exponents_text(all, Density::loose, false); !loose.empty()) {
     const auto contacts = mean_range(all, Density::loose, z_star);
-    const auto softer = mean_range(all, Density::loose, softening);
+    const auto share = mean_range(all, Density::loose, softening);
     std::string sentence = "In loose packings s is " + loose;
     if (contacts && contacts->last > contacts->first && exceeds_contact_law(all, Density::loose))
       sentence += ", larger than that of a contact because pressure also adds contacts, " +
                   from_to(*contacts) + " a grain";
     else if (contacts)
       sentence += "; a grain has " + from_to(*contacts) + " contacts";
-    if (softer)
-      sentence += "; the modulus goes " + from_to(*softer) +
+    if (share)
+      sentence += "; the modulus goes " + from_to(*share) +
                   " of its value for grains that all move with the mean strain";
     answer.push_back(sentence + ".");
   }
