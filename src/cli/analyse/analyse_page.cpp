@@ -89,7 +89,7 @@ std::string rungs_sentence(const FrameAnswer& frame) {
                    *uniform = find_rung(frame, effective::rung(effective::RungName::isotropic).column),
                    *network = find_rung(frame, network_name());
   if (relaxed == nullptr)
-    return "The closed forms lack inputs; the table below lists them.";
+    return "Rung 3, the relaxed closed form, was not evaluated; the table below states why.";
   std::string text = "The relaxed closed form (rung 3) gives G = " + megapascal(relaxed->moduli->G);
   if (network == nullptr)
     return text + ".";
