@@ -25,13 +25,13 @@ constexpr double of_rough = 2 * std::numbers::pi / 3;
 /// s at the onset of a contact, and beyond which roughness is below rounding.
 constexpr int first_octave = -18, smooth_octave = 60;
 
-struct Shape {
+struct CurveFactors {
   double m;
   double E;
   double by_log; ///< dE/d ln X
 };
 
-Shape shape(double X) {
+CurveFactors curve_factors(double X) {
   const double rough = 1 / (1 + std::pow(c * X, -n)); // q/(1 + q)
   const double S = s0 + (of_rough - s0) * rough;
   const double S1 = (of_rough - s0) * n * rough * (1 - rough); // dS/d ln X
@@ -80,7 +80,7 @@ class Curve {
   [[nodiscard]] const RoughSphereKernel::Cell* cells() const { return cells_.data(); }
 
  private:
-  static double slope(double s) { return 1.5 * (1 + s * shape(1 / s).m); }
+  static double slope(double s) { return 1.5 * (1 + s * curve_factors(1 / s).m); }
 
   /// From the sums at another s of the same octave.
   static Sums at(double s, const Sums& from, double start) {
@@ -89,7 +89,7 @@ class Curve {
     Sums sums{.length = from.length + 3 * half, .energy = from.energy + power_3_2(s) - power_3_2(start)};
     for (const auto& [x, weight] : rule) {
       const double here = start * std::exp(half * (1 + x));
-      const double part = weight * half * 1.5 * here * shape(1 / here).m;
+      const double part = weight * half * 1.5 * here * curve_factors(1 / here).m;
       sums.length += part;
       sums.energy += power_3_2(here) * part;
     }
@@ -101,7 +101,7 @@ class Curve {
   };
   static Node node(double s) {
     const RoughStiffness rough = rough_stiffness(1 / s);
-    const double force = power_3_2(s), slope = force / (1 + s * shape(1 / s).m);
+    const double force = power_3_2(s), slope = force / (1 + s * curve_factors(1 / s).m);
     return {force, slope, slope * slope * rough.exponent / force};
   }
 
@@ -147,7 +147,7 @@ const Curve& curve() {
 } // namespace
 
 RoughStiffness rough_stiffness(double X) {
-  const auto [m, E, by_log] = shape(X);
+  const auto [m, E, by_log] = curve_factors(X);
   const double ratio = 1 / (X + m);
   const double A = X - m * E / 2; // -d ratio/d ln X over ratio^2
   const double dA = X + m * (E * E / 4 - by_log / 2);

@@ -9,11 +9,11 @@
 #include <cstdint>
 #include <cstdio>
 
-#include <Eigen/Eigenvalues>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/elastic/mandel.hpp>
 
+#include "core/symmetric_eigen.hpp"
 #include "direction.hpp"
 
 namespace granum::elastic {
@@ -97,10 +97,10 @@ PlaneWaves plane_waves(const VoigtStiffness& stiffness, double bulk_density, con
   require_semidefinite(stiffness);
   const Eigen::Matrix<double, 3, 6> m = contraction(n);
   const Eigen::Matrix3d gamma = m * symmetric_part(stiffness) * m.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(gamma);
+  const SymmetricEigen<3> system = symmetric_eigen<3>(gamma);
   const auto wave = [&](int k) { // eigenvalues come in ascending order
-    const auto u = solver.eigenvectors().col(k);
-    return PlaneWave{.speed = std::sqrt(std::max(solver.eigenvalues()[k], 0.0) / bulk_density),
+    const auto u = system.vectors.col(k);
+    return PlaneWave{.speed = std::sqrt(std::max(system.values[k], 0.0) / bulk_density),
                      .polarisation = {u[0], u[1], u[2]}};
   };
   PlaneWaves waves{.fastest = wave(2), .middle = wave(1), .slowest = wave(0)};

@@ -2,13 +2,13 @@
 // Alone in this source, because Eigen's solver takes long to compile.
 #include <granum/elastic/eigen_system.hpp>
 
-#include <Eigen/Eigenvalues>
+#include "core/symmetric_eigen.hpp"
 
 namespace granum::elastic {
 
 EigenSystem eigen_system(const Matrix6& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6> solver(symmetric);
-  return {.values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
+  const SymmetricEigen<6> system = symmetric_eigen<6>(symmetric);
+  return {.values = system.values, .vectors = system.vectors};
 }
 
 } // namespace granum::elastic

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 #include <granum/contact/minerals.hpp>
+#include <granum/core/number.hpp>
 #include <granum/effective/transition_pressure.hpp>
 #include <granum/io/csv/columns.hpp>
 #include <granum/plot/svg_text.hpp>

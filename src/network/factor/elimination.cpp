@@ -18,8 +18,8 @@
 #include <memory>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
+#include "core/symmetric_eigen.hpp"
 #include "core/vector/level.hpp"
 #include "local_motion.hpp"
 #include "network/contact_operator.hpp"
@@ -144,7 +144,7 @@ class Elimination {
   }
 
  private:
-  using PivotSystem = Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dof, Dof>>;
+  using PivotSystem = SymmetricEigen<Dof>;
   using Vector = Eigen::Matrix<double, Dof, 1>;
   static constexpr std::uint32_t absent = LocalMotion<Dof>::absent;
 
@@ -253,8 +253,8 @@ class Elimination {
       map = cholesky.matrixU().solve(Eigen::Matrix<double, Dof, Dof>::Identity());
       return false;
     }
-    const PivotSystem pivot(symmetric);
-    const Vector found = pivot.eigenvalues();
+    const PivotSystem pivot = symmetric_eigen<Dof>(symmetric);
+    const Vector found = pivot.values;
     Vector values = found;
     bool mended = true;
     if (rule_.soft_pivots == SoftPivots::stiffened)
@@ -264,7 +264,7 @@ class Elimination {
     else
       for (int k = 0; k < Dof && found[k] < lost_stiffness * mean_; ++k)
         defer(i, pivot, k, work, values);
-    map = pivot.eigenvectors() * values.cwiseSqrt().cwiseInverse().asDiagonal();
+    map = pivot.vectors * values.cwiseSqrt().cwiseInverse().asDiagonal();
     return mended;
   }
 
@@ -272,7 +272,7 @@ class Elimination {
   /// rigid: they carry no load, and rounding would drive them. Lost ones are deferred, and with by_motion all
   /// other directions of that pivot below lost_stiffness as well. Returns whether any was lost.
   bool set_soft(std::uint32_t i, const PivotSystem& pivot, Work& work, Vector& values) {
-    const Vector found = pivot.eigenvalues();
+    const Vector found = pivot.values;
     double softest = 1; // least l / h
     Rows<Dof> directions = {};
     SoftPivot soft_pivot;
@@ -280,7 +280,7 @@ class Elimination {
     for (; count < Dof && found[count] < soft * mean_; ++count) {
       softest = std::min(softest, std::max(std::abs(found[count]) / mean_, least_compared));
       for (int r = 0; r < Dof; ++r)
-        directions.row[r][count] = pivot.eigenvectors()(r, count);
+        directions.row[r][count] = pivot.vectors(r, count);
     }
     if (count == 0)
       return false;
@@ -390,7 +390,7 @@ class Elimination {
 
   /// Makes a pivot rigid along its eigenvector k until set_deferred.
   static void defer(std::uint32_t i, const PivotSystem& pivot, int k, Work& work, Vector& values) {
-    work.deferred.push_back({i, k, pivot.eigenvectors().col(k)});
+    work.deferred.push_back({i, k, pivot.vectors.col(k)});
     values[k] = rigid;
   }
 
