@@ -7,11 +7,11 @@
 #include <limits>
 #include <numbers>
 
-#include <boost/math/special_functions/gamma.hpp>
-
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+
+#include "core/gamma.hpp"
 
 namespace granum::contact {
 
@@ -28,7 +28,7 @@ const GrainMaterial& checked(const GrainMaterial& grain) {
 /// the alpha-th root.
 double gamma_ratio(double alpha) {
   const double z = alpha / 2 + 0.5;
-  return alpha < 1e8 ? boost::math::tgamma_delta_ratio(z, 0.5) : 1 / std::sqrt(z);
+  return alpha < 1e8 ? gamma_ratio_half(z) : 1 / std::sqrt(z);
 }
 
 /// g = Gamma((alpha+1)/2)/(2 sqrt(pi) Gamma(alpha/2+1)).

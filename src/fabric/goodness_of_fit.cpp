@@ -6,10 +6,10 @@
 #include <numbers>
 #include <vector>
 
-#include <boost/math/special_functions/gamma.hpp>
 #include <granum/fabric/likelihood_estimate.hpp>
 #include <granum/fabric/polar_distribution.hpp>
 
+#include "core/gamma.hpp"
 #include "normals.hpp"
 
 namespace granum::fabric {
@@ -19,9 +19,9 @@ namespace {
 constexpr std::size_t fewest_for_counts = 20; // four bins of five
 
 ChiSquareTest chi_square(double statistic, int degrees_of_freedom) {
-  const double p_value =
-      degrees_of_freedom > 0 ? boost::math::gamma_q(degrees_of_freedom / 2.0, statistic / 2) : 1;
-  return {.statistic = statistic, .degrees_of_freedom = degrees_of_freedom, .p_value = p_value};
+  return {.statistic = statistic,
+          .degrees_of_freedom = degrees_of_freedom,
+          .p_value = p_value(statistic, static_cast<std::size_t>(std::max(degrees_of_freedom, 0)))};
 }
 
 /// Largest k with k^5 <= 32 N^2, that is k <= 2 N^(2/5), and N/k >= 5.

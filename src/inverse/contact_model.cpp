@@ -8,12 +8,12 @@
 #include <utility>
 
 #include <Eigen/Cholesky>
-#include <boost/math/special_functions/gamma.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 
+#include "core/gamma.hpp"
 #include "hardin/nonlinear_fit.hpp"
 
 namespace granum::inverse::detail {
@@ -356,8 +356,7 @@ void ContactModel::describe(Inference& inference, const std::vector<StateGroup>&
       measurements_.size() - std::min(measurements_.size(), static_cast<std::size_t>(free_count()) +
                                                                 options_.contacts.numbers.size());
   if (inference.degrees_of_freedom_ > 0)
-    inference.probability_ = boost::math::gamma_q(static_cast<double>(inference.degrees_of_freedom_) / 2,
-                                                  inference.chi_square_ / 2);
+    inference.probability_ = p_value(inference.chi_square_, inference.degrees_of_freedom_);
   inference.fitted_.resize(measurements_.size());
 
   // Each residual has unit variance; z* depends on it through its row of the pseudo-inverse.

@@ -7,11 +7,12 @@
 #include <numbers>
 #include <string>
 
-#include <Eigen/Dense>
-#include <boost/math/distributions/chi_squared.hpp>
+#include <Eigen/LU>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+
+#include "core/gamma.hpp"
 
 namespace granum::inverse {
 
@@ -209,10 +210,9 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
   const std::size_t free = growth == SandGrowth::fitted ? 2 : 1; // the others have measured priors
   found.degrees_of_freedom_ = all.size() > free ? all.size() - free : 0;
   if (found.degrees_of_freedom_ > 0) {
-    const auto freedom = static_cast<double>(found.degrees_of_freedom_);
-    found.probability_ =
-        boost::math::cdf(boost::math::complement(boost::math::chi_squared(freedom), found.chi_square_));
-    found.widening_ = std::max(1.0, std::sqrt(found.chi_square_ / freedom));
+    found.probability_ = p_value(found.chi_square_, found.degrees_of_freedom_);
+    found.widening_ =
+        std::max(1.0, std::sqrt(found.chi_square_ / static_cast<double>(found.degrees_of_freedom_)));
   }
   const Eigen::Matrix3d covariance = fit.covariance * found.widening_ * found.widening_;
   Eigen::Map<Eigen::Matrix3d>(found.covariance_.data()) = covariance;

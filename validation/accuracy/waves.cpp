@@ -35,7 +35,7 @@ std::array<Real, 3> christoffel(const Real6& c, const Vec3& direction) {
   return eigenvalues(gamma);
 }
 
-void check_transversely_isotropic(Table& table, Draw& draw) {
+void check_waves_in_transverse_isotropy(Table& table, Draw& draw) {
   const TransverselyIsotropic c = draw_stiffness(draw);
   const Vec3 n = draw_direction(draw);
   const double density = draw.log_uniform(1, 1e4);
@@ -122,7 +122,7 @@ void check_isotropic_speeds(Table& table, Draw& draw) {
 void check_waves(Table& table, std::size_t samples) {
   Draw draw(12);
   for (std::size_t k = 0; k < samples; ++k) {
-    check_transversely_isotropic(table, draw);
+    check_waves_in_transverse_isotropy(table, draw);
     check_full(table, draw);
     TransverselyIsotropic c = draw_stiffness(draw);
     check_thomsen(table, c, "C12, C13 from -0.3 to 0.5 C11");

@@ -78,27 +78,42 @@ int fill_slopes(const gsl_vector* x, void* data, gsl_matrix* slopes) {
   return fill<n>(x, data, nullptr, slopes);
 }
 
-/// (J'J)^-1 (sum over groups of g g') (J'J)^-1 with g the group's share of J'f: right also when the
-/// rows of a group are correlated.                                                       [LiangZeger1986]
+/// Sums over the rows: J'J, and of each group its share of J'f.
+struct NormalSums {
+  Eigen::MatrixXd normal;
+  std::map<std::string, Eigen::VectorXd> shares;
+};
+
 template <int n>
-Eigen::Matrix<double, n, n> clustered_covariance(const Observations<n>& rows, const Numbers<double, n>& c) {
-  Eigen::Matrix<double, n, n> normal = Eigen::Matrix<double, n, n>::Zero();
-  std::map<std::string, Eigen::Matrix<double, n, 1>> shares;
+NormalSums normal_sums(const Observations<n>& rows, const Numbers<double, n>& c) {
+  NormalSums sums{.normal = Eigen::MatrixXd::Zero(n, n), .shares = {}};
   for (const Observation<n>& o : rows) {
     const Dual<n> f = residual<n>(o, c);
-    normal += f.derivatives() * f.derivatives().transpose();
-    auto [share, fresh] = shares.try_emplace(o.group, Eigen::Matrix<double, n, 1>::Zero());
-    share->second += f.value() * f.derivatives();
+    Eigen::VectorXd& share = sums.shares.try_emplace(o.group, Eigen::VectorXd::Zero(n)).first->second;
+    for (int k = 0; k < n; ++k) {
+      share[k] += f.value() * f.derivatives()[k];
+      for (int j = 0; j < n; ++j)
+        sums.normal(j, k) += f.derivatives()[j] * f.derivatives()[k];
+    }
   }
-  Eigen::Matrix<double, n, n> scatter = Eigen::Matrix<double, n, n>::Zero();
-  for (const auto& [name, share] : shares)
+  return sums;
+}
+
+/// (J'J)^-1 (sum over groups of g g') (J'J)^-1 with g the group's share of J'f: right also when the
+/// rows of a group are correlated.                                                       [LiangZeger1986]
+inline Eigen::MatrixXd clustered_covariance(const NormalSums& sums) {
+  const Eigen::Index n = sums.normal.cols();
+  Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(n, n);
+  for (const auto& [name, share] : sums.shares)
     scatter += share * share.transpose();
-  Eigen::Matrix<double, n, n> inverse = normal;
-  gsl_matrix_view view = gsl_matrix_view_array(inverse.data(), n, n); // by GSL: Eigen's takes long to compile
+  Eigen::MatrixXd inverse = sums.normal;
+  const auto size = static_cast<std::size_t>(n);
+  gsl_matrix_view view =
+      gsl_matrix_view_array(inverse.data(), size, size); // by GSL: Eigen's takes long to compile
   gsl_linalg_cholesky_decomp1(&view.matrix);
   gsl_linalg_cholesky_invert(&view.matrix);
-  const double groups = static_cast<double>(shares.size());
-  return groups / (groups - 1) * inverse * scatter * inverse;
+  const double groups = static_cast<double>(sums.shares.size());
+  return groups / (groups - 1) * inverse.lazyProduct(scatter).eval().lazyProduct(inverse);
 }
 
 /// A row that is no number would count as a bad one wherever the fit goes, which then arrives nowhere.
@@ -153,7 +168,7 @@ Fit<n> least_squares(std::vector<Observation<n>> rows, const Numbers<double, n>&
   gsl_multifit_nlinear_free(work);
   if (status != GSL_SUCCESS)
     throw std::runtime_error(std::string("the fit did not converge: ") + gsl_strerror(status));
-  fit.covariance = detail::clustered_covariance<n>(rows, fit.coefficients);
+  fit.covariance = detail::clustered_covariance(detail::normal_sums<n>(rows, fit.coefficients));
   return fit;
 }
 
