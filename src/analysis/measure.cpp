@@ -369,8 +369,9 @@ class Measuring {
       assign_stiffness_by_size(assembly, *out_.law, tangential_ratio(), from);
     else
       assign_stiffness(assembly, *out_.law, tangential_ratio(), from);
-    out_.notes.emplace_back(from == packing::StiffnessFrom::force ? "k_n of the network from the forces"
-                                                                  : "k_n of the network from the overlaps");
+    out_.notes.emplace_back(from == packing::StiffnessFrom::force
+                                ? "k_n of the network follows from the forces"
+                                : "k_n of the network follows from the overlaps");
     return assembly;
   }
 

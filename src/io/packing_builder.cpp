@@ -150,8 +150,9 @@ void PackingBuilder::take_bodies(const std::vector<GrainRow>& rows) {
       packing_.assembly.body.push_back(place->second);
   }
   note(Finding::bodies,
-       many(parts, "grains are parts of ") + many(number.size(), "rigid bodies, which move as one; "
-                                                                 "void ratio counts shared volume twice"));
+       many(parts, "grains are parts of ") +
+           many(number.size(), "rigid bodies, which move as one; volume shared by grains of a "
+                               "body counts twice in the void ratio"));
 }
 
 void PackingBuilder::drop_inner_contacts() {

@@ -98,20 +98,21 @@ PooledForm form_of(const Sand& sand) {
   return sand.relative_density ? PooledForm::relative_density : PooledForm::void_ratio;
 }
 
-const char* formula(PooledForm fit) {
-  switch (fit) {
+std::string formula(const Sand& sand) {
+  switch (form_of(sand)) {
   case PooledForm::own_tests:
-    return "level F^power (p/p_a)^s of its own tests, F = (2.17-e)^2/(1+e)";
+    return pretty(sand.tests->level, Dimension::pressure) + " ((2.17-e)^2/(1+e))^" +
+           short_text(sand.tests->power) + " (p'/p_a)^s, fitted to its own tests";
   case PooledForm::density_and_limits:
-    return "92.7 MPa 10^(0.294 D_r - 0.287 e_min) (p/p_a)^s";
+    return "92.7 MPa 10^(0.294 D_r - 0.287 e_min) (p'/p_a)^s";
   case PooledForm::grading:
-    return "39.4 MPa (2.97-e)^2/(1+e) C_u^-0.252 (p/p_a)^s";
+    return "39.4 MPa (2.97-e)^2/(1+e) C_u^-0.252 (p'/p_a)^s";
   case PooledForm::relative_density:
-    return "69.2 MPa 10^(0.241 D_r) (p/p_a)^s";
+    return "69.2 MPa 10^(0.241 D_r) (p'/p_a)^s";
   case PooledForm::void_ratio:
     break;
   }
-  return "33.6 MPa (2.97-e)^2/(1+e) (p/p_a)^s";
+  return "33.6 MPa (2.97-e)^2/(1+e) (p'/p_a)^s";
 }
 
 GrowthExponent growth_exponent(const Sand& sand, double mean_stress) {

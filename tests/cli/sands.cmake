@@ -40,7 +40,7 @@ granum_cli_test("sands: columns of both, and laws" EXIT 0 STDOUT "grain_shape,sa
   ARGS sweep --void-ratio 0.7 --from 100kPa --to 200kPa --points 2 --laws)
 granum_cli_test("sands: the ground is soil" EXIT 0 STDOUT "void ratio 0\\.7648: sand \\(measured laws\\)"
   ARGS sweep --depth 1m..20m --points 2 --sand toyoura --relative-density 60%)
-granum_cli_test("sands: from the surface on, strictly" EXIT 0 STDOUT "there are no tests of sands below p' = 25 kPa, here at 1\\.7 m and less"
+granum_cli_test("sands: from the surface on, strictly" EXIT 0 STDOUT "no sand was tested below p' = 25 kPa, here at depths of 1\\.7 m and less"
   ARGS sweep --depth 0m..20m --points 201 --sand toyoura --relative-density 60% --k0 1 --unit-weight 14.7kN/m3 --strict)
 granum_cli_test("sands: rungs are of spheres" EXIT 2 STDERR "Use grain shape sphere for the rungs" ARGS estimate --sand toyoura ${at} --tolerance 5%)
 granum_cli_test("sands: but beads stay beads" EXIT 0 STDOUT "beads \\(spheres of the model\\)" ARGS sweep --depth 1m..20m --points 2
@@ -141,7 +141,7 @@ granum_new_user("p and G without e" "fit engineer_p_G_without_e.csv" 0 "no void 
 granum_new_user("an empty cell" "fit engineer_fit_one_blank_G.csv" 0 "1 of 5 rows have an empty cell")
 granum_new_user("sigma'v" "fit engineer_fit_primed_headings.csv" 0 "m +0\\.[0-9]+")
 granum_new_user("G in kPa" "fit engineer_fit_kPa_slip.csv" 0 "did you mean 149 MPa")
-granum_new_user("a forecast by name" "infer --sand hostun --void-ratio 0.7 --pressure 50kPa --shear-modulus 70MPa+-3% --predict-pressure 100kPa,400kPa" 0 "predicted at p = 400 kPa")
+granum_new_user("a forecast by name" "infer --sand hostun --void-ratio 0.7 --pressure 50kPa --shear-modulus 70MPa+-3% --predict-pressure 100kPa,400kPa" 0 "predicted at p' = 400 kPa")
 granum_new_user("beads" "estimate --grain glass --void-ratio 0.6 --pressure 100kPa" 0 "beads .spheres of the model.")
 granum_new_user("a shape of grains misspelt" "estimate --grain-shape sands --void-ratio 0.6 --pressure 100kPa" 2 "sphere or sand")
 granum_new_user("a depth" "estimate --sand toyoura --relative-density 60% --depth 10m" 2 "did you mean --stress-v[^\n]*granum sweep --depth")

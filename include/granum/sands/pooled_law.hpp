@@ -47,8 +47,8 @@ enum class PooledForm {
   void_ratio          ///< 33.6 MPa (2.97-e)^2/(1+e) (p/p_a)^s, of uniform sands
 };
 [[nodiscard]] PooledForm form_of(const Sand& sand);
-/// Its formula as text, p_a = 100 kPa.
-[[nodiscard]] const char* formula(PooledForm fit);
+/// The formula of form_of() as text, p_a = 100 kPa.
+[[nodiscard]] std::string formula(const Sand& sand);
 
 /// Exponent s of G ~ p^s and its standard deviation.
 struct GrowthExponent {

@@ -55,7 +55,7 @@ auto of_part(std::optional<Part> Whole::*part, Of of) {
 
 std::string verdict(double p_value, const char* yes, const char* no) {
   constexpr double doubt = 0.01;
-  return fmt::format("{}, p = {}", p_value < doubt ? no : yes, short_text(p_value, 2));
+  return fmt::format("{}, p-value {}", p_value < doubt ? no : yes, short_text(p_value, 2));
 }
 
 /// Adds a test of a fabric: its result for the terminal, and its numbers for JSON.
@@ -67,7 +67,7 @@ void add_test(io::Columns<Fabric>& to, const std::string& key, std::optional<Tes
   };
   to.emplace_back("", "",
                   of_part(test, [=](const Test& t) { return verdict((t.*chi_square).p_value, "yes", "no"); }),
-                  item(question));
+                  item(question, 4, "at a level of 0.01"));
   to.emplace_back("", key + "/chi_square", of(&fabric::ChiSquareTest::statistic));
   to.emplace_back("", key + "/degrees_of_freedom", of(&fabric::ChiSquareTest::degrees_of_freedom));
   to.emplace_back("", key + "/p_value", of(&fabric::ChiSquareTest::p_value));
@@ -129,7 +129,8 @@ const io::Columns<Counts>& contact_count_fields() {
        item("grains without contact")},
       {"", "touching_coordination_number", &Counts::touching_coordination_number,
        item("C_n of touching grains")},
-      {"", "coordination_number_with_walls", &Counts::coordination_number_with_walls, item("C_n with walls")},
+      {"", "coordination_number_with_walls", &Counts::coordination_number_with_walls,
+       item("C_n with walls", 4, "(2 N_c + wall contacts)/N")},
       {"", "rattlers", mechanical(&Mechanical::rattler_count)},
   };
   return fields;
@@ -198,13 +199,13 @@ const io::Columns<Fabric>& fabric_fields() {
                  [](const Likelihood& l) {
                    return Measured{l.anisotropy, l.standard_error};
                  }),
-         item("a", 4, "most likely")},
+         item("a", 4, "by maximum likelihood")},
         {"", "isotropy/z_score", of_part(&Fabric::isotropy, &fabric::IsotropyTest::z_score)},
         {"", "isotropy/p_value", of_part(&Fabric::isotropy, &fabric::IsotropyTest::p_value)},
         {"", "",
          of_part(&Fabric::isotropy,
                  [](const fabric::IsotropyTest& t) { return verdict(t.p_value, "no", "yes"); }),
-         item("a differs from 0?")},
+         item("a differs from 0?", 4, "at a level of 0.01")},
     };
     add_test(list, "density", &Fabric::density, &fabric::DensityTest::chi_square, "E(gamma; a) fits?");
     add_test(list, "axisymmetry", &Fabric::axisymmetry, &fabric::AxisymmetryTest::both, "symmetric about z?");
@@ -222,7 +223,7 @@ const io::Columns<ContactStress>& stress_fields() {
         {"p_Pa", "mean", &ContactStress::mean,
          ShownColumn{
              .heading = "p [kPa]", .width = 9, .digits = 5, .unit = 1e3, .absent = "-", .meaning = "mean"}},
-        {"", "asymmetry", &ContactStress::asymmetry, rounded("asymmetry", 2)},
+        {"", "asymmetry", &ContactStress::asymmetry, rounded("asymmetry", 2, "of the tensor, relative")},
     };
     for (std::size_t k = 0; k < std::size(studies::stress_names); ++k)
       list.emplace_back(std::string("stress_") + studies::stress_names[k] + "_Pa",

@@ -32,6 +32,14 @@ std::string reading_text(const FrameAnswer& frame) {
   return text;
 }
 
+/// Where grains are parts of rigid bodies, the bodies are counted.
+std::string of_bodies(std::string text) {
+  const std::string grains = "grains";
+  for (std::size_t at = text.find(grains); at != std::string::npos; at = text.find(grains, at))
+    text.replace(at, grains.size(), "bodies");
+  return text;
+}
+
 std::string counts_text(const studies::MeasuredFrame& frame) {
   const Measurement& a = frame.packing;
   std::string text = "\ngrains and contacts\n" + io::list_text(packing_fields(), a) +
@@ -40,7 +48,10 @@ std::string counts_text(const studies::MeasuredFrame& frame) {
     return text + line("C_n, z*, rattlers", "unknown", "no file contains contacts");
   if (a.sizes.smallest != a.sizes.largest)
     text += "  contacts of closed forms: " + means_text(a.sizes.contacts) + "\n";
-  return text + io::list_text(contact_count_fields(), a.counts);
+  const std::string counts = io::list_text(contact_count_fields(), a.counts);
+  if (a.counts.bodies == 0 || a.counts.bodies == a.counts.grains)
+    return text + counts;
+  return text + line("rigid bodies N", std::to_string(a.counts.bodies), "counted below") + of_bodies(counts);
 }
 
 std::string window_text(const analysis::Window& window, const analysis::InteriorMeasures& inside) {
@@ -70,14 +81,23 @@ std::string stress_text(const FrameAnswer& frame) {
 
 std::string moduli_text(const FrameAnswer& frame) {
   std::string text =
-      "\nmoduli: K and G of the nearest isotropic stiffness, the others of the nearest one that is "
-      "symmetric about z: G_hh in the horizontal plane, G_vh in vertical planes; net/K and net/G: those of "
-      "the network over those of the row; error: "
-      "standard error of G_vh\n" +
+      "\nmoduli: K and G of the nearest isotropic stiffness, the others of the nearest stiffness that is "
+      "symmetric about z: G_hh in the horizontal plane, G_vh in vertical planes; net/K and net/G: K and G of "
+      "the network divided by those of the row; error: standard error of G_vh in the row\n" +
       io::heading_line(rung_fields()) + "\n";
-  for (const RungResult& rung : frame.rungs)
-    text += rung.moduli ? io::row_line(rung_fields(), rung) + "\n"
-                        : fmt::format("{:<15} {}\n", rung.title, rung.error);
+  const std::vector<RungResult>& rungs = frame.rungs;
+  for (std::size_t k = 0; k < rungs.size(); ++k) {
+    if (rungs[k].moduli) {
+      text += io::row_line(rung_fields(), rungs[k]) + "\n";
+      continue;
+    }
+    const std::size_t first = k;
+    std::string titles = rungs[k].title;
+    for (; k + 1 < rungs.size() && !rungs[k + 1].moduli && rungs[k + 1].error == rungs[first].error; ++k)
+      titles += ", " + rungs[k + 1].title;
+    text += k == first ? fmt::format("{:<15} {}\n", titles, rungs[first].error)
+                       : fmt::format("{}\n{:<15} {}\n", titles, "", rungs[first].error);
+  }
   return text;
 }
 
@@ -113,7 +133,7 @@ std::string matrix_text(const NamedMatrix& named) {
 
 std::string waves_text(const std::vector<NamedMatrix>& matrices, const std::optional<double>& bulk_density) {
   if (!bulk_density)
-    return "no wave speeds: the density of the grains is not known; --grain-density gives it\n";
+    return "no wave speeds: the density of the grains is not known; state it with --grain-density\n";
   std::string text =
       fmt::format("wave speeds [m/s] along 1, 2 and 3, fastest first; dry packing of {} kg/m3\n{}\n",
                   short_text(*bulk_density, 5), io::heading_line(wave_fields()));
@@ -131,7 +151,7 @@ std::string stiffness_text(const FrameAnswer& frame) {
   for (const NamedMatrix& m : matrices)
     if (m.matrix != &frame.measured.packing.network->affine_all) // its moduli below suffice
       text += matrix_text(m);
-  text += "\nalong these axes; affine_all: uniform strain of all contacts, those of rattlers too\n";
+  text += "\nalong these axes; affine_all: uniform strain of all contacts, with those of rattlers\n";
   return text + io::table_text(matrix_fields(), matrices) +
          waves_text(matrices, frame.measured.packing.bulk_density);
 }
@@ -224,7 +244,7 @@ std::string analyse_table(const AnalyseAnswer& answer) {
        ++k)
     text += "\n" + frame_text(answer.frames[k]);
   if (answer.frames.size() > 1)
-    text += "\nall frames; G in MPa, ratio: G of the network over that of rung 3\n" +
+    text += "\nall frames; G in MPa, ratio: G of the network over G of rung 3\n" +
             io::table_text(frame_fields(answer.frames.front()), answer.frames) + series_text(answer);
   if (answer.skipped > 0)
     text += fmt::format("\n{} frames are in one of the files only and were skipped\n", answer.skipped);

@@ -259,8 +259,9 @@ void add_answer_options(Command& command, AnswerOptions& o) {
        {.name = "--saturation",
         .value = number(o.saturation),
         .group = state_group,
-        .meaning = "Degree of saturation S_r; at 100% V_p follows Gassmann, at 99% and less it is nearly "
-                   "that of dry pores",
+        .meaning =
+            "Degree of saturation S_r; at 100% V_p follows Gassmann's equation, at 99% and less it is nearly "
+            "that of dry pores",
         .synonyms = {{"s sr"}}}});
 }
 

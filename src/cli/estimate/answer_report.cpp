@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
@@ -75,24 +76,34 @@ std::string moduli_text(const AnswerCase& c, const Answer& answer) {
   return text;
 }
 
+/// The name of an input in a sentence; JSON has its key.
+std::string_view input_text(std::string_view input) {
+  if (input == "sand to sand")
+    return "differences between sands";
+  if (input == "rung 3")
+    return "error of rung 3";
+  return input == "exponent" ? "exponent s" : input;
+}
+
 /// "contacts 81 %, grain-shear-modulus 12 %": without shares that round to 0.
 std::string shares_text(const Answer& answer) {
   std::string text;
   for (const estimate::Share& share : answer.shares())
     if (share.share >= 0.005)
-      text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", share.input, 100 * share.share);
-  return text.empty() ? "" : "\n  shares in the range of G: " + text + "\n";
+      text +=
+          fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", input_text(share.input), 100 * share.share);
+  return text.empty() ? "" : "\n  contributions to the range of G: " + text + "\n";
 }
 
 std::string preparation_remark(const AnswerCase& c) {
   if (c.question.knows_contacts() || c.question.grain_shape == estimate::GrainShape::sand)
     return "";
   if (c.question.preparation.kind != effective::Preparation::Kind::unknown)
-    return fmt::format("  contacts: those of sphere packings with the preparation {}\n",
+    return fmt::format("  contacts: as in packings of spheres with the preparation {}\n",
                        preparation_text(c.question.preparation));
-  return "  preparation unknown: the range covers contacts from those of friction 0.5 to the most possible "
-         "at "
-         "this void ratio; --preparation, --rattler-fraction or --mechanical-coordination-number narrow it\n";
+  return "  preparation unknown: the range covers contacts from those of packings prepared with friction "
+         "0.5 to the most possible at this void ratio; --preparation, --rattler-fraction or "
+         "--mechanical-coordination-number narrows it\n";
 }
 
 } // namespace
@@ -216,7 +227,8 @@ namespace {
 /// Both answers, one line each, with their names.
 std::string both_text(const AnswerCase& c) {
   using estimate::GrainShape;
-  std::string text = "  the kind of grains is not given; choose with --grain-shape sand or sphere\n";
+  std::string text = "  contact, grains and fabric apply to the spheres only\n"
+                     "  the kind of grains is not given; choose with --grain-shape sand or sphere\n";
   for (const auto& [shape, answer] :
        {std::pair{GrainShape::sand, &*c.sand_answer}, {GrainShape::sphere, &c.answer}}) {
     const Range& G = (*answer)[Field::shear_modulus];

@@ -73,14 +73,14 @@ nlohmann::ordered_json cement_json(const CementAnswer& answer) {
 
 std::string cement_table(const CementAnswer& answer) {
   const auto modulus = [](double value) { return pretty(value, Dimension::pressure); };
-  std::string text = fmt::format("\ncemented: {} of the volume is cement of the grains' mineral, dry\n"
+  std::string text = fmt::format("\ncemented: {} of the total volume is cement of the grains' mineral, dry\n"
                                  "  porosity {}, C_n = {} of spheres; by location of the cement\n"
-                                 "  {:<26}{:>11}{:>11}{:>10}{:>10}\n",
+                                 "  {:<30}{:>11}{:>11}{:>10}{:>10}\n",
                                  percent_text(answer.share), percent_text(answer.porosity),
                                  short_text(answer.coordination_number, 3), "", "G", "K", "V_s", "V_p");
   for (const CementModel& model : answer.models)
     text +=
-        fmt::format("  {:<26}{:>11}{:>11}{:>10}{:>10}\n", model.title, modulus(model.moduli.shear_modulus),
+        fmt::format("  {:<30}{:>11}{:>11}{:>10}{:>10}\n", model.title, modulus(model.moduli.shear_modulus),
                     modulus(model.moduli.bulk_modulus), pretty(model.shear_wave_speed, Dimension::speed),
                     pretty(model.compression_wave_speed, Dimension::speed));
   return text + "  these models assume uniform strain: they are too stiff where grains have few\n"

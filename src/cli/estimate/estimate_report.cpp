@@ -126,7 +126,7 @@ Bounds bounds_of(const AnswerCase& c) {
   if (!c.question.state.coordination_number && c.question.grain_shape == estimate::GrainShape::sphere) {
     const estimate::Range& C_n = c.answer[estimate::Field::coordination_number];
     bounds.assumptions.push_back(fmt::format(
-        "bounds and rungs use the estimated C_n = {} (range {} to {}); override with --coordination-number",
+        "bounds and rungs use the estimated C_n = {} (range {} to {}); --coordination-number replaces it",
         short_text(C_n.value, 3), short_text(C_n.low, 3), short_text(C_n.high, 3)));
   }
   return bounds;
@@ -150,8 +150,9 @@ std::string sand_line(const sands::Sand& sand, double void_ratio) {
 }
 
 std::string stress_line(const State& s) {
-  return fmt::format("  stress    sigma_v = {}, sigma_h = {}\n\n", pretty(s.stress_v, Dimension::pressure),
-                     pretty(s.stress_h, Dimension::pressure));
+  return fmt::format("  stress    sigma_v = {}, sigma_h = {}; mean p' = {}\n\n",
+                     pretty(s.stress_v, Dimension::pressure), pretty(s.stress_h, Dimension::pressure),
+                     pretty(s.mean_stress(), Dimension::pressure));
 }
 
 } // namespace
@@ -168,8 +169,9 @@ std::string state_text(const ordered_json& packing, const AnswerCase& c) {
       text += fmt::format("  strain    {}\n", percent_text(*c.question.shear_strain));
     return text + stress_line(s);
   }
-  std::string text = fmt::format("Small-strain stiffness of a packing of {}equal grains\n\n",
-                                 packing.contains("sizes") ? "un" : "");
+  std::string text =
+      fmt::format("Small-strain stiffness of a {}packing of {}equal spheres\n\n",
+                  c.sand_answer ? "sand, and of a " : "", packing.contains("sizes") ? "un" : "");
   text +=
       fmt::format("  contact   {}; k_t/k_n = {}\n", contact_text(packing), short_text(s.tangential_ratio));
   text += fmt::format("  grains    R = {}, G_g = {}, nu_g = {}\n", pretty(s.radius, Dimension::length),

@@ -49,6 +49,16 @@ std::string comparison_text(const AnswerCase& c) {
   return "    sands by these laws are about as stiff as these spheres\n";
 }
 
+/// "0.43", or below the knee of the law both exponents.
+std::string exponent_text(const sands::Sand& sand, double mean_stress) {
+  constexpr double reference = 100e3; // above the knee
+  const double here = sands::growth_exponent(sand, mean_stress).value;
+  const double above = sands::growth_exponent(sand, reference).value;
+  return here == above
+             ? short_text(here, 3)
+             : fmt::format("{} from 50 kPa on and {} below", short_text(above, 3), short_text(here, 3));
+}
+
 std::string strain_text(const AnswerCase& c) {
   if (!has_strain(c))
     return "";
@@ -138,11 +148,11 @@ std::string sands_text(const AnswerCase& c) {
   if (c.sands.empty())
     return "";
   const auto& s = c.question.state;
-  std::string text = fmt::format("\n  G of published laws at e = {}, p = {}, C_u = {}{}; bias: law over "
-                                 "measured, of 789 tests of 38 clean "
-                                 "sands\n",
-                                 short_text(s.void_ratio), pretty(s.mean_stress(), Dimension::pressure),
-                                 short_text(c.uniformity), c.uniformity_assumed ? " assumed" : "");
+  std::string text =
+      fmt::format("\n  G of published laws at e = {}, p' = {}, C_u = {}{}; bias, beside G: mean "
+                  "of the law's G over the measured G in 789 tests of 38 clean sands\n",
+                  short_text(s.void_ratio), pretty(s.mean_stress(), Dimension::pressure),
+                  short_text(c.uniformity), c.uniformity_assumed ? " assumed" : "");
   for (const SandAnswer& sand : c.sands)
     text += fmt::format("    {:<26}{:>11}  {:.2f} {}{}\n", sand.law->key,
                         sand.modulus ? pretty(sand.modulus->shear_modulus, Dimension::pressure) : "none",
@@ -161,26 +171,25 @@ std::vector<std::string> sand_notes(const AnswerCase& c, const AnswerOptions& op
   if (answer_of_sand(c) == nullptr)
     return notes;
   estimate::Question q = c.question;
-  notes.push_back(
-      fmt::format("sand: G = {}, s = {}; one standard deviation is a factor of {} [Lo2021]",
-                  sands::formula(sands::form_of(q.sand)),
-                  short_text(sands::growth_exponent(q.sand, q.state.mean_stress()).value, 3),
-                  short_text(sands::stated_factor(q.sand, q.state.void_ratio, q.state.mean_stress()), 3)));
+  notes.push_back(fmt::format(
+      "sand: G = {}, p_a = 100 kPa, s = {}; one standard deviation of G is a factor of {} [Lo2021]",
+      sands::formula(q.sand), exponent_text(q.sand, q.state.mean_stress()),
+      short_text(sands::stated_factor(q.sand, q.state.void_ratio, q.state.mean_stress()), 3)));
   if (const double p = q.state.mean_stress(); p > 0 && p < sands::least_tested_stress)
-    notes.emplace_back("sand: there are no tests below 25 kPa; the factor is larger there");
+    notes.emplace_back("sand: no sand was tested below p' = 25 kPa; the factor is larger there");
   notes.push_back(
-      fmt::format("sand: nu follows from measurements; its scatter changes E little, {}K by a factor of 1.5",
+      fmt::format("sand: nu is a mean of measurements; its scatter changes E little, {}K by a factor of 1.5",
                   q.saturation < 1 ? "V_p by about 10 %, and " : "V_p of saturated sand hardly, and "));
   if (q.state.mean_stress() > 0)
     notes.emplace_back(
         "sand: z* and k/k_H, the contact stiffness over that of smooth spheres, are inferred: "
         "with them the closed form for spheres gives this nu and this G. From G alone, few contacts and "
-        "soft contacts cannot be distinguished; k_t/k_n is assumed as that of smooth "
-        "spheres");
+        "soft contacts cannot be distinguished. k_t/k_n, tangential over normal contact stiffness, is "
+        "assumed to be the one of smooth spheres");
   if (options.usual_limits)
     notes.push_back(
-        fmt::format("sand: void ratio {} from this relative density with e_min {} and e_max {}, as "
-                    "usual for sands; G does not depend on it",
+        fmt::format("sand: void ratio {} follows from the relative density with e_min {} and e_max {}, "
+                    "usual values of sands; G does not depend on this void ratio",
                     short_text(q.state.void_ratio), short_text(sands::usual_least_void_ratio),
                     short_text(sands::usual_largest_void_ratio)));
   if (q.knows_contacts() || q.preparation != effective::Preparation{})

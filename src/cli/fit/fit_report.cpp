@@ -42,11 +42,11 @@ double roughness_of_quartz(double transition_pressure) {
 /// The contacts that would give this exponent in the middle of the stresses if their number were constant.
 std::string contacts_of(double s, double stress) {
   const double transition = effective::transition_pressure_of(s, stress);
-  return fmt::format(
-      " With a constant number of contacts, s = {} corresponds to tips with alpha = {}, or to rough "
-      "spheres with p* = {}: quartz with u0 of about {} R.",
-      short_text(s, 3), short_text(1 / s - 1, 3), pretty(transition, Dimension::pressure),
-      short_text(roughness_of_quartz(transition), 2));
+  return fmt::format(" With a constant number of contacts, s = {} corresponds to tips of profile r^alpha "
+                     "with alpha = {}, or to rough spheres whose roughness is flattened at about p* = {}: "
+                     "for quartz, a roughness u0 of about {} radii.",
+                     short_text(s, 3), short_text(1 / s - 1, 3), pretty(transition, Dimension::pressure),
+                     short_text(roughness_of_quartz(transition), 2));
 }
 
 /// Possible causes of an exponent; see docs/theory.md for the mechanics.
@@ -64,8 +64,8 @@ std::string meaning_of(const Measured& s, double stress) {
                   "void ratio.";
   return text +
          "s between 1/3 and 1/2: new contacts form as the stress grows, or grains are rough, or touch at "
-         "angular "
-         "tips; s alone does not determine which, V_p and V_s together would (granum infer --contacts)." +
+         "angular tips; s alone does not determine which of these, V_p and V_s together would (granum infer "
+         "--contacts)." +
          contacts_of(s.value, stress);
 }
 
@@ -91,10 +91,10 @@ io::Items fit_items(const FitQuestion& question, const hardin::FitReport& report
   add_number(list, "m", fit.exponent_i, shown("m", 4, "exponent of " + question.stress_i_column));
   add_number(list, "n", fit.exponent_j, shown("n", 4, "exponent of " + question.stress_j_column));
   add_number(list, "s", fit.exponent_sum,
-             shown(fit.exponent_i ? "s = m + n" : "s", 4, "exponent of mean stress"));
+             shown(fit.exponent_i ? "s = m + n" : "s", 4, "exponent of the mean stress"));
   for (const auto& [name, alpha] : contact_shapes)
     io::add_item(list, std::string("one_over_one_plus_alpha/") + name, 1 / (1 + alpha),
-                 shown("1/(1+alpha)", 4, fmt::format("contacts of a {}, fixed C_n", name)));
+                 shown("1/(1+alpha)", 4, fmt::format("{}s, unchanged contacts", name)));
   io::add_item(list, "alpha", alpha_of(fit) ? io::Value(*alpha_of(fit)) : nullptr);
   if (fit.exponent_i)
     io::add_item(list, "", fit.correlation(), shown("correlation of m and n", 3));

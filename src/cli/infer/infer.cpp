@@ -161,7 +161,7 @@ ExitCode run_sand(const InferOptions& o, const InferCase& question, const invers
   validity.merge(sand.validity());
   for (const PredictedState& predicted : question.predicted)
     for (const std::string& note : sand.doubts(predicted.state).notes)
-      validity.add("prediction at p = " + pretty(predicted.state.mean_stress(), Dimension::pressure) + ": " +
+      validity.add("prediction at p' = " + pretty(predicted.state.mean_stress(), Dimension::pressure) + ": " +
                    note);
   std::string text = sand_inference_text(question, sand) + "\n";
   for (const std::string& note : question.assumptions)

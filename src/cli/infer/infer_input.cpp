@@ -259,7 +259,7 @@ inverse::SharedInputs uncertain_inputs_of(const InferOptions& o, const PackingOp
       continue;
     if (input.assumed)
       assumptions.push_back(
-          fmt::format("uncertain input: {} by {}", input.input, deviation_text(packing, o.grains, input)));
+          fmt::format("standard deviation of {}: {}", input.input, deviation_text(packing, o.grains, input)));
     inputs.keys.push_back(input.input);
     uncertain.push_back(
         {.index = static_cast<std::size_t>(found - known.begin()), .deviation = input.deviation});
@@ -379,7 +379,7 @@ Validity complete_predictions(InferCase& question, const inverse::Inference& fit
   for (auto& [state, specimen] : question.predicted) {
     const bool same = specimen == inverse::AskedPacking::same;
     const double p = state.mean_stress();
-    const std::string place = fmt::format("prediction at p = {}: ", pretty(p, Dimension::pressure));
+    const std::string place = fmt::format("prediction at p' = {}: ", pretty(p, Dimension::pressure));
     if (same)
       state.void_ratio = fit.void_ratio_at(p);
     if (!(state.void_ratio > 0))

@@ -71,7 +71,7 @@ std::string head_text(const InferCase& question) {
 }
 
 std::string measurement_lines(const InferCase& question, const InferenceAnswer& answer) {
-  std::string text = "\nmeasured\n";
+  std::string text = "\nmeasured; alone: z* by this measurement; together: by the fit to all\n";
   for (std::size_t k = 0; k < question.measurements.size(); ++k) {
     const inverse::Observation& m = question.measurements[k];
     const QuantityRow& row = inverse::row_of(m.quantity);
@@ -81,9 +81,9 @@ std::string measurement_lines(const InferCase& question, const InferenceAnswer& 
     text += fmt::format("         alone: z* {}", z ? with_error(*z, 3) : "none");
     if (answer.together) {
       const inverse::FittedObservation& fitted = answer.together->measurements()[k];
-      text +=
-          fmt::format("; together: {}, off by {:+.1f} s.e.", pretty(fitted.value.value, dimension_of(row)),
-                      std::round(10 * fitted.deviation) / 10 + 0.0); // no -0.0
+      text += fmt::format("; together: {}, off by {:+.1f} standard errors",
+                          pretty(fitted.value.value, dimension_of(row)),
+                          std::round(10 * fitted.deviation) / 10 + 0.0); // no -0.0
     }
     text += "\n";
   }
@@ -109,16 +109,16 @@ std::string contact_lines(const InferCase& question, const Inference& fit) {
   text += fmt::format("  {:<9} {:>16}   grains without load\n", "rattlers",
                       fmt::format("{} +- {}", percent_text(packing.rattler_fraction.value),
                                   percent_text(packing.rattler_fraction.standard_error)));
-  text += fmt::format("  {:<9} {:>16}   contacts per grain, over all\n", "C_n",
+  text += fmt::format("  {:<9} {:>16}   contacts per grain, of all grains\n", "C_n",
                       with_error(packing.coordination_number, 4));
   if (fit.growth_exponent())
-    text += fmt::format("  {:<9} {:>16}   (z* - isostatic point) ~ p^g\n", "g",
+    text += fmt::format("  {:<9} {:>16}   exponent of p' in z* - its isostatic value\n", "g",
                         with_error(*fit.growth_exponent(), 3));
   text += "  shares in the variance of z*: " + shares_text(fit) + "\n";
   if (fit.degrees_of_freedom() > 0)
-    text += fmt::format("  chi^2 of the measurements {} at {} degrees of freedom, probability {}\n",
-                        short_text(fit.chi_square(), 3), fit.degrees_of_freedom(),
-                        short_text(fit.probability(), 2));
+    text += fmt::format(
+        "  chi^2 of the measurements {} with {} degrees of freedom; probability of as much or more: {}\n",
+        short_text(fit.chi_square(), 3), fit.degrees_of_freedom(), short_text(fit.probability(), 2));
   return text;
 }
 
@@ -152,10 +152,10 @@ std::string implied_lines(const InferCase& question, const Inference& fit) {
   std::string text = fmt::format("\ninferred contact law: {}\n", question.options.contacts.name);
   for (const inverse::ImpliedNumber& number : contacts.numbers)
     text += fmt::format("  {:<9} {:>16}\n", number.key, number_text(number));
-  text += fmt::format("  {:<9} {:>16}   k_n ~ f^b at the mean force of the first measurement\n", "b",
-                      short_text(contacts.local_exponent, 3));
-  text +=
-      fmt::format("  {:<9} {:>16}   of k_n of Hertz' law there\n", "k_n", percent_text(contacts.softness));
+  text += fmt::format("  {:<9} {:>16}   k_n ~ f^b at the mean contact force f of the first measurement\n",
+                      "b", short_text(contacts.local_exponent, 3));
+  text += fmt::format("  {:<9} {:>16}   of k_n by Hertz' law at this f\n", "k_n",
+                      percent_text(contacts.softness));
   const std::size_t size = contacts.numbers.size();
   for (std::size_t i = 0; i < size; ++i)
     for (std::size_t k = i + 1; k < size; ++k)
@@ -267,7 +267,7 @@ constexpr std::size_t curve_points = 60;
 
 std::string place_text(const State& s) {
   std::string text = s.stress_v == s.stress_h
-                         ? "p = " + pretty(s.stress_v, Dimension::pressure)
+                         ? "p' = " + pretty(s.stress_v, Dimension::pressure)
                          : fmt::format("sigma_v = {}, sigma_h = {}", pretty(s.stress_v, Dimension::pressure),
                                        pretty(s.stress_h, Dimension::pressure));
   return text + ", e = " + short_text(s.void_ratio);

@@ -59,24 +59,24 @@ std::string contacts_text(const SandInference& sand, const effective::State& at)
 
 std::string sand_inference_text(const InferCase& question, const SandInference& sand) {
   const effective::State& first = question.measurements.front().state;
-  std::string text = fmt::format("sand (measured laws)\n\nmeasured\n");
+  std::string text = fmt::format("sand (measured laws)\n\nmeasured; together: by the fit to all\n");
   for (std::size_t k = 0; k < question.measurements.size(); ++k) {
     const inverse::Observation& m = question.measurements[k];
     const inverse::FittedObservation& fitted = sand.measurements()[k];
-    text += fmt::format("  {:<6} {:>11} +- {:<6} at {}\n         together: {}, off by {:+.1f} s.e.\n",
-                        inverse::row_of(m.quantity).key, pretty(m.value.value, unit_of(m.quantity)),
-                        percent_text(m.value.standard_error / m.value.value), place_text(m.state),
-                        pretty(fitted.value.value, unit_of(m.quantity)),
-                        std::round(10 * fitted.deviation) / 10 + 0.0);
+    text += fmt::format(
+        "  {:<6} {:>11} +- {:<6} at {}\n         together: {}, off by {:+.1f} standard errors\n",
+        inverse::row_of(m.quantity).key, pretty(m.value.value, unit_of(m.quantity)),
+        percent_text(m.value.standard_error / m.value.value), place_text(m.state),
+        pretty(fitted.value.value, unit_of(m.quantity)), std::round(10 * fitted.deviation) / 10 + 0.0);
   }
   text +=
-      "\nthis sand\n" + number_line("level", sand.level(), "G over that of sands of this density and stress");
+      "\nthis sand\n" + number_line("level", sand.level(), "G relative to sands of this density and stress");
   text += number_line("s", sand.exponent(), "exponent of p' in G");
   text += number_line("nu", sand.poisson_ratio(), "Poisson's ratio, drained");
   if (sand.degrees_of_freedom() > 0)
-    text +=
-        fmt::format("  chi^2 {} at {} degrees of freedom, probability {}\n", short_text(sand.chi_square(), 3),
-                    sand.degrees_of_freedom(), short_text(sand.probability(), 2));
+    text += fmt::format("  chi^2 {} with {} degrees of freedom; probability of as much or more: {}\n",
+                        short_text(sand.chi_square(), 3), sand.degrees_of_freedom(),
+                        short_text(sand.probability(), 2));
   text += contacts_text(sand, first);
   for (const auto& [state, specimen] : question.predicted) {
     text += fmt::format("\npredicted at {}\n", place_text(state));

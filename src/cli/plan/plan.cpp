@@ -103,8 +103,11 @@ ExitCode run(const PlanOptions& options) {
   nlohmann::ordered_json json = with_cost_of_sizes(json_head("plan"), scene);
   json["scene"] = json_of(scene);
   put_members(json, items, io::Only{});
-  std::string text = "granum verify would run\n" + io::list_text(items, io::Only{}) +
-                     "errors due to size, seeds and rate, by the laws of validation/trade (equal spheres)\n";
+  std::string text =
+      "granum verify would run\n" + io::list_text(items, io::Only{}) +
+      "standard errors due to the number of grains, the seeds and the strain rate, by the laws of "
+      "validation/trade (equal spheres); \"for " +
+      percent_text(options.error) + " of G\": for this error of G\n";
   for (const triaxial::Density density : scene.study.densities) {
     const io::Items rule = rule_items(rule_of(scene, density, options.error), options.error);
     const std::string name(studies::name(density));

@@ -51,7 +51,9 @@ void add_path_options(Command& command, SweepOptions& o) {
       {{.name = "--path",
         .value = choice({"iso", "txc", "rtxc", "rtxe", "txe"}, o.path),
         .group = group,
-        .meaning = "Stress path; iso goes from --from to --to, the others from --from to --eta"},
+        .meaning = "Stress path. iso: equal stresses, from --from to --to. The others, from --from to --eta: "
+                   "txc, vertical stress grows; rtxc, horizontal stress falls; rtxe, vertical stress falls; "
+                   "txe, horizontal stress grows"},
        {.name = "--from",
         .value = number_without_default(o.from),
         .group = group,
@@ -65,7 +67,8 @@ void add_path_options(Command& command, SweepOptions& o) {
        {.name = "--eta",
         .value = number_without_default(o.eta),
         .group = group,
-        .meaning = "q/p' at the end of the other paths; negative for rtxe and txe",
+        .meaning = "Stress ratio q/p' = (sigma_v - sigma_h)/p' at the end of the other paths; negative for "
+                   "rtxe and txe",
         .excludes = {{"--friction-angle", "give one of --eta and --friction-angle: the end of the path"}},
         .belongs = sheared,
         .synonyms = {{"stressratio q"}}},

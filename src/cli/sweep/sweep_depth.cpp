@@ -175,8 +175,8 @@ std::string table_of(const std::vector<Layer>& layers, const std::vector<DepthSt
   text += line_of([](const ShownDepth& column) { return std::string(column.unit); });
   for (const DepthState& at : states)
     text += line_of([&](const ShownDepth& column) { return column.text(at); });
-  text += fmt::format("\n  s total stress, s' effective stress, u pore pressure; G in a vertical plane,\n"
-                      "  vertical waves; at {} m:",
+  text += fmt::format("\n  s total stress, s' effective stress, p' its mean, u pore pressure; ranges in\n"
+                      "  brackets; G in a vertical plane, V_s and V_p of vertical waves; at {} m:",
                       short_text(states.back().point.depth)) +
           range_text(last) + "\n";
   for (const std::string& remark : remarks)
@@ -273,7 +273,7 @@ std::vector<std::string> depth_remarks(const std::vector<Layer>& layers,
   });
   if (unequal && sand)
     remarks.emplace_back(
-        "under unequal stresses the exponent of G in a vertical plane is split: m of sigma_h, n of sigma_v");
+        "G in a vertical plane grows as sigma_v^n sigma_h^m, with n + m the exponent of equal stresses");
   if (unequal && spheres)
     remarks.emplace_back(
         "unequal stresses act on each contact by its direction (rung 2, relaxed); they do not "
@@ -284,12 +284,12 @@ std::vector<std::string> depth_remarks(const std::vector<Layer>& layers,
   };
   if (const auto last = std::find_if(states.rbegin(), states.rend(), shallow); last != states.rend())
     remarks.push_back(fmt::format(
-        "there are no tests of sands below p' = 25 kPa, here at {} m and less: the range is wider "
+        "no sand was tested below p' = 25 kPa, here at depths of {} m and less: the range is wider "
         "there, up to a factor of 1.6",
         short_text(last->point.depth)));
   if (states.front().point.stress.effective.v == 0)
     remarks.emplace_back(
-        "without stress grains have no stiffness: at the surface G and V_s are 0, although suction "
+        "without stress a packing has no stiffness: at the surface G and V_s are 0, although suction "
         "and cement stiffen real ground");
   return remarks;
 }

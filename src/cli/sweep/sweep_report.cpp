@@ -237,8 +237,8 @@ std::string SweepOutput::csv(const Notes& notes, const std::vector<std::string>&
   csv.notes.emplace_back("signs", "compression positive; z is the vertical axis v; q = sigma_v - sigma_h; "
                                   "sigma_v, sigma_h and p are effective stresses");
   csv.notes.emplace_back("exponents",
-                         "of the answer: of G_hv, with growing contacts; of rungs: local, of G_hv for a "
-                         "constant number of contacts; m of sigma_h, n of sigma_v, s = m + n");
+                         "m of sigma_h and n of sigma_v in G_hv, s = m + n; in the answer contacts grow with "
+                         "stress, in rungs their number is constant and the exponents are local");
   for (const Rung* rung : rungs_)
     csv.notes.emplace_back(rung->column, rung->description);
   for (const std::string& remark : remarks)

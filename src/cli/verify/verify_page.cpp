@@ -127,8 +127,10 @@ StudyPage study_page(const studies::Scene& scene, const ordered_json& manifest) 
       plot::html_section(
           "verdicts", "Agreement and differences with the paper",
           plot::html_paragraph(
-              "Uniform strain, contact network and DEM probe compared with Table 5 of Chung, Jang, "
-              "Baek and Jung, Granular Matter 16 (2014) 23-39.",
+              "s by uniform strain, contact network and DEM probe, compared with the paper: "
+              "G_hv in Table 5 of Chung, Jang, Baek and Jung, Granular Matter 16 (2014) 23-39. "
+              "Law: 1/(1+\u03b1) of a single contact; with f(e): G of the network divided "
+              "by a function of the void ratio.",
               "soft") +
               page_table_of(studies::exponent_columns(), manifest.at("exponents")) +
               studies::verdict_lists(verdicts_of(manifest))) +

@@ -294,10 +294,10 @@ double unbalance_by_rounding(const io::ImportedPacking& packing) {
 void judge_fabric(const analysis::Fabric& fabric, std::vector<std::string>& out) {
   constexpr double doubt = 0.01;
   if (fabric.density && fabric.density->chi_square.p_value < doubt)
-    out.push_back("E(gamma; a) does not describe the directions of the contacts: p = " +
+    out.push_back("E(gamma; a) does not describe the directions of the contacts: p-value " +
                   short_text(fabric.density->chi_square.p_value, 2));
   if (fabric.axisymmetry && fabric.axisymmetry->both.p_value < doubt)
-    out.push_back("the fabric is not symmetric about z, as the closed forms assume: p = " +
+    out.push_back("the fabric is not symmetric about z, which the closed forms assume: p-value " +
                   short_text(fabric.axisymmetry->both.p_value, 2));
 }
 

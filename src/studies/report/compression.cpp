@@ -353,7 +353,7 @@ std::vector<std::string> compression_answer(const std::vector<Compression>& all)
       sentence +=
           (std::abs(contacts->last - contacts->first) < hardly ? "; pressure hardly adds contacts, "
                                                                : "; pressure changes the contacts, ") +
-          from_to(*contacts) + " a grain";
+          from_to(*contacts) + " per grain that carries load";
     answer.push_back(sentence + ".");
   }
   if (const std::string loose = exponents_text(all, Density::loose, false); !loose.empty()) {
@@ -362,12 +362,12 @@ std::vector<std::string> compression_answer(const std::vector<Compression>& all)
     std::string sentence = "In loose packings s is " + loose;
     if (contacts && contacts->last > contacts->first && exceeds_contact_law(all, Density::loose))
       sentence += ", larger than that of a contact because pressure also adds contacts, " +
-                  from_to(*contacts) + " a grain";
+                  from_to(*contacts) + " per grain that carries load";
     else if (contacts)
-      sentence += "; a grain has " + from_to(*contacts) + " contacts";
+      sentence += "; a grain that carries load has " + from_to(*contacts) + " contacts";
     if (share)
-      sentence += "; the modulus goes " + from_to(*share) +
-                  " of its value for grains that all move with the mean strain";
+      sentence += "; the modulus changes " + from_to(*share) +
+                  " of the value that it has if all grains move with the mean strain";
     answer.push_back(sentence + ".");
   }
   return answer;

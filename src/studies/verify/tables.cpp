@@ -155,12 +155,15 @@ std::string states_table(const std::vector<SpecimenResult>& specimens) {
     if (!specimen.failure.empty())
       out += "  ended early: " + specimen.failure + "\n";
   }
-  return out + "\n  G in MPa. G closed: closed form of uniform strain; G_hh, G_hv, G_vh: by the probe\n"
+  return out + "\n  G in MPa; C_n: contacts per grain, z*: the same without rattlers; G closed: closed\n"
+               "  form of uniform strain; G_hh, G_hv, G_vh: by the probe (small cyclic shear)\n"
                "  * G network / G of the same network under uniform strain\n";
 }
 
 std::string exponents_table(const std::vector<ExponentRow>& rows) {
-  return "s of G ~ p^s, +- standard error; law: 1/(1+alpha)\n" + io::table_text(exponent_columns(), rows);
+  return "s of G ~ p^s, +- standard error; law: 1/(1+alpha)\n" + io::table_text(exponent_columns(), rows) +
+         "  law: of a single contact; with f(e): G of the network divided by f(e);\n"
+         "  paper: G_hv in Table 5 of Chung et al. 2014\n";
 }
 
 std::string local_exponents_table(const std::vector<LocalExponents>& rows) {
