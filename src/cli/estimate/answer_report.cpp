@@ -227,7 +227,7 @@ namespace {
 /// Both answers, one line each, with their names.
 std::string both_text(const AnswerCase& c) {
   using estimate::GrainShape;
-  std::string text = "  contact, grains and fabric apply to the spheres only\n"
+  std::string text = "  G of the sand does not depend on the contact, R, G_g, nu_g and fabric above\n"
                      "  the kind of grains is not given; choose with --grain-shape sand or sphere\n";
   for (const auto& [shape, answer] :
        {std::pair{GrainShape::sand, &*c.sand_answer}, {GrainShape::sphere, &c.answer}}) {
