@@ -61,6 +61,10 @@ list(APPEND private_headers_estimate effective)
 list(APPEND private_headers_rock_physics effective)
 list(APPEND private_headers_inverse hardin)
 list(APPEND private_headers_cli studies)
+# Functions of libraries that take long to compile: compiled once, in core.
+foreach(module contact elastic fabric inverse)
+  list(APPEND private_headers_${module} core)
+endforeach()
 # Vector code: written once, in core, and used by these modules.
 set(vector_room "^src/core/vector/")
 foreach(module effective network dem)

@@ -347,8 +347,7 @@ struct Work {
 using EngineWork = Work<SweepInput, LoadRow>;
 using DescentWork = Work<DescentInput, PushRow>;
 
-/// Any law, chosen anew for each block. A step takes 3 % longer than with a sweep of its own for each law, which takes
-/// four times as long to compile.
+/// Any law, chosen anew for each block: a step takes 3 % longer than with a sweep of its own for each law.
 struct OtherLaw {
   const contact::NormalKernel& kernel;
 };
