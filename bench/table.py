@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Medians of the rounds that bench/run.sh has made, as CSV and as a table with what was to be reached.
+"""Medians of the rounds that bench/run.sh has made, as CSV and as a table with its targets.
 
     table.py ROUNDS RESULTS     ROUNDS holds granum-N.json and numpy-N.json, RESULTS gets closed_forms.csv and .md
 
@@ -51,14 +51,14 @@ def ratios(above, below):
 
 
 def comparisons(rounds):
-    """(what, ratio in each round, how to show it, reach or None, is it reached)."""
+    """(what, ratio in each round, how to show it, target or None, is it met)."""
     granum, numpy = rounds.granum, rounds.numpy
     out = []
 
-    def add(what, values, shown, reach=None, most=False):
+    def add(what, values, shown, target=None, most=False):
         value = statistics.median(values)
-        verdict = "" if reach is None else "yes" if (value <= reach if most else value >= reach) else "NO"
-        goal = "" if reach is None else ("≤ " if most else "≥ ") + shown.format(reach)
+        verdict = "" if target is None else "yes" if (value <= target if most else value >= target) else "NO"
+        goal = "" if target is None else ("≤ " if most else "≥ ") + shown.format(target)
         out.append((what, shown.format(value), shown.format(min(values)), shown.format(max(values)), goal, verdict))
 
     rung0 = "hertz_mindlin, rung 0/1" if "hertz_mindlin, rung 0/1" in granum else "K and G, rung 0/1"
@@ -67,9 +67,9 @@ def comparisons(rounds):
     for points, label in (1000, "1e3"), (1000000, "1e6"):
         for suffix in "", ", p varies":
             batch = granum[f"batch of spheres{suffix}/{points}"]
-            for rule, reach in ("two roots", 10), ("one root", None):
+            for rule, target in ("two roots", 10), ("one root", None):
                 add(f"numpy ({rule}) / batch of spheres, {label} points{suffix}",
-                    ratios(numpy[f"{rule}{suffix}/{points}"], batch), "{:.1f} x", reach)
+                    ratios(numpy[f"{rule}{suffix}/{points}"], batch), "{:.1f} x", target)
     spheres = granum["batch of spheres/1000000"]
     stream = [min(times) for times in zip(*(granum[f"{s}/1000000"] for s in STREAMS if f"{s}/1000000" in granum))]
     add("share of the memory limit, spheres, 1e6", ratios(stream, spheres), "{:.0%}", 0.6)
@@ -77,9 +77,9 @@ def comparisons(rounds):
     instruction = next(times for name, times in granum.items() if name.startswith("limit: multiply-add/"))
     for count, what in (SPHERE_ARITHMETIC + SPHERE_CHECKS, "with range checks"), (SPHERE_ARITHMETIC, "without"):
         least = [count * t / lanes for t in instruction]
-        reach = 0.6 if what == "with range checks" else None
+        target = 0.6 if what == "with range checks" else None
         add(f"share of the arithmetic limit {what}, spheres, 1e3", ratios(least, granum["batch of spheres/1000"]),
-            "{:.0%}", reach)
+            "{:.0%}", target)
     for given in "contacts", "a state":
         add(f"6x6 with fabric in closed form from {given}", granum[f"6x6 with fabric from {given}, rung 1/1"],
             "{:.0f} ns", 50, most=True)
@@ -101,7 +101,7 @@ def write_csv(rounds, path):
 def markdown(rounds, difference):
     lines = [f"Medians of {rounds.count} rounds; vectors of {rounds.context['vector lanes']} doubles. "
              f"granum and numpy differ by at most {difference:.1e}.", "",
-             "| comparison | median | least | most | reach | reached |", "| --- | --- | --- | --- | --- | --- |"]
+             "| comparison | median | least | most | target | met |", "| --- | --- | --- | --- | --- | --- |"]
     lines += ["| " + " | ".join(row) + " |" for row in comparisons(rounds)]
     lines += ["", "| case | points | ns a point |", "| --- | --- | --- |"]
     for side, cases in ("", rounds.granum), ("numpy: ", rounds.numpy):

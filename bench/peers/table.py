@@ -136,7 +136,7 @@ def as_markdown(cases, found):
     lines += [f"**Not the same state:** {line}." for line in found] + ([""] if found else [])
     compared = comparisons(cases)
     if compared:
-        lines += ["| comparison | ratio | reach | reached |", "| --- | --- | --- | --- |"]
+        lines += ["| comparison | ratio | target | met |", "| --- | --- | --- | --- |"]
         for what, value, wanted in compared:
             goal = ("", "") if wanted is None else (f"≥ {wanted:.2g}", "yes" if value >= wanted else "NO")
             lines.append(f"| {what} | {value:.2f} | {goal[0]} | {goal[1]} |")
