@@ -2,10 +2,10 @@
 //
 // Example 01: how stiff is this packing, now?
 //
-// A dense packing of glass-like spheres, 1 mm in diameter, under 100 kPa. The closed forms need five numbers
-// that a laboratory or a simulation can give: grain elasticity, void ratio, contacts per grain, fabric and
-// stress. They answer in less than a microsecond, and from above: real grains move more freely than the mean
-// strain lets them.
+// A dense packing of glass-like spheres, 1 mm in diameter, under 100 kPa. The closed forms (formulas) need
+// five inputs that a laboratory or a simulation can give: elasticity of the grains, void ratio, contacts per
+// grain, fabric (directions of the contacts) and stress. One evaluation takes less than a microsecond. The
+// result is an upper estimate: real grains deviate from the mean strain, and the packing is softer.
 #include <chrono>
 #include <cmath>
 #include <cstdio>

@@ -2,10 +2,11 @@
 //
 // Example 02: why is s = 1/(1+alpha) in G ~ p^s?
 //
-// Grains whose surfaces are z = A r^alpha near the contact press on one another with f ~ d^(1+1/alpha). The
-// stiffness of a contact then grows as k_n ~ f^(1/(1+alpha)), forces grow in proportion to the pressure, and
-// moduli in proportion to the stiffness of contacts: s is the exponent of the contact, if nothing else
-// changes. What else may change is the number of contacts; that is why loose packings show more.
+// The surface of a grain near a contact is z = A r^alpha. Two such grains repel each other with a force f ~
+// d^(1+1/alpha), d being their overlap. The normal stiffness of a contact then grows as k_n ~
+// f^(1/(1+alpha)). Contact forces grow in proportion to the mean stress p, and the shear modulus G in
+// proportion to k_n: s is the exponent of k_n in f, if nothing else changes. The number of contacts may
+// change too; it grows in loose packings, and their s is larger.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -2,9 +2,9 @@
 //
 // Example 03: why does a loose packing stiffen faster with stress than a dense one?
 //
-// Two specimens from one frictionless packing: one keeps its contacts, the other is opened a little before
-// friction is switched on, so that fewer contacts carry it at nearly the same void ratio. Both are spheres,
-// whose contacts alone would give s = 1/3 in G ~ p^s.
+// Two specimens of spheres are made from one frictionless packing. One keeps its contacts. The other is
+// expanded a little before friction is switched on, so that it has fewer contacts at nearly the same void
+// ratio. With a constant number of contacts both would have s = 1/3 in G ~ p^s.
 #include <cmath>
 #include <cstdio>
 #include <vector>

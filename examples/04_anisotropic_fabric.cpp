@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Example 04: what does it change that contacts have a preferred direction?
+// Example 04: what is the effect of a preferred direction of the contacts?
 //
-// Grains that were deposited or sheared touch more often along one direction than across it. One number says
-// by how much: a of E(gamma) = 3(1 + a cos 2 gamma)/(4 pi (3-a)), gamma from the vertical. Here a packing of
-// dense spheres under equal stresses is given fabrics from a = -0.2 (more contacts sideways) to 0.2 (more
-// contacts upright), and nothing else changes.
+// Deposited or sheared grains have more contacts along one direction than across it. One number, a, describes
+// this: E(gamma) = 3(1 + a cos 2 gamma)/(4 pi (3-a)) is the density of contact directions, gamma the angle
+// from the vertical. Here a packing of dense spheres under equal stresses has fabrics from a = -0.2 (more
+// horizontal contacts) to 0.2 (more vertical contacts); everything else is constant.
 #include <cmath>
 #include <cstdio>
 #include <vector>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Example 05: how well is G known, if its inputs are known only so well?
+// Example 05: how accurate is G if its inputs are uncertain?
 //
-// Spheres of 1 mm at 100 kPa. The void ratio comes from weighing, the shear modulus of the grains from a
-// data sheet: each is known to within an error. How many grains touch is not known at first. estimate::answer
-// gives G with the range that all of this leaves open, and the share that each input has in it: the largest
-// is the one worth measuring. Here that is done, four times.
+// Spheres of 1 mm at 100 kPa. The void ratio comes from weighing, the shear modulus of the grains from a data
+// sheet; both have errors. The number of contacts is not known at first. estimate::answer gives G with the
+// range that results from all these uncertainties, and the share of each input in the range. The input with
+// the largest share is the one to measure. Four answers follow, each with more knowledge of the contacts.
 #include <cmath>
 #include <cstdio>
 #include <string>

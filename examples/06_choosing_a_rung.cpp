@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Example 06: how much effort does a modulus deserve?
+// Example 06: which estimate of a modulus is accurate enough?
 //
-// A closed form takes nanoseconds and may be wrong by a factor of three; the linear response of the contact
-// network takes a packing and a fraction of a second, and is right. estimate::choose takes the cheapest
-// rung of the ladder whose stated error fits a tolerance, and says what it would need to do better. Here one
-// loose packing is asked about four times, each time knowing a little more of it; at the end its own
-// network tells how far off each answer was.
+// A closed form (formula) takes nanoseconds and may be wrong by a factor of three. The linear response of the
+// contact network needs a packing and a fraction of a second, and is exact for small strain. estimate::choose
+// takes the cheapest rung (estimate) of the ladder whose stated error is within a tolerance, and lists the
+// inputs that would allow a better one. Here it estimates G of one loose packing four times, each time with
+// one more known input. Each answer is compared with the network of this packing.
 #include <cmath>
 #include <cstdio>
 #include <string>

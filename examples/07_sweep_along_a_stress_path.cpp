@@ -2,10 +2,11 @@
 //
 // Example 07: how do the moduli of a packing change while it is sheared?
 //
-// Triaxial compression (TXC) from 100 kPa: the vertical stress grows, the horizontal one stays. Contacts and
-// fabric are kept as they are, which is nearly so in dense specimens. G_hh lies in the plane of constant
-// stresses and still grows a little: contacts of every direction but the horizontal carry part of the
-// vertical stress. With a file name, the moduli are drawn there as SVG:
+// Triaxial compression (TXC) from 100 kPa: the vertical stress grows, the horizontal stress is constant.
+// Contacts and fabric are kept constant, which is nearly true of dense specimens. G_hh is the shear modulus
+// of the horizontal plane. The stresses in this plane are constant, and yet G_hh grows a little, because all
+// contacts that are not horizontal carry part of the vertical stress. With a file name the program draws the
+// moduli as SVG:
 //   07_sweep_along_a_stress_path moduli.svg
 #include <algorithm>
 #include <cmath>

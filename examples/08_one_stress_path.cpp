@@ -2,10 +2,11 @@
 //
 // Example 08: what happens to a dense specimen on the way to failure?
 //
-// Triaxial compression (TXC) of 400 spheres from 100 kPa to past the peak, by discrete elements. On the way
-// the specimen is frozen again and again and its contact network solved. Up to about two thirds of failure it
-// keeps its contacts, and the modulus follows the stress alone, as the closed form says; then contacts are
-// lost, the rest turns towards the larger stress, and G falls although the stress still grows. Takes seconds.
+// Triaxial compression (TXC) of 400 spheres from 100 kPa to past the peak, by the discrete element method. At
+// many states the specimen is frozen and its contact network solved. Up to about two thirds of the stress
+// ratio at failure it keeps its contacts, and the modulus follows the stress alone, as in the closed form.
+// Then contacts are lost, the others turn towards the larger stress, and G falls although the stress still
+// grows. Takes seconds.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Example 10: what do rigid walls do to a specimen, and to what one reads off it?
+// Example 10: what is the effect of rigid walls on a specimen, and on its measured void ratio and contacts?
 //
-// 500 spheres in a periodic cell and 500 between six smooth walls, both dense, under 100 kPa. Walls order the
-// grains along them and take away contacts: the whole specimen looks looser and less coordinated than the
-// material is. Two diameters away from the walls it is nearly that of the periodic cell. Takes seconds.
+// 500 spheres in a periodic cell and 500 between six smooth walls, both dense, under 100 kPa. Along walls
+// grains lie in layers and have fewer contacts. So the whole specimen has a larger void ratio and a smaller
+// coordination number C_n than its interior. C_n of the grains two diameters and more from the walls is near
+// C_n of the periodic cell. Takes seconds.
 #include <cmath>
 #include <cstdio>
 #include <numbers>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Example 11: what does a packing that another code made say, and do the closed forms agree with it?
+// Example 11: what is in a packing made by another code, and do the closed forms agree with it?
 //
-// LAMMPS wrote 10,000 spheres at 50 kPa, loosely prepared: grains by `dump custom`, contacts by `dump local`.
-// Neither the contact law nor the material stands in such files, but forces against overlaps tell both. Other
-// dumps are named on the command line:
+// LAMMPS made 10,000 spheres at 50 kPa, loosely prepared. It wrote the grains by `dump custom` and the
+// contacts by `dump local`. Such files contain neither the contact law nor the material; both follow from
+// forces and overlaps. Other dumps are given on the command line:
 //   11_analyse_a_lammps_dump grains.dump contacts.dump
 #include <algorithm>
 #include <cmath>

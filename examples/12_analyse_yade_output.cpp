@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Example 12: how is a packing of YADE brought over, and what is it worth there?
+// Example 12: how does granum read a packing of YADE, and how stiff is the packing?
 //
-// YADE's own text exports print six digits, too few for overlaps. share/yade/granum_export.py, run inside
-// YADE, writes all of them:
+// YADE's own text exports have six digits, too few for overlaps. share/yade/granum_export.py, run inside
+// YADE, writes all digits:
 //   import sys; sys.path.append("<granum>/share/yade"); import granum_export
 //   granum_export.write("packing", O)
-// It also writes the stiffnesses that YADE gives the contacts, so nothing about the material need be known.
-// Other packings are named on the command line:
+// It also writes the contact stiffnesses of YADE, so the material need not be known. <granum> is the folder
+// of granum's sources. Other packings are given on the command line:
 //   12_analyse_yade_output packing.grains packing.contacts
 #include <algorithm>
 #include <cmath>

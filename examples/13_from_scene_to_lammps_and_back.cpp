@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Example 13: a packing for LAMMPS, and what LAMMPS made of it.
+// Example 13: a packing is exported to LAMMPS, and the result of LAMMPS is read.
 //
-// granum makes a small dense specimen and writes a deck for it; LAMMPS compresses and shears it, on one core
-// here and on any number of them elsewhere; granum reads what it left and solves the contact network of that
-// state, which must give the same moduli. Without LAMMPS the deck is all there is.
+// granum makes a small dense specimen and writes a deck (input files) for LAMMPS. LAMMPS compresses and
+// shears the specimen, on one core here and on any number of cores elsewhere. granum reads the dumps of
+// LAMMPS and solves the contact network of the probed state. Network and LAMMPS must give the same moduli.
+// Without LAMMPS the example ends after the deck.
 //   13_from_scene_to_lammps_and_back [FOLDER]
 #include <algorithm>
 #include <cmath>

@@ -2,11 +2,12 @@
 //
 // Example 14: why is a well graded sand softer than a uniform one of the same void ratio?
 //
-// Spheres at 100 kPa, with uniformity coefficients C_u = d60/d10 from 1 to 4. The closed form takes the
-// sizes and the number of contacts z*. Sizes do not tell z*: it was counted here, in packings that granum
-// made by DEM (validation/gradation). A wide gradation packs denser. So at a void ratio where equal grains
-// are nearly as dense as they can be, a wide gradation is loose, has few contacts, and is soft. At equal
-// relative density z* changes far less, and G hardly.
+// Spheres at 100 kPa, with uniformity coefficients C_u = d60/d10 from 1 to 4. The closed form needs the sizes
+// and z*, the number of contacts per grain without rattlers (grains that carry no load). z* does not follow
+// from the sizes: it was counted in packings that granum made by DEM (validation/gradation). A wide gradation
+// packs denser. So at a void ratio where equal grains are nearly as dense as possible, a wide gradation is
+// loose, has few contacts, and is soft. At equal relative density z* changes far less; G of C_u from 1 to 2.5
+// is nearly equal.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Example 15: how far can the closed form be trusted for grains of many sizes that another code packed?
+// Example 15: how accurate is the closed form for unequal grains packed by another code?
 //
-// YADE packed 600 spheres, radii lognormal by number, up to 100 kPa: once without friction (dense), and once
-// with it, from a gas (loose). Sizes, contacts and stiffnesses are read; rung 3 takes the means over contacts
-// that grains of many sizes need, and is held against the network of the same packing, in stated errors.
-// Other packings, written by share/yade/granum_export.py, are named on the command line:
+// YADE packed 600 spheres with radii lognormal by number, up to 100 kPa: once without friction (dense), and
+// once with friction, from a gas of grains that do not touch (loose). The files contain sizes, contacts and
+// stiffnesses. Rung 3 (the relaxed closed form) uses means over the contacts of unequal grains. Its
+// difference from the contact network of the same packing is printed in stated errors. Other packings,
+// written by share/yade/granum_export.py, are given on the command line:
 //   15_judge_unequal_grains_of_yade packing.grains packing.contacts
 #include <cmath>
 #include <cstdio>
