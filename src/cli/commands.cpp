@@ -45,8 +45,8 @@ std::unique_ptr<Command> make_program() {
                "26.5deg.\n"
                "\n"
                "Exit codes: 0 ok, 1 some rows or checks failed, 2 usage, 3 file,\n"
-               "4 not converged, or outside validity under --strict, 129, 130 or 143\n"
-               "stopped by SIGHUP, Ctrl-C or SIGTERM."});
+               "4 not converged, or a warning under --strict, 129, 130 or 143 stopped by\n"
+               "SIGHUP, Ctrl-C or SIGTERM."});
   program->add({.name = "--version",
                 .value = {.take = [](const std::string&, const std::string&) {}},
                 .group = "Options",

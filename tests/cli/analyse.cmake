@@ -241,7 +241,7 @@ granum_cli_test("analyse: unequal grains" EXIT 0 BELOW "frames/0/" JSON
     "gradation/uniformity=^1\\.7056" "contact_means/branch_square=^0\\.92" "moduli/rung3/G=^1807"
   ARGS analyse ${unequal}.atoms.gz ${unequal}.contacts.gz --grain-shear-modulus 30GPa --no-network --json)
 granum_cli_test("analyse: unequal grains on the screen" EXIT 0
-  STDOUT "C_u = d60/d10 +1\\.7056.*d50 1\\.346 mm.*<l> = 0\\.9342 2R, <l\\^2> = 0\\.9200 \\(2R\\)\\^2"
+  STDOUT "C_u = d60/d10 +1\\.7056.*d50 1\\.346 mm.*<l> = 0\\.9342 x 2R, <l\\^2> = 0\\.9200 x \\(2R\\)\\^2"
   ARGS analyse ${unequal}.atoms.gz ${unequal}.contacts.gz --grain-shear-modulus 30GPa --no-network)
 granum_analyse_refuses("a probe of a frame that is left out" 3 "analyse_probes\\.csv:3: step 1: no frame" ${lattice} --frames last --probes analyse_probes.csv)
 granum_analyse_refuses("a probe of several frames" 3 "analyse_probes_state\\.csv:2: state analyse_lattice: no frame matches, or more" ${lattice}

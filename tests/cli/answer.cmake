@@ -81,7 +81,7 @@ granum_cli_test("answer: measured sands in JSON" EXIT 0 JSON "measured_sands/2/s
   --pressure 100kPa --json)
 granum_cli_test("answer: no measured sands without stress" EXIT 0 JSON "measured_sands=^\\[\\]$" ARGS estimate --void-ratio 0.6
   --pressure 0Pa --json)
-granum_cli_test("answer: C_u of the laws" EXIT 0 STDOUT "C_u = 1\\.4; bias" ARGS estimate --sand longstone --relative-density 50%
+granum_cli_test("answer: C_u of the laws" EXIT 0 STDOUT "C_u = 1\\.4; beside" ARGS estimate --sand longstone --relative-density 50%
   --pressure 100kPa)
 granum_cli_test("answer: bounds only on request" EXIT 0 STDOUT "answer +low +high.*uniform strain +uniform stress"
   ARGS ${beads} --bounds)

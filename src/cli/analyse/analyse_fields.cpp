@@ -190,7 +190,7 @@ const io::Columns<Fabric>& fabric_fields() {
          [](const Fabric& f) {
            return Measured{f.by_moment.anisotropy, f.by_moment.standard_error};
          },
-         item("a", 4, "from F_33")},
+         item("a", 4, "anisotropy, from F_33")},
         {"", "most_likely_anisotropy", of_part(&Fabric::by_likelihood, &Likelihood::anisotropy)},
         {"", "most_likely_anisotropy_standard_error",
          of_part(&Fabric::by_likelihood, &Likelihood::standard_error)},
@@ -199,7 +199,7 @@ const io::Columns<Fabric>& fabric_fields() {
                  [](const Likelihood& l) {
                    return Measured{l.anisotropy, l.standard_error};
                  }),
-         item("a", 4, "by maximum likelihood")},
+         item("a", 4, "the same, most likely")},
         {"", "isotropy/z_score", of_part(&Fabric::isotropy, &fabric::IsotropyTest::z_score)},
         {"", "isotropy/p_value", of_part(&Fabric::isotropy, &fabric::IsotropyTest::p_value)},
         {"", "",
@@ -253,17 +253,17 @@ const io::Columns<Forces>& force_fields() {
        io::or_null(of_part(&Forces::friction, &packing::FrictionEstimate::coefficient)),
        item("friction coefficient", 4, "f_t/f_n of the sliding contacts")},
       {"", "", of_part(&Forces::friction, &packing::FrictionEstimate::contacts),
-       item("contacts at friction", 0, "f_t/f_n within 1e-4 of it")},
+       item("contacts at friction", 0, "f_t/f_n within 1e-4 of the coefficient")},
       {"sliding_fraction", "sliding_fraction", io::or_null(&Forces::sliding_fraction),
-       share("sliding contacts", "f_t within 1e-3 of the limit")},
+       share("sliding contacts", "f_t within 1e-3 of coefficient x f_n")},
       {"", "", [](const Forces& f) { return f.unbalance ? std::nullopt : std::optional("unknown"); },
        item("unbalanced force", 0, "tangential forces not known")},
       {"unbalanced_force_ratio", "unbalanced_force_ratio",
        io::or_null(of_part(&Forces::unbalance, &Unbalance::force_ratio)),
-       rounded("unbalanced force", 3, "mean force on a grain over mean contact force")},
+       rounded("unbalanced force", 3, "mean net force on a grain over mean contact force")},
       {"unbalanced_moment_ratio", "unbalanced_moment_ratio",
        io::or_null(of_part(&Forces::unbalance, &Unbalance::moment_ratio)),
-       rounded("unbalanced moment", 3, "mean moment on a grain over mean contact force x mean radius")},
+       rounded("unbalanced moment", 3, "mean net moment on a grain over mean contact force x mean radius")},
       {"", "", of_part(&Forces::weight, [](const packing::Weight& w) { return 1 - w.left_over; }),
        share("part due to weight")},
       {"", "", of_part(&Forces::weight, [](const packing::Weight& w) { return norm(w.per_volume); }),
@@ -278,11 +278,14 @@ const io::Columns<Forces>& force_fields() {
 const io::Columns<LawCheck>& law_fields() {
   static const io::Columns<LawCheck> fields = {
       {"", "contacts", &LawCheck::contacts, item("contacts")},
-      {"", "left_out", &LawCheck::left_out, item("contacts left out")},
+      {"", "left_out", &LawCheck::left_out,
+       item("contacts left out", 0, "without overlap or force, or below 1e-3 of the mean force")},
       {"", "force_exponent", io::or_null(&LawCheck::force_exponent), item("f_n ~ d^x, x", 6)},
       {"", "alpha", io::or_null(&LawCheck::alpha), item("alpha", 6, "cone 1, sphere 2")},
-      {"", "force_over_law", &LawCheck::coefficient_ratio, rounded("force over law", 8, "median")},
-      {"", "median_misfit", &LawCheck::median_misfit, rounded("misfit", 2, "median")},
+      {"", "force_over_law", &LawCheck::coefficient_ratio,
+       rounded("force over law", 8, "median of f_n over the law's force")},
+      {"", "median_misfit", &LawCheck::median_misfit,
+       rounded("misfit", 2, "median of |f_n/(median x law) - 1|")},
       {"", "misfit_90", &LawCheck::misfit_90, rounded("misfit", 2, "90th percentile")},
       {"", "worst_misfit", &LawCheck::worst_misfit, rounded("misfit", 2, "worst")},
   };

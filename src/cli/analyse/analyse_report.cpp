@@ -47,7 +47,7 @@ std::string counts_text(const studies::MeasuredFrame& frame) {
   if (!frame.contacts_known)
     return text + line("C_n, z*, rattlers", "unknown", "no file contains contacts");
   if (a.sizes.smallest != a.sizes.largest)
-    text += "  contacts of closed forms: " + means_text(a.sizes.contacts) + "\n";
+    text += "  means for closed forms: " + means_text(a.sizes.contacts) + "\n";
   const std::string counts = io::list_text(contact_count_fields(), a.counts);
   if (a.counts.bodies == 0 || a.counts.bodies == a.counts.grains)
     return text + counts;
@@ -83,7 +83,10 @@ std::string moduli_text(const FrameAnswer& frame) {
   std::string text =
       "\nmoduli: K and G of the nearest isotropic stiffness, the others of the nearest stiffness that is "
       "symmetric about z: G_hh in the horizontal plane, G_vh in vertical planes; net/K and net/G: K and G of "
-      "the network divided by those of the row; error: standard error of G_vh in the row\n" +
+      "the network divided by those of the row; error: standard error of G_vh in the row. Rungs 0 to 2 and "
+      "affine: every grain moves with the mean strain; rung 3: grains relax, by a calibrated formula; rung "
+      "4: "
+      "the forces on every grain balance\n" +
       io::heading_line(rung_fields()) + "\n";
   const std::vector<RungResult>& rungs = frame.rungs;
   for (std::size_t k = 0; k < rungs.size(); ++k) {
@@ -126,9 +129,10 @@ std::string matrix_text(const NamedMatrix& named) {
           fmt::format(" {:>10.4g}", std::abs(matrix(row, column)) < least ? 0 : matrix(row, column) / 1e6);
   }
   const elastic::SymmetryDistances& distance = named.matrix->symmetry;
-  return text +
-         fmt::format("\n  distance from the nearest stiffness that is symmetric about z {}, isotropic {}\n",
-                     short_text(distance.transversely_isotropic, 2), short_text(distance.isotropic, 2));
+  return text + fmt::format("\n  relative distance from the nearest stiffness that is symmetric about z: {}, "
+                            "from the nearest isotropic one: {}\n",
+                            short_text(distance.transversely_isotropic, 2),
+                            short_text(distance.isotropic, 2));
 }
 
 std::string waves_text(const std::vector<NamedMatrix>& matrices, const std::optional<double>& bulk_density) {
@@ -151,7 +155,8 @@ std::string stiffness_text(const FrameAnswer& frame) {
   for (const NamedMatrix& m : matrices)
     if (m.matrix != &frame.measured.packing.network->affine_all) // its moduli below suffice
       text += matrix_text(m);
-  text += "\nalong these axes; affine_all: uniform strain of all contacts, with those of rattlers\n";
+  text += "\nalong these axes; affine: uniform strain without the contacts of rattlers; affine_all: with "
+          "them; relaxed: rung 4\n";
   return text + io::table_text(matrix_fields(), matrices) +
          waves_text(matrices, frame.measured.packing.bulk_density);
 }

@@ -259,9 +259,9 @@ void add_answer_options(Command& command, AnswerOptions& o) {
        {.name = "--saturation",
         .value = number(o.saturation),
         .group = state_group,
-        .meaning =
-            "Degree of saturation S_r; at 100% V_p follows Gassmann's equation, at 99% and less it is nearly "
-            "that of dry pores",
+        .meaning = "Degree of saturation S_r; at 100% V_p follows Gassmann's equation, at 99% and less V_p "
+                   "is nearly "
+                   "that of the dry packing",
         .synonyms = {{"s sr"}}}});
 }
 

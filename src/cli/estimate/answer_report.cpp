@@ -101,8 +101,9 @@ std::string preparation_remark(const AnswerCase& c) {
   if (c.question.preparation.kind != effective::Preparation::Kind::unknown)
     return fmt::format("  contacts: as in packings of spheres with the preparation {}\n",
                        preparation_text(c.question.preparation));
-  return "  preparation unknown: the range covers contacts from those of packings prepared with friction "
-         "0.5 to the most possible at this void ratio; --preparation, --rattler-fraction or "
+  return "  preparation unknown: the range covers every number of contacts, from packings prepared with "
+         "a friction coefficient of 0.5 to the largest number possible at this void ratio; --preparation, "
+         "--rattler-fraction or "
          "--mechanical-coordination-number narrows it\n";
 }
 

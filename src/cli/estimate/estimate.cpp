@@ -124,8 +124,8 @@ Command make_estimate() {
         .value = flag(options->bounds),
         .group = "More results",
         .meaning = "Also show three closed forms with their exponents: uniform strain (all grains move with "
-                   "the mean "
-                   "strain), uniform stress (all contacts carry the mean stress), and relaxed"},
+                   "the mean strain), uniform stress (all contacts carry the forces of the mean stress), and "
+                   "relaxed"},
        {.name = "--tolerance",
         .value = number_without_default(options->tolerance),
         .group = "More results",

@@ -149,8 +149,8 @@ std::string sands_text(const AnswerCase& c) {
     return "";
   const auto& s = c.question.state;
   std::string text =
-      fmt::format("\n  G of published laws at e = {}, p' = {}, C_u = {}{}; bias, beside G: mean "
-                  "of the law's G over the measured G in 789 tests of 38 clean sands\n",
+      fmt::format("\n  G of published laws at e = {}, p' = {}, C_u = {}{}; beside G its bias, "
+                  "the mean ratio of calculated to measured G in 789 tests of 38 clean sands\n",
                   short_text(s.void_ratio), pretty(s.mean_stress(), Dimension::pressure),
                   short_text(c.uniformity), c.uniformity_assumed ? " assumed" : "");
   for (const SandAnswer& sand : c.sands)

@@ -110,7 +110,9 @@ void add_fit_law_options(Command& command, FitQuestion& question) {
 Command make_fit() {
   auto question = std::make_shared<FitQuestion>();
   Command command{.name = "fit",
-                  .meaning = "Fit G = C p_a f(e) (sigma_i/p_a)^m (sigma_j/p_a)^n to a CSV file",
+                  .meaning =
+                      "Fit G = C p_a f(e) (sigma_i/p_a)^m (sigma_j/p_a)^n to a CSV file (e: void ratio, p_a: "
+                      "atmospheric pressure)",
                   .notes = "Examples:\n"
                            "  granum fit moduli.csv --picture moduli.svg\n"
                            "  granum fit isotropic.csv --sum-only",

@@ -108,7 +108,8 @@ nlohmann::ordered_json json_of(const sizes::ContactMeans& c) {
 }
 
 std::string means_text(const sizes::ContactMeans& c) {
-  return fmt::format("<l> = {:.4f} 2R, <l^2> = {:.4f} (2R)^2, 2R* = {:.4f} R, <V> = {:.4f} 4/3 pi R^3",
+  return fmt::format("branch <l> = {:.4f} x 2R, <l^2> = {:.4f} x (2R)^2, pair radius 2R* = {:.4f} x R, "
+                     "grain volume <V> = {:.4f} x 4/3 pi R^3",
                      c.branch, c.branch_square, c.pair_radius, c.grain_volume);
 }
 
