@@ -355,8 +355,7 @@ void ContactModel::describe(Inference& inference, const std::vector<StateGroup>&
   inference.degrees_of_freedom_ =
       measurements_.size() - std::min(measurements_.size(), static_cast<std::size_t>(free_count()) +
                                                                 options_.contacts.numbers.size());
-  if (inference.degrees_of_freedom_ > 0)
-    inference.probability_ = p_value(inference.chi_square_, inference.degrees_of_freedom_);
+  inference.probability_ = p_value(inference.chi_square_, inference.degrees_of_freedom_);
   inference.fitted_.resize(measurements_.size());
 
   // Each residual has unit variance; z* depends on it through its row of the pseudo-inverse.

@@ -177,7 +177,7 @@ TEST_CASE("z*, softness and alpha come back") {
     }
 }
 
-// The preset sanitize leaves out what is "of a sample": the same code many times.
+// The preset sanitize leaves out the tests named "scatter of a sample", which run the same code many times.
 TEST_CASE("stated errors of inferred contacts agree with the scatter of a sample") {
   const contact::PowerLaw law = soft_law();
   constexpr int draws = 60;

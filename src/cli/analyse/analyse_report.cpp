@@ -84,9 +84,8 @@ std::string moduli_text(const FrameAnswer& frame) {
       "\nmoduli: K and G of the nearest isotropic stiffness, the others of the nearest stiffness that is "
       "symmetric about z: G_hh in the horizontal plane, G_vh in vertical planes; net/K and net/G: K and G of "
       "the network divided by those of the row; error: standard error of G_vh in the row. Rungs 0 to 2 and "
-      "affine: every grain moves with the mean strain; rung 3: grains relax, by a calibrated formula; rung "
-      "4: "
-      "the forces on every grain balance\n" +
+      "affine: every grain moves with the mean strain; rung 3: grains relax, by a calibrated formula; "
+      "rung 4: the forces on every grain balance\n" +
       io::heading_line(rung_fields()) + "\n";
   const std::vector<RungResult>& rungs = frame.rungs;
   for (std::size_t k = 0; k < rungs.size(); ++k) {

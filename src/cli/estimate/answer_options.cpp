@@ -260,8 +260,7 @@ void add_answer_options(Command& command, AnswerOptions& o) {
         .value = number(o.saturation),
         .group = state_group,
         .meaning = "Degree of saturation S_r; at 100% V_p follows Gassmann's equation, at 99% and less V_p "
-                   "is nearly "
-                   "that of the dry packing",
+                   "is nearly that of the dry packing",
         .synonyms = {{"s sr"}}}});
 }
 

@@ -103,8 +103,7 @@ std::string preparation_remark(const AnswerCase& c) {
                        preparation_text(c.question.preparation));
   return "  preparation unknown: the range covers every number of contacts, from packings prepared with "
          "a friction coefficient of 0.5 to the largest number possible at this void ratio; --preparation, "
-         "--rattler-fraction or "
-         "--mechanical-coordination-number narrows it\n";
+         "--rattler-fraction or --mechanical-coordination-number narrows it\n";
 }
 
 } // namespace
