@@ -18,10 +18,8 @@ namespace granum::sands {
 
 namespace {
 
-constexpr double knee = 50 * kPa; ///< below, sands soften faster
-
 // Range of the tests.
-constexpr double low_stress_exponent = 0.50; ///< s below the knee
+constexpr double low_stress_exponent = 0.50; ///< s below low_stress
 constexpr double noted_above =
     2 * MPa; ///< up to here, and below least_tested_stress, the range widens without a note
 constexpr double least_e = 0.40, largest_e = 0.93;
@@ -116,23 +114,23 @@ std::string formula(const Sand& sand) {
 }
 
 GrowthExponent growth_exponent(const Sand& sand, double mean_stress) {
-  return mean_stress < knee ? GrowthExponent{low_stress_exponent + sand.exponent_shift, 0.07}
-                            : GrowthExponent{exponent(sand), 0.05};
+  return mean_stress < low_stress ? GrowthExponent{low_stress_exponent + sand.exponent_shift, 0.07}
+                                  : GrowthExponent{exponent(sand), 0.05};
 }
 
 double growth_factor(const Sand& sand, double mean_stress) {
-  const double to_knee = std::pow(std::max(mean_stress, knee) / reference_stress, exponent(sand));
-  return mean_stress < knee
-             ? to_knee * std::pow(mean_stress / knee, low_stress_exponent + sand.exponent_shift)
-             : to_knee;
+  const double to_low_stress = std::pow(std::max(mean_stress, low_stress) / reference_stress, exponent(sand));
+  return mean_stress < low_stress
+             ? to_low_stress * std::pow(mean_stress / low_stress, low_stress_exponent + sand.exponent_shift)
+             : to_low_stress;
 }
 
 double forecast_variance(const Sand& sand, double from, double to) {
   const double low = std::min(from, to), high = std::max(from, to);
-  const double above = high > knee ? std::log(high / std::max(low, knee)) : 0;
-  const double below = low < knee ? std::log(std::min(high, knee) / low) : 0;
+  const double above = high > low_stress ? std::log(high / std::max(low, low_stress)) : 0;
+  const double below = low < low_stress ? std::log(std::min(high, low_stress) / low) : 0;
   const double by_s =
-      growth_exponent(sand, knee).deviation * above + growth_exponent(sand, 0).deviation * below;
+      growth_exponent(sand, low_stress).deviation * above + growth_exponent(sand, 0).deviation * below;
   return scatter_within_a_sand * scatter_within_a_sand + by_s * by_s;
 }
 

@@ -50,6 +50,8 @@ enum class PooledForm {
 /// The formula of form_of() as text, p_a = 100 kPa.
 [[nodiscard]] std::string formula(const Sand& sand);
 
+inline constexpr double low_stress = 50e3; ///< p below which sands soften faster [Pa]
+
 /// Exponent s of G ~ p^s and its standard deviation.
 struct GrowthExponent {
   double value = 0;

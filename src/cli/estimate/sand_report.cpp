@@ -49,14 +49,13 @@ std::string comparison_text(const AnswerCase& c) {
   return "    sands by these laws are about as stiff as these spheres\n";
 }
 
-/// "0.43", or below the knee of the law both exponents.
+/// "0.43", or below sands::low_stress both exponents.
 std::string exponent_text(const sands::Sand& sand, double mean_stress) {
-  constexpr double reference = 100e3; // above the knee
   const double here = sands::growth_exponent(sand, mean_stress).value;
-  const double above = sands::growth_exponent(sand, reference).value;
-  return here == above
-             ? short_text(here, 3)
-             : fmt::format("{} from 50 kPa on and {} below", short_text(above, 3), short_text(here, 3));
+  const double above = sands::growth_exponent(sand, sands::low_stress).value;
+  return here == above ? short_text(here, 3)
+                       : fmt::format("{} from {} on and {} below", short_text(above, 3),
+                                     pretty(sands::low_stress, Dimension::pressure), short_text(here, 3));
 }
 
 std::string strain_text(const AnswerCase& c) {
