@@ -51,7 +51,7 @@ io::Columns<CompressedState> state_columns() {
       {"a_error", "fabric_anisotropy_standard_error",
        [](const State& s) { return fabric_number(s, &fabric::AnisotropyEstimate::standard_error); }},
       {"sliding_fraction", "sliding_fraction", &State::sliding_fraction},
-      {"G_closed_Pa", "G_closed_Pa", &State::G_closed, modulus("G closed", 9)},
+      {"G_closed_Pa", "G_closed_Pa", &State::G_closed, modulus("G formula", 10)},
       {"K_closed_Pa", "K_closed_Pa", &State::K_closed},
       {"G_uniform_strain_Pa", "G_uniform_strain_Pa",
        network([](const State& s) { return s.uniform_strain().shear_modulus(); })},
@@ -95,8 +95,7 @@ io::Columns<ExponentRow> exponent_columns() {
        io::ShownColumn{.heading = "density", .width = -7}},
       {"contact_law", "contact_law", &ExponentRow::contact_law,
        io::ShownColumn{.heading = "law", .width = 6, .digits = 3, .fixed = true}},
-      {"closed_form", "closed_form", io::or_null(&ExponentRow::closed_form),
-       io::ShownColumn{.heading = "uniform strain", .width = 15, .digits = 3, .fixed = true, .absent = "-"}},
+      {"closed_form", "closed_form", io::or_null(&ExponentRow::closed_form), route("formula")},
       {"network", "network", io::or_null(&ExponentRow::network), route("network")},
       {"network_with_f_e", "network_with_void_ratio_function", io::or_null(&ExponentRow::network_void),
        route("with f(e)")},
@@ -155,15 +154,16 @@ std::string states_table(const std::vector<SpecimenResult>& specimens) {
     if (!specimen.failure.empty())
       out += "  ended early: " + specimen.failure + "\n";
   }
-  return out + "\n  G in MPa; C_n: contacts per grain, z*: the same without rattlers; G closed: closed\n"
-               "  form of uniform strain; G_hh, G_hv, G_vh: by the probe (small cyclic shear)\n"
+  return out + "\n  G in MPa; C_n: contacts per grain, z*: the same without rattlers;\n"
+               "  G formula: uniform strain, from C_n and e; G network: all grains in equilibrium;\n"
+               "  G_hh, G_hv, G_vh: by the probe (small cyclic shear)\n"
                "  * G network / G of the same network under uniform strain\n";
 }
 
 std::string exponents_table(const std::vector<ExponentRow>& rows) {
   return "s of G ~ p^s, +- standard error; law: 1/(1+alpha)\n" + io::table_text(exponent_columns(), rows) +
-         "  law: of a single contact; with f(e): G of the network divided by f(e);\n"
-         "  paper: G_hv in Table 5 of Chung et al. 2014\n";
+         "  law: of a single contact; formula: uniform strain; with f(e): G of the network\n"
+         "  divided by f(e); paper: G_hv in Table 5 of Chung et al. 2014\n";
 }
 
 std::string local_exponents_table(const std::vector<LocalExponents>& rows) {
