@@ -2,10 +2,16 @@
 //
 // Example 01: how stiff is this packing, now?
 //
-// A dense packing of glass-like spheres, 1 mm in diameter, under 100 kPa. The closed forms (formulas) need
-// five inputs that a laboratory or a simulation can give: elasticity of the grains, void ratio, contacts per
-// grain, fabric (directions of the contacts) and stress. One evaluation takes less than a microsecond. The
-// result is an upper estimate: real grains deviate from the mean strain, and the packing is softer.
+// A dense packing of quartz-like spheres, 1 mm in diameter, under 100 kPa. The closed forms (formulas) need
+// inputs that a laboratory or a simulation can give: elasticity and size of the grains, void ratio, contacts
+// per grain, fabric (directions of the contacts) and stress. One evaluation takes less than a microsecond.
+//
+// Uniform strain, in which all grains move with the mean strain, is an upper estimate: real grains deviate
+// from the mean strain, and the packing is softer. Uniform stress, in which the mean stress determines the
+// force of each contact, is printed for comparison.
+//
+// v is the vertical direction, the axis of symmetry; h is any horizontal one. K is the bulk modulus. G_hh is
+// the shear modulus of the horizontal plane, G_vh that of a vertical plane. E_v and E_h are Young's moduli.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -45,7 +51,8 @@ int main() {
   const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
   const double radius = 0.5e-3;
 
-  // 2. The packing and its stress. A state names every number; one that is forgotten is refused.
+  // 2. The packing and its stress [Pa]. Each number has a name; if one is missing, the closed form throws an
+  //    error with this name. tangential_ratio is the tangential over the normal stiffness of a contact.
   const effective::State isotropic{.law = contact::PowerLaw::sphere(grain, radius),
                                    .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
                                    .radius = radius,
@@ -54,13 +61,14 @@ int main() {
                                    .stress_v = 100e3,
                                    .stress_h = 100e3};
 
-  // 3. Two estimates: grains follow the mean strain, or contacts follow the mean stress.
+  // 3. Two estimates: grains move with the mean strain, or contact forces follow from the mean stress.
   const effective::Estimate upper = effective::uniform_strain(isotropic);
   print("uniform strain, isotropic", upper);
   print("uniform stress, isotropic", effective::uniform_stress(isotropic));
 
-  // 4. The same packing at rest in the ground: half the stress sideways, contacts more
-  //    often near the vertical.
+  // 4. The same packing at rest in the ground: the horizontal stress is half the vertical one, and more
+  //    contacts are near the vertical (fabric anisotropy a = 0.1). The exponents are those of
+  //    G_vh ~ sigma_v^n sigma_h^m, from exact derivatives.
   effective::State at_rest = isotropic;
   at_rest.stress_h = 50e3;
   at_rest.fabric_anisotropy = 0.1;
@@ -69,12 +77,13 @@ int main() {
   std::printf("G_vh ~ sigma_v^%.3f sigma_h^%.3f there, sum %.3f\n", exponents.stress_v, exponents.stress_h,
               exponents.sum());
 
-  // 5. What an answer costs.
+  // 5. Time of one evaluation. With unequal stresses the stiffness of a contact depends on its direction, and
+  //    the closed form is a numerical integral.
   std::printf("time of one estimate: %.0f ns isotropic, %.0f ns direction-dependent\n",
               nanoseconds_per_call(isotropic), nanoseconds_per_call(at_rest));
 
-  // 6. Check: contacts of spheres stiffen with the cube root of force, so eight times the stress doubles
-  //    every modulus.
+  // 6. Check: the stiffness of a contact of spheres grows with the cube root of the force, so eight times the
+  //    stress doubles every modulus.
   effective::State loaded = isotropic;
   loaded.stress_v *= 8;
   loaded.stress_h *= 8;

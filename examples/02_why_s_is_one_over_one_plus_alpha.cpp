@@ -2,11 +2,16 @@
 //
 // Example 02: why is s = 1/(1+alpha) in G ~ p^s?
 //
-// The surface of a grain near a contact is z = A r^alpha. Two such grains repel each other with a force f ~
-// d^(1+1/alpha), d being their overlap. The normal stiffness of a contact then grows as k_n ~
-// f^(1/(1+alpha)). Contact forces grow in proportion to the mean stress p, and the shear modulus G in
-// proportion to k_n: s is the exponent of k_n in f, if nothing else changes. The number of contacts may
-// change too; it grows in loose packings, and their s is larger.
+// The surface of a grain near a contact has the profile z = A r^alpha: z is the height at the distance r from
+// the axis of the contact. Two such grains with the overlap d (the approach of their centres) repel each
+// other with a force f ~ d^(1+1/alpha). So the normal stiffness of the contact is k_n ~ f^(1/(1+alpha)).
+// Contact forces are proportional to the mean stress p, and the shear modulus G is proportional to k_n. If
+// nothing else changes, G ~ p^s has the exponent of k_n: s = 1/(1+alpha). In loose packings the number of
+// contacts also grows with p, and their s is larger.
+//
+// The table has one line for each shape. Its columns: s with a constant number of contacts; the exponents of
+// G_hv in the horizontal stress sigma_h and in the vertical stress sigma_v, with their sum; and s if the
+// number of contacts grows as p^0.05. G_hv = G_vh is the shear modulus of a vertical plane.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +23,7 @@ using namespace granum;
 
 namespace {
 
-/// s between two states, from their shear moduli.
+/// s between two states with the same ratio of stresses, from their shear moduli.
 double slope(const effective::State& low, const effective::State& high) {
   const double G_low = effective::uniform_strain(low).stiffness.G_vh();
   const double G_high = effective::uniform_strain(high).stiffness.G_vh();
@@ -37,7 +42,8 @@ int main() {
   for (const contact::PowerLaw& law : shapes) {
     const double b = law.stiffness_exponent();
 
-    // 1. A packing at 10 and at 100 kPa mean stress with the same contacts, twice the stress along the axis.
+    // 1. A packing at mean stresses of 10 and of 100 kPa with the same contacts. The vertical stress is twice
+    //    the horizontal one; b = 1/(1+alpha) is the exponent of k_n in f.
     const effective::State low{.law = law,
                                .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
                                .radius = 0.5e-3,
@@ -51,11 +57,11 @@ int main() {
     high.stress_h *= 10;
     const double same_contacts = slope(low, high);
 
-    // 2. How the two stresses share that exponent, by exact derivative.
+    // 2. The exponents of the two stresses in G_vh, by exact derivatives. Their sum is s.
     const auto share = effective::uniform_strain_exponents(low, effective::Modulus::G_vh);
 
-    // 3. Let the number of contacts grow as p^0.05, as it does in weakly coordinated packings. More contacts
-    //    carry less force each: G ~ C_n^(1-b) p^b, so that s gains 0.05 (1-b).
+    // 3. Now the number of contacts per grain, C_n, grows as p^0.05; in packings with few contacts it grows
+    //    with p. Each of more contacts carries less force: G ~ C_n^(1-b) p^b, so s increases by 0.05 (1-b).
     *high.coordination_number *= std::pow(10, 0.05);
     const double more_contacts = slope(low, high);
     std::printf("%5.3g   %11.4f   %16.4f   %7.4f + %.4f = %.4f   %20.4f\n", law.alpha(), b, same_contacts,
@@ -65,7 +71,7 @@ int main() {
                       std::abs(more_contacts - b - 0.05 * (1 - b))});
   }
 
-  // 4. Check: all three statements hold to rounding.
+  // 4. Check: the three values of s are b, b and b + 0.05 (1-b), to rounding errors.
   std::printf("largest departure from the statements above: %.1e\n", worst);
   return worst < 1e-12 ? 0 : 1;
 }

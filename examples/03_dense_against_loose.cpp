@@ -2,9 +2,14 @@
 //
 // Example 03: why does a loose packing stiffen faster with stress than a dense one?
 //
-// Two specimens of spheres are made from one frictionless packing. One keeps its contacts. The other is
-// expanded a little before friction is switched on, so that it has fewer contacts at nearly the same void
-// ratio. With a constant number of contacts both would have s = 1/3 in G ~ p^s.
+// Two specimens of spheres are made from one frictionless packing. The dense one keeps its contacts. The
+// loose one is expanded a little before friction is switched on, so that it has fewer contacts at nearly the
+// same void ratio. G is the shear modulus and p the mean stress. With a constant number of contacts both
+// specimens would have s = 1/3 in G ~ p^s.
+//
+// The first table gives the void ratio e, the contacts per grain C_n, the contacts per load-carrying grain z*
+// and G of the contact network, all at three pressures. Uniform strain means that all grains move with the
+// mean strain.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -18,14 +23,14 @@ using namespace granum;
 
 namespace {
 
-/// What is known of a specimen at one pressure.
+/// The measurements of a specimen at one pressure.
 struct Compressed {
   double pressure = 0;
   double void_ratio = 0;
   double coordination_number = 0;            // C_n, all grains
-  double mechanical_coordination_number = 0; // z*, without rattlers
+  double mechanical_coordination_number = 0; // z*, without rattlers (grains that carry no load)
   double shear_modulus = 0;                  // of the network, every grain in equilibrium [Pa]
-  double uniform_strain = 0;                 // of the same network if no grain could move freely [Pa]
+  double uniform_strain = 0;                 // shear modulus of the same network under uniform strain [Pa]
 };
 
 Compressed measure(const triaxial::Snapshot& snapshot, const dem::Material& material) {
@@ -73,7 +78,8 @@ double exponent(const std::vector<Compressed>& path, double Compressed::*quantit
   return std::log(high.*quantity / low.*quantity) / std::log(high.pressure / low.pressure);
 }
 
-/// 0 if the two specimens differ as they should.
+/// 0 if the void ratios differ by at most 0.02, no network is stiffer than under uniform strain, and s of the
+/// loose specimen is larger than s of the dense one by more than 0.1.
 int check(const std::vector<Compressed>& dense, const std::vector<Compressed>& loose) {
   if (dense.size() != 3 || loose.size() != 3)
     return 1;
@@ -100,21 +106,22 @@ int main() {
       .radius = 0.5e-3,
       .grains = 300};
 
-  // 2. One packing without friction, at 10 kPa. What follows differs only in when friction is switched on.
+  // 2. One packing without friction, at 10 kPa. Both specimens start from it.
   const dem::Specimen packing = triaxial::frictionless_specimen(recipe).state;
 
-  // 3. Compress both, freeze them at three pressures, and solve the network of contacts that is found there.
+  // 3. Compress both with friction. At three pressures freeze them (no contact slides), and solve the
+  //    equilibrium of the contact network.
   const auto dense = compress(packing, triaxial::Density::dense, recipe);
   const auto loose = compress(packing, triaxial::Density::loose, recipe);
   std::printf("           p         e     C_n      z*            G   G/G(uniform strain)\n");
   print("dense", dense);
   print("loose", loose);
 
-  // 4. Why: s is the sum of two parts. If grains followed the mean strain, contacts of spheres would give
-  //    1/3, and a little more as contacts are added and share the load more evenly. The rest is the growth
-  //    of G/G(uniform strain): where a grain has few contacts it evades the mean strain, and the less so the
-  //    more contacts it has. In the loose specimen z* grows with the pressure, and G/G(uniform strain) is
-  //    steep there; in the dense one both stand still.
+  // 4. The reason: s is the sum of two exponents. The first is that of G under uniform strain: 1/3 for
+  //    contacts of spheres, and a little more if contacts are added and share the load more evenly. The
+  //    second is that of the ratio G/G(uniform strain). A grain with few contacts deviates from the mean
+  //    strain, and this lowers the ratio; with more contacts it deviates less. In the loose specimen z* grows
+  //    with the pressure, and the ratio grows steeply with z*. In the dense one both are nearly constant.
   std::printf("\nfrom 10 to 100 kPa          s of G   of G(uniform strain)   of their ratio   of z*\n");
   for (const auto* path : {&dense, &loose}) {
     const double s = exponent(*path, &Compressed::shear_modulus);
@@ -123,6 +130,6 @@ int main() {
                 s - affine, exponent(*path, &Compressed::mechanical_coordination_number));
   }
 
-  // 5. Check: one void ratio, two exponents, and no network stiffer than under uniform strain.
+  // 5. Check: nearly the same void ratio, different exponents, and no network stiffer than uniform strain.
   return check(dense, loose);
 }

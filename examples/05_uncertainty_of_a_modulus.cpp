@@ -2,10 +2,12 @@
 //
 // Example 05: how accurate is G if its inputs are uncertain?
 //
-// Spheres of 1 mm at 100 kPa. The void ratio comes from weighing, the shear modulus of the grains from a data
-// sheet; both have errors. The number of contacts is not known at first. estimate::answer gives G with the
-// range that results from all these uncertainties, and the share of each input in the range. The input with
-// the largest share is the one to measure. Four answers follow, each with more knowledge of the contacts.
+// Spheres of 1 mm diameter at 100 kPa. The void ratio comes from weighing, the shear modulus of the grains
+// from a data sheet; both have errors. The number of contacts is not known at first. estimate::answer gives
+// the shear modulus G of the packing with the range that results from all these uncertainties. If nothing is
+// known of the contacts, the range covers their possible numbers; the other inputs contribute one standard
+// deviation to each side. The answer also gives the share of each input in the range. The input with the
+// largest share is the one to measure. Four answers follow, each with more knowledge of the contacts.
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -20,6 +22,7 @@ using estimate::Question;
 
 namespace {
 
+// Inputs and their standard deviations.
 constexpr double grain_modulus = 30e9, grain_deviation = 2e9; // [Pa]
 constexpr double void_ratio = 0.558, void_deviation = 0.02;
 
@@ -28,7 +31,7 @@ Question with_grain(Question q, double shear_modulus) {
   return q;
 }
 
-/// Void ratio and grains are known to within an error, whatever else is known.
+/// Void ratio and modulus of the grains are uncertain in all four answers.
 std::vector<estimate::UncertainInput> uncertain_inputs(const Question& question) {
   return {{.input = "void ratio",
            .deviation = void_deviation,
@@ -43,10 +46,11 @@ std::vector<estimate::UncertainInput> uncertain_inputs(const Question& question)
            }}};
 }
 
-/// How wide a range is: its high end over its low end.
+/// The width of a range: its upper over its lower end.
 double width(const estimate::Range& range) { return range.high / range.low; }
 
-/// Prints the answer and what would be left if an input were exact; returns how wide the range is.
+/// Prints the answer, and for each input its share and the range that would remain if this input were exact.
+/// Returns the width of the range.
 double ask(const char* known, const Question& question) {
   const Answer answer = estimate::answer(question, uncertain_inputs(question));
   const estimate::Range G = answer[Field::shear_modulus];
@@ -59,8 +63,9 @@ double ask(const char* known, const Question& question) {
   return width(G);
 }
 
-/// Whether the range is what its inputs make of G, added in quadrature of the logarithm, and the grains'
-/// part that of the law: G ~ G_g^(2/3) at given contacts, but for branches that overlaps shorten by 2e-4.
+/// True if two statements hold. The effects of the inputs on ln G, added as squares, give the upper end of
+/// the range. The effect of the modulus of the grains, G_g, is that of the contact law, G ~ G_g^(2/3) with
+/// constant contacts; the tolerance covers overlaps, which shorten the distances of centres by 2e-4.
 bool adds_up(const Question& question) {
   const Answer answer = estimate::answer(question, uncertain_inputs(question));
   const double value = answer[Field::shear_modulus].value;
@@ -80,7 +85,7 @@ bool adds_up(const Question& question) {
 } // namespace
 
 int main() {
-  // 1. The packing: what was weighed, read and loaded.
+  // 1. The packing: void ratio, grains and stress. Nothing is known of its contacts.
   const contact::GrainMaterial grain{.shear_modulus = grain_modulus, .poisson_ratio = 0.15};
   Question question{.state = {.law = contact::PowerLaw::sphere(grain, 0.5e-3),
                               .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
@@ -90,19 +95,22 @@ int main() {
                               .stress_h = 100e3}};
   std::vector<double> widths{ask("contacts not known", question)};
 
-  // 2. How it was prepared says which contacts are likely.
+  // 2. The preparation is known, and with it the likely number of contacts.
   question.preparation.kind = effective::Preparation::Kind::dense;
   widths.push_back(ask("prepared dense", question));
 
-  // 3. A tomography counts the contacts of all grains: only the rattlers among them are not known.
+  // 3. Tomography counts C_n, the contacts per grain in the mean of all grains. Only the share of rattlers
+  //    (grains that carry no load) remains unknown.
   question.state.coordination_number = 5.73;
   widths.push_back(ask("C_n = 5.73 counted", question));
 
-  // 4. And those that carry load: what is left is e, the grains, and rung 3 itself.
+  // 4. z* is counted too, the contacts per load-carrying grain. The remaining uncertainty comes from the void
+  //    ratio, from the modulus of the grains, and from the error of rung 3, the formula that gives the
+  //    answer.
   question.state.mechanical_coordination_number = 5.85;
   widths.push_back(ask("z* = 5.85 counted too", question));
 
-  // 5. Check: whatever is learnt narrows the range, and the range is the sum of its parts.
+  // 5. Check: each new input narrows the range, and the effects of the inputs add up to the range.
   bool narrows = true;
   for (std::size_t k = 1; k < widths.size(); ++k)
     narrows = narrows && widths[k] < widths[k - 1];

@@ -2,11 +2,15 @@
 //
 // Example 06: which estimate of a modulus is accurate enough?
 //
-// A closed form (formula) takes nanoseconds and may be wrong by a factor of three. The linear response of the
-// contact network needs a packing and a fraction of a second, and is exact for small strain. estimate::choose
-// takes the cheapest rung (estimate) of the ladder whose stated error is within a tolerance, and lists the
-// inputs that would allow a better one. Here it estimates G of one loose packing four times, each time with
-// one more known input. Each answer is compared with the network of this packing.
+// A closed form (formula) takes nanoseconds and may be wrong by a factor of up to four. The linear response
+// of the contact network needs a packing and a fraction of a second, and is exact for small strain. Each
+// estimate is a rung of a ladder: a higher rung assumes less and costs more. estimate::choose takes the
+// cheapest rung whose stated error (standard error) is within a tolerance, and lists the inputs that would
+// allow a better one. Here it estimates G_vh, the shear modulus of a vertical plane, of one loose packing,
+// each time with more known inputs. Each answer is compared with the network of this packing, rung 4.
+//
+// e is the void ratio and C_n the number of contacts per grain. z* is the same number without rattlers, the
+// grains that carry no load. The fabric is the distribution of contact directions.
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -23,7 +27,7 @@ using namespace granum;
 
 namespace {
 
-constexpr double pressure = 100e3;
+constexpr double pressure = 100e3; // [Pa]
 
 dem::Specimen loose_specimen(const triaxial::SpecimenRecipe& recipe) {
   dem::Specimen last;
@@ -37,7 +41,8 @@ dem::Specimen loose_specimen(const triaxial::SpecimenRecipe& recipe) {
   return last;
 }
 
-/// The answer where nobody measured the fabric: an assumption, like other inputs that are not exact.
+/// The answer if the fabric was not measured: a fabric is assumed, with a standard deviation, as for other
+/// uncertain inputs.
 estimate::Answer with_unknown_fabric(const estimate::Question& packing,
                                      std::vector<estimate::UncertainInput> inputs = {}) {
   const effective::State& s = packing.state;
@@ -52,8 +57,8 @@ estimate::Answer with_unknown_fabric(const estimate::Question& packing,
   return estimate::answer(packing, inputs);
 }
 
-/// Asks for several tolerances, prints the answers, and returns how many broke a promise: a looser tolerance
-/// takes no dearer rung, and no answer is off by more than three stated errors.
+/// Asks for three tolerances, prints the answers, and counts violations of two promises: a looser tolerance
+/// never chooses a more expensive rung, and the actual error of an answer is at most three stated errors.
 int ask(const char* what, const estimate::Answer& answer, double network_modulus) {
   std::printf("\n%s\n", what);
   int broken = 0;
@@ -94,13 +99,13 @@ int main() {
                         {.law = recipe.material.law, .tangential_ratio = recipe.material.tangential_ratio},
                         {.network = network::ResponseOptions{}});
 
-  // 2. Rung 4, the answer that all others are measured against.
+  // 2. Rung 4, the contact network: the reference for all other answers.
   const auto network =
       elastic::transversely_isotropic_projection(measured.solved_network().response.relaxed());
   std::printf("contact network of the packing: G_vh = %.1f MPa\n", network.G_vh() / 1e6);
 
-  // 3. Known: law, void ratio, C_n and the stress, as one would have them from a paper. How many grains
-  //    rattle is not known, and so z* may be off: so many contacts may be those of few grains or of all.
+  // 3. Known: contact law, void ratio, C_n and the stress, as a paper may give them. The share of rattlers is
+  //    not known, so z* is uncertain: the contacts may belong to all grains or only to a part of them.
   const packing::MechanicalCoordination& counted = measured.counts.mechanical;
   estimate::Question packing{.state = {.law = recipe.material.law,
                                        .tangential_ratio = recipe.material.tangential_ratio,
@@ -111,7 +116,7 @@ int main() {
                                        .stress_h = pressure}};
   int broken = ask("known: law, e, C_n, stress", with_unknown_fabric(packing), network.G_vh());
 
-  // 4. Someone has counted the rattlers in a part of it: to 1 grain in 100.
+  // 4. The rattlers were counted in a part of the packing, with a standard error of 1 grain in 100.
   packing.rattler_fraction = counted.rattler_fraction;
   const estimate::UncertainInput rattlers{
       .input = "rattlers", .deviation = 0.01, .moved = [packing](double change) {
@@ -122,7 +127,7 @@ int main() {
   broken += ask("also the rattlers, to 1 % of the grains", with_unknown_fabric(packing, {rattlers}),
                 network.G_vh());
 
-  // 5. Exactly, from the list of contacts; which has the fabric as well.
+  // 5. The list of contacts gives the rattlers, and so z*, exactly. It gives the fabric as well.
   broken += ask("z* from the list of contacts", with_unknown_fabric(packing), network.G_vh());
   packing.state.fabric_anisotropy = measured.microstructure().fabric_anisotropy;
   broken += ask("and the fabric", estimate::answer(packing), network.G_vh());

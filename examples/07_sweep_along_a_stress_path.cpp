@@ -2,11 +2,14 @@
 //
 // Example 07: how do the moduli of a packing change while it is sheared?
 //
-// Triaxial compression (TXC) from 100 kPa: the vertical stress grows, the horizontal stress is constant.
-// Contacts and fabric are kept constant, which is nearly true of dense specimens. G_hh is the shear modulus
-// of the horizontal plane. The stresses in this plane are constant, and yet G_hh grows a little, because all
-// contacts that are not horizontal carry part of the vertical stress. With a file name the program draws the
-// moduli as SVG:
+// Triaxial compression (TXC) from 100 kPa: the vertical stress sigma_v grows, the horizontal stress sigma_h
+// is constant. p' is the mean stress, q = sigma_v - sigma_h, and eta = q/p' the stress ratio. The number of
+// contacts and the fabric (their directions) are constant, which is nearly true of dense specimens.
+//
+// G_hh is the shear modulus of the horizontal plane, G_hv = G_vh that of a vertical plane, and E_v Young's
+// modulus in the vertical direction. The stresses in the horizontal plane are constant, and yet G_hh grows a
+// little, because all contacts that are not horizontal carry part of the vertical stress. With a file name
+// the program draws the moduli as SVG:
 //   07_sweep_along_a_stress_path moduli.svg
 #include <algorithm>
 #include <cmath>
@@ -24,10 +27,10 @@ using namespace granum;
 
 namespace {
 
-constexpr double start = 100e3;
+constexpr double start = 100e3; // mean stress at which the path begins [Pa]
 constexpr int steps = 10;
 
-/// Moduli at one stress ratio.
+/// Moduli [Pa] at one stress ratio.
 struct Row {
   double eta;
   stress::AxialStress stress;
@@ -81,11 +84,13 @@ int main(int argc, char** argv) {
                                  .stress_v = start,
                                  .stress_h = start};
 
-  // 2. The path goes up to failure of a material with a friction angle of 26.5 degrees.
+  // 2. The path ends at the failure of a material with a friction angle of 26.5 degrees.
   const double angle = 26.5 * std::numbers::pi / 180;
   const double end = stress::failure_ratio(stress::ShearPath::txc, angle);
 
-  // 3. Walk along it.
+  // 3. The moduli along the path, and for the check also along the path from 800 kPa. The exponents m and n
+  //    are those of G_hv ~ sigma_h^m sigma_v^n; s is their sum, and b = 1/(1+alpha) its expected value. alpha
+  //    is the exponent of the profile of a grain near a contact (spheres: 2).
   plot::Chart chart{.title = "Uniform strain along TXC from 100 kPa",
                     .x = {.title = "\u03b7 = q/p'"},
                     .y = {.title = "modulus [MPa]", .unit = 1e6},
@@ -106,12 +111,12 @@ int main(int argc, char** argv) {
     worst = std::max({worst, std::abs(row.exponents.sum() - b), std::abs(secant - b)});
   }
 
-  // 4. A picture, if asked for.
+  // 4. A picture, if a file name was given.
   if (argc > 1)
     io::write_file(argv[1], plot::svg(chart), io::Existing::replace);
 
-  // 5. Check: m and n change with the stress ratio, their sum does not. It is s = 1/(1+alpha) of the contact
-  //    law, by exact derivative and between the paths from 100 and from 800 kPa.
+  // 5. Check: m and n change with the stress ratio, their sum does not. The sum is s = 1/(1+alpha) of the
+  //    contact law, both by exact derivatives and by comparison of the paths from 100 and from 800 kPa.
   std::printf("largest departure from s = 1/(1+alpha) = %.4f on the path: %.1e\n", b, worst);
   return worst < 1e-12 ? 0 : 1;
 }

@@ -3,9 +3,10 @@
 // Example 09: does a simulated cyclic shear test give the modulus of the contact network?
 //
 // A specimen under 50 kPa is frozen (brought to rest, with no contact sliding) and sheared by a strain below
-// 1e-8 in three ways: horizontally, and in a vertical plane by moving either pair of faces. The linear
-// response of the contact network gives the same moduli without time steps. The program also prints the upper
-// bound, uniform strain. Takes seconds.
+// 1e-8 in three ways. G_hh is the shear modulus of the horizontal plane. G_hv and G_vh are those of a
+// vertical plane, sheared by moving one or the other pair of faces; they must be equal. The linear response
+// of the contact network gives the same moduli without time steps. The program also prints the upper bound:
+// uniform strain, in which all grains move with the mean strain. Takes seconds.
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -18,7 +19,7 @@
 using namespace granum;
 
 int main() {
-  // 1. 300 spheres, prepared without friction, then compressed with it to 50 kPa.
+  // 1. 300 spheres, prepared without friction, then compressed with friction to 50 kPa.
   const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
   const double radius = 0.5e-3;
   const dem::Material material{
@@ -35,23 +36,25 @@ int main() {
                                 }))
     return 1;
 
-  // 2. Freeze: rest at fixed cell, no contact sliding. What the network and the probe see is one state then.
+  // 2. Freeze: the grains come to rest in a fixed cell, and no contact slides. Network and probe then start
+  //    from the same state.
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
   std::printf("frozen after %zu steps, unbalanced force ratio %.1e\n", frozen.report.steps,
               frozen.report.unbalanced_force_ratio);
 
-  // 3. The network: two stiffness matrices by linear algebra.
+  // 3. The network: two stiffness matrices by linear algebra, relaxed (every grain in equilibrium) and affine
+  //    (uniform strain).
   const analysis::Measurement measured =
       analysis::measure(dem::contact_network(frozen.state(), material),
                         {.law = material.law, .tangential_ratio = material.tangential_ratio},
                         {.network = network::ResponseOptions{}});
   const network::Response& response = measured.solved_network().response;
 
-  // 4. The probe: discrete elements, three shear modes.
+  // 4. The probe: a simulation by discrete elements, in three shear modes.
   struct Mode {
     const char* name;
     triaxial::ShearMode mode;
-    int index; // of the Voigt matrix: 23, 13, 12 are 3, 4, 5
+    int index; // row of the Voigt matrix: 3, 4, 5 are the shear components 23, 13, 12
   };
   double worst = 0;
   std::printf("         probe   network   uniform strain [MPa]\n");
@@ -65,7 +68,7 @@ int main() {
     worst = std::max(worst, std::abs(probe.shear_modulus() / network - 1));
   }
 
-  // 5. They agree.
+  // 5. Check: probe and network agree within 1 %.
   std::printf("largest difference of probe and network: %.2f %%\n", 100 * worst);
   return worst < 0.01 ? 0 : 1;
 }

@@ -2,11 +2,13 @@
 //
 // Example 15: how accurate is the closed form for unequal grains packed by another code?
 //
-// YADE packed 600 spheres with radii lognormal by number, up to 100 kPa: once without friction (dense), and
-// once with friction, from a gas of grains that do not touch (loose). The files contain sizes, contacts and
-// stiffnesses. Rung 3 (the relaxed closed form) uses means over the contacts of unequal grains. Its
-// difference from the contact network of the same packing is printed in stated errors. Other packings,
-// written by share/yade/granum_export.py, are given on the command line:
+// YADE packed 600 spheres of unequal radii, lognormal by number, and compressed them to 100 kPa: once without
+// friction (dense), and once with friction, from a gas of grains that do not touch (loose). The files contain
+// sizes, contacts and stiffnesses. Rung 3, the relaxed closed form (formula), uses means over the contacts of
+// unequal grains. It gives the bulk modulus K and the shear modulus G, each with a stated error (standard
+// error). The program prints the difference between rung 3 and the contact network of the same packing, in
+// per cent and in stated errors. Other packings, written by share/yade/granum_export.py, can be given on the
+// command line:
 //   15_judge_unequal_grains_of_yade packing.grains packing.contacts
 #include <cmath>
 #include <cstdio>
@@ -23,8 +25,8 @@ namespace {
 
 constexpr double MPa = 1e6, kPa = 1e3;
 
-/// Prints a modulus by rung 3 and by the network, both in Pa; whether they differ by two stated errors at
-/// most.
+/// Prints a modulus by rung 3 and by the network, both given in Pa. Returns true if they differ by at most
+/// two stated errors.
 bool judge(const char* name, double rung, double relative_error, double network) {
   const double off = rung / network - 1, deviations = std::abs(rung - network) / (relative_error * rung);
   std::printf(
@@ -34,7 +36,10 @@ bool judge(const char* name, double rung, double relative_error, double network)
   return deviations <= 2;
 }
 
-/// What the packing is: sizes, contacts, and what the closed forms take of them.
+/// Prints sizes, stress and contacts of the packing: e is the void ratio, p the mean stress, and z* the
+/// number of contacts per grain without rattlers (grains that carry no load). The last line has the means
+/// that the closed forms use, each over its value for equal grains of the radius R: l is the distance of the
+/// centres of two grains in contact, R* the effective radius of a pair, and V the volume of a grain.
 void describe(const analysis::Measurement& a) {
   const sizes::ContactMeans& means = a.sizes.contacts;
   std::printf("%zu grains of %.3f to %.3f mm, C_u = d60/d10 = %.2f; e = %.3f at p = %.1f kPa\n",
@@ -47,7 +52,7 @@ void describe(const analysis::Measurement& a) {
               means.grain_volume);
 }
 
-/// Whether rung 3 and the network agree within two stated errors.
+/// True where rung 3 and the network agree within two stated errors.
 struct Judgement {
   bool bulk;
   bool shear;
@@ -59,7 +64,7 @@ Judgement judge(const std::string& grains, const std::string& contacts) {
       analysis::measure(packing.assembly, {}, {.closed_forms = true, .network = network::ResponseOptions{}});
   describe(a);
 
-  // One number each for K and G: the isotropic part of stiffnesses that are nearly isotropic.
+  // One K and one G for each: the stiffnesses are nearly isotropic, and their isotropic part is compared.
   const elastic::Isotropic network = a.solved_network().isotropic_relaxed();
   const effective::RungAnswer answer = a.closed_form(effective::RungName::relaxed).value();
   const elastic::Isotropic rung = elastic::isotropic_projection(elastic::voigt(answer.stiffness));
@@ -90,8 +95,8 @@ int main(int argc, char** argv) {
     }
     const Judgement dense = judge_shipped("dense"), loose = judge_shipped("loose");
 
-    // Check: rung 3 is as good as it says. K of the loose one is 8 % too small, as it is of packings that
-    // other codes compressed with friction from a gas; its stated error allows for that.
+    // Check: all errors of rung 3 are within two stated errors. K of the loose packing is 8 % too small, as
+    // in other packings that a code compressed with friction from a gas. The stated error allows for this.
     return dense.bulk && dense.shear && loose.bulk && loose.shear ? 0 : 1;
   } catch (const Error& error) {
     std::fprintf(stderr, "%s\n", error.what());

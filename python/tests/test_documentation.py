@@ -47,7 +47,7 @@ def test_all_names_are_there():
 
 EXAMPLES = {
     "judge_a_packing": [
-        "steep contacts bear 1.007 of what flat ones bear",
+        "steep contacts carry 1.007 times the mean force of flat ones",
         "force ~ overlap^1.5000, G_g = 30.00 GPa",
         "rung3           G_vh is 0.95 of the network's",
     ],
