@@ -109,7 +109,7 @@ function(granum_tests module)
   # Tests that compute much themselves would take minutes unoptimised, as tests are otherwise where they are many.
   set(headers granum_test_headers)
   if((CMAKE_BUILD_TYPE STREQUAL "Debug" OR "-O0" IN_LIST GRANUM_TEST_COMPILE_OPTIONS)
-      AND module MATCHES "^(calibration|effective|fabric|network|dem|rock_physics|triaxial|studies)$")
+      AND module MATCHES "^(calibration|effective|network|dem|rock_physics|triaxial)$")
     target_compile_options(test_${module} PRIVATE -O1)
     set(headers granum_optimised_test_headers)
   endif()

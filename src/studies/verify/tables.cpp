@@ -155,7 +155,7 @@ std::string states_table(const std::vector<SpecimenResult>& specimens) {
       out += "  ended early: " + specimen.failure + "\n";
   }
   return out + "\n  G in MPa; C_n: contacts per grain, z*: the same without rattlers;\n"
-               "  G formula: uniform strain, from C_n and e; G network: all grains in equilibrium;\n"
+               "  G formula: uniform strain, from C_n and e; G network: linear response;\n"
                "  G_hh, G_hv, G_vh: by the probe (small cyclic shear)\n"
                "  * G network / G of the same network under uniform strain\n";
 }
