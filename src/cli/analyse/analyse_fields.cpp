@@ -114,26 +114,25 @@ const io::Columns<Counts>& grain_count_fields() {
   return fields;
 }
 
-const io::Columns<Counts>& contact_count_fields() {
+io::Columns<Counts> contact_count_fields(const std::string& counted) {
   const auto mechanical = [](auto member) { return [=](const Counts& c) { return c.mechanical.*member; }; };
   using Mechanical = packing::MechanicalCoordination;
-  static const io::Columns<Counts> fields = {
+  return {
       {"", "contacts", &Counts::contacts, item("contacts N_c")},
       {"C_n", "coordination_number", &Counts::coordination_number,
-       column("C_n", 7, 4, "2 N_c/N, all grains")},
+       column("C_n", 7, 4, "2 N_c/N, all " + counted)},
       {"z_star", "mechanical_coordination_number", mechanical(&Mechanical::coordination_number),
        column("z*", 7, 4, "without rattlers")},
       {"rattler_fraction", "rattler_fraction", mechanical(&Mechanical::rattler_fraction),
-       share("rattlers", "of the grains")},
+       share("rattlers", "of the " + counted)},
       {"grains_without_contact", "grains_without_contact", &Counts::without_contact,
-       item("grains without contact")},
+       item(counted + " without contact")},
       {"", "touching_coordination_number", &Counts::touching_coordination_number,
-       item("C_n of touching grains")},
+       item("C_n of touching " + counted)},
       {"", "coordination_number_with_walls", &Counts::coordination_number_with_walls,
        item("C_n with walls", 4, "(2 N_c + wall contacts)/N")},
       {"", "rattlers", mechanical(&Mechanical::rattler_count)},
   };
-  return fields;
 }
 
 const io::Columns<analysis::InteriorMeasures>& window_fields() {

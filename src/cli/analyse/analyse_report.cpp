@@ -32,14 +32,6 @@ std::string reading_text(const FrameAnswer& frame) {
   return text;
 }
 
-/// Where grains are parts of rigid bodies, the bodies are counted.
-std::string of_bodies(std::string text) {
-  const std::string grains = "grains";
-  for (std::size_t at = text.find(grains); at != std::string::npos; at = text.find(grains, at))
-    text.replace(at, grains.size(), "bodies");
-  return text;
-}
-
 std::string counts_text(const studies::MeasuredFrame& frame) {
   const Measurement& a = frame.packing;
   std::string text = "\ngrains and contacts\n" + io::list_text(packing_fields(), a) +
@@ -48,10 +40,10 @@ std::string counts_text(const studies::MeasuredFrame& frame) {
     return text + line("C_n, z*, rattlers", "unknown", "no file contains contacts");
   if (a.sizes.smallest != a.sizes.largest)
     text += "  means for closed forms: " + means_text(a.sizes.contacts) + "\n";
-  const std::string counts = io::list_text(contact_count_fields(), a.counts);
-  if (a.counts.bodies == 0 || a.counts.bodies == a.counts.grains)
-    return text + counts;
-  return text + line("rigid bodies N", std::to_string(a.counts.bodies), "counted below") + of_bodies(counts);
+  const bool rigid_bodies = a.counts.bodies != 0 && a.counts.bodies != a.counts.grains;
+  if (rigid_bodies)
+    text += line("rigid bodies N", std::to_string(a.counts.bodies), "counted below");
+  return text + io::list_text(contact_count_fields(rigid_bodies ? "bodies" : "grains"), a.counts);
 }
 
 std::string window_text(const analysis::Window& window, const analysis::InteriorMeasures& inside) {
