@@ -17,7 +17,7 @@ namespace granum::plot {
 enum class Scale { linear, logarithmic };
 
 struct Axis {
-  std::string title; ///< with its unit: "p' [kPa]"
+  std::string title = {}; ///< with its unit: "p' [kPa]"
   Scale scale = Scale::linear;
   double unit = 1;       ///< > 0, what the numbers are divided by: 1e3 for Pa shown in kPa
   bool reversed = false; ///< the smallest number right, or on top: depth grows downwards
@@ -42,10 +42,10 @@ enum class Tone {
 /// One curve. A point with a coordinate that cannot be drawn (NaN, infinite, or below 1e-290 on a logarithmic
 /// axis) is left out, and the line has a gap there.
 struct Series {
-  std::string name; ///< in the legend; empty: not listed there
+  std::string name = {}; ///< in the legend; empty: not listed there
   Mark mark = Mark::both;
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x = {};
+  std::vector<double> y = {};
   std::vector<double> y_error = {}; ///< half lengths of error bars, one a point, or empty; NaN or 0: no bar
   /// Dashes and marker, and the colour unless that is said; without: the place in the chart. Series of one
   /// style look alike.
@@ -54,6 +54,16 @@ struct Series {
   std::optional<Colour> colour = {}; ///< what the series is
   /// What several series of different colours are, such as "cyclic shear": listed once, in grey.
   std::string kind = {};
+
+  /// A point, in the second form with the half length of its error bar.
+  void add(double at, double value) {
+    x.push_back(at);
+    y.push_back(value);
+  }
+  void add(double at, double value, double error) {
+    add(at, value);
+    y_error.push_back(error);
+  }
 };
 
 /// A right triangle that shows a power: y grows from y0 as x^slope between x0 and x1.
@@ -67,10 +77,10 @@ struct SlopeTriangle {
 };
 
 struct Chart {
-  std::string title; ///< UTF-8, as all texts
-  Axis x;
-  Axis y;
-  std::vector<Series> series;
+  std::string title = {}; ///< UTF-8, as all texts
+  Axis x = {};
+  Axis y = {};
+  std::vector<Series> series = {};
   double width = 520; ///< of the plot itself, without titles and legend; the letters are 14 high
   double height = 380;
   bool legend_below = false; ///< under the plot; else right of it, one name a line

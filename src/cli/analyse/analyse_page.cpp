@@ -22,13 +22,11 @@ plot::Series density_curve(double anisotropy) {
   constexpr int points = 90;
   plot::Series curve{.name = "E(\u03b3; a = " + short_text(anisotropy, 3) + ")",
                      .mark = plot::Mark::line,
-                     .x = {},
-                     .y = {},
                      .style = 0,
                      .colour = plot::Colour::closed_form};
   for (int k = 0; k <= points; ++k) {
-    curve.x.push_back(std::numbers::pi / 2 * k / points);
-    curve.y.push_back(fabric::density(curve.x.back(), anisotropy));
+    const double angle = std::numbers::pi / 2 * k / points;
+    curve.add(angle, fabric::density(angle, anisotropy));
   }
   return curve;
 }
@@ -121,11 +119,9 @@ plot::Series points(const AnalyseAnswer& answer, const StateSeries& series, cons
       list.emplace_back(*p, *y);
   }
   std::sort(list.begin(), list.end());
-  plot::Series out{.name = {}, .mark = plot::Mark::both, .x = {}, .y = {}};
-  for (const auto& [p, y] : list) {
-    out.x.push_back(p);
-    out.y.push_back(y);
-  }
+  plot::Series out{.mark = plot::Mark::both};
+  for (const auto& [p, y] : list)
+    out.add(p, y);
   return out;
 }
 
@@ -143,10 +139,8 @@ std::string legend(const AnalyseAnswer& answer, const StateSeries& series, const
 }
 
 plot::Chart chart(const std::string& y, plot::Scale scale, double unit) {
-  return {.title = "",
-          .x = {.title = "p [kPa]", .scale = plot::Scale::logarithmic, .unit = 1e3},
+  return {.x = {.title = "p [kPa]", .scale = plot::Scale::logarithmic, .unit = 1e3},
           .y = {.title = y, .scale = scale, .unit = unit},
-          .series = {},
           .width = 300,
           .height = 260,
           .legend_below = true};
@@ -337,15 +331,10 @@ plot::Chart rose_chart(const FrameAnswer& frame) {
     counts.push_back(bin.count);
   plot::Series bins{.name = "contacts, \u221an bars",
                     .mark = plot::Mark::marker,
-                    .x = {},
-                    .y = {},
                     .style = 0,
                     .colour = plot::Colour::measured};
-  for (const fabric::RoseBin& bin : fabric::readable_rose(counts, 0)) {
-    bins.x.push_back((bin.low + bin.high) / 2);
-    bins.y.push_back(bin.density);
-    bins.y_error.push_back(bin.density_error);
-  }
+  for (const fabric::RoseBin& bin : fabric::readable_rose(counts, 0))
+    bins.add((bin.low + bin.high) / 2, bin.density, bin.density_error);
   return {.title = "Directions of " + std::to_string(f.contacts) + " contacts, step " +
                    std::to_string(frame.measured.step),
           .x = {.title = "\u03b3 from the vertical"},
@@ -364,16 +353,12 @@ plot::Chart force_chart(const FrameAnswer& frame) {
   const packing::ForceDistribution& d = frame.measured.packing.forces->distribution;
   plot::Series bins{.name = "contacts, \u221an bars",
                     .mark = plot::Mark::marker,
-                    .x = {},
-                    .y = {},
                     .style = 0,
                     .colour = plot::Colour::measured};
   for (const packing::ForceBin& bin : d.bins) {
     if (bin.count == 0)
       continue; // the axis is logarithmic
-    bins.x.push_back((bin.low + bin.high) / 2);
-    bins.y.push_back(bin.density);
-    bins.y_error.push_back(bin.count > 1 ? bin.density_error : 0);
+    bins.add((bin.low + bin.high) / 2, bin.density, bin.count > 1 ? bin.density_error : 0);
   }
   return {.title = "Normal forces of " + std::to_string(d.pressing) + " contacts, step " +
                    std::to_string(frame.measured.step),
@@ -386,23 +371,17 @@ plot::Chart force_chart(const FrameAnswer& frame) {
 }
 
 plot::Chart rung_chart(const FrameAnswer& frame) {
-  plot::Chart chart{.title = "",
-                    .x = {.title = "rung (higher rungs assume less)"},
+  plot::Chart chart{.x = {.title = "rung (higher rungs assume less)"},
                     .y = {.title = "G [MPa]", .unit = 1e6},
-                    .series = {},
                     .width = 360,
                     .height = 300,
                     .legend_below = true};
   plot::Series strained{.name = "uniform strain, \u00b1 stated error",
                         .mark = plot::Mark::marker,
-                        .x = {},
-                        .y = {},
                         .style = 1,
                         .colour = plot::Colour::uniform_strain};
   plot::Series relaxed{.name = "relaxed, \u00b1 stated error",
                        .mark = plot::Mark::marker,
-                       .x = {},
-                       .y = {},
                        .style = 0,
                        .colour = plot::Colour::closed_form};
   for (const RungResult& rung : frame.rungs) {
@@ -411,9 +390,7 @@ plot::Chart rung_chart(const FrameAnswer& frame) {
       continue;
     plot::Series& forms =
         rung.name == effective::rung(effective::RungName::relaxed).column ? relaxed : strained;
-    forms.x.push_back(*at);
-    forms.y.push_back(rung.moduli->G);
-    forms.y_error.push_back(rung.relative_error ? rung.relative_error->G_vh * rung.moduli->G : 0);
+    forms.add(*at, rung.moduli->G, rung.relative_error ? rung.relative_error->G_vh * rung.moduli->G : 0);
   }
   std::string answers;
   for (plot::Series* forms : {&strained, &relaxed}) {

@@ -34,16 +34,13 @@ std::vector<double> spread(double first, double last, std::size_t n, bool logari
 
 void add_band(plot::Chart& chart, const Band& band, bool sideways, const std::string& name,
               plot::Colour colour) {
-  plot::Series line{.name = name, .mark = plot::Mark::line, .x = {}, .y = {}, .style = 0, .colour = colour};
+  plot::Series line{.name = name, .mark = plot::Mark::line, .style = 0, .colour = colour};
   plot::Series area{.name = name == "answer" ? "range" : name + ", range",
                     .mark = plot::Mark::area,
-                    .x = {},
-                    .y = {},
                     .style = 0,
                     .colour = colour};
   const auto put = [sideways](plot::Series& series, double at, double number) {
-    series.x.push_back(sideways ? number : at);
-    series.y.push_back(sideways ? at : number);
+    series.add(sideways ? number : at, sideways ? at : number);
   };
   for (std::size_t k = 0; k < band.at.size(); ++k) {
     put(line, band.at[k], band.ranges[k].value);
@@ -64,7 +61,7 @@ constexpr std::size_t points_of_a_curve = 61;
 
 plot::Chart chart_of(std::string title, plot::Axis x) {
   x.scale = plot::Scale::logarithmic;
-  return {.title = std::move(title), .x = std::move(x), .y = {.title = "G [MPa]", .unit = 1e6}, .series = {}};
+  return {.title = std::move(title), .x = std::move(x), .y = {.title = "G [MPa]", .unit = 1e6}};
 }
 
 /// The requested answers, on their curves.
@@ -92,7 +89,6 @@ plot::Chart over_strain(const PackingOptions& packing, AnswerOptions options,
     plot::Series line{.name = law.key,
                       .mark = plot::Mark::line,
                       .x = band.at,
-                      .y = {},
                       .style = chart.series.size() + 1,
                       .tone = plot::Tone::grey};
     for (const double strain : band.at)

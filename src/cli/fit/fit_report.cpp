@@ -151,19 +151,15 @@ plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,
   const double m = fit.equation.exponent_i, n = fit.equation.exponent_j;
   const std::string &i = question.stress_i_column, &j = question.stress_j_column;
   const bool separate = fit.exponent_i.has_value() && std::abs(s) > 1e-6;
-  plot::Series data{.name = "measured",
-                    .mark = plot::Mark::marker,
-                    .x = {},
-                    .y = {},
-                    .style = 1,
-                    .colour = plot::Colour::measured};
+  plot::Series data{
+      .name = "measured", .mark = plot::Mark::marker, .style = 1, .colour = plot::Colour::measured};
   for (const hardin::MeasuredModulus& row : rows) {
     const double share = separate ? m / s : 0.5;
     const double log_x = share * std::log(row.state.stress_i) + (1 - share) * std::log(row.state.stress_j);
-    data.x.push_back(std::exp(log_x));
     const bool by_void_ratio = function != hardin::VoidRatioFunction::none;
-    data.y.push_back(row.shear_modulus /
-                     (by_void_ratio ? hardin::void_ratio_value(function, row.state.void_ratio) : 1));
+    data.add(std::exp(log_x),
+             row.shear_modulus /
+                 (by_void_ratio ? hardin::void_ratio_value(function, row.state.void_ratio) : 1));
   }
   const double least = *std::min_element(data.x.begin(), data.x.end());
   const double most = *std::max_element(data.x.begin(), data.x.end());

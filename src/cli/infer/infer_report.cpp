@@ -364,18 +364,11 @@ plot::Chart infer_chart(const InferCase& question, inverse::Quantity quantity, c
                     .x = {.title = "p' [kPa]", .scale = plot::Scale::logarithmic, .unit = 1e3},
                     .y = {.title = std::string(row.key) + (row.speed ? " [m/s]" : " [MPa]"),
                           .scale = plot::Scale::logarithmic,
-                          .unit = row.speed ? 1 : 1e6},
-                    .series = {}};
-  plot::Series data{.name = "measured",
-                    .mark = plot::Mark::marker,
-                    .x = {},
-                    .y = {},
-                    .style = 1,
-                    .colour = plot::Colour::measured};
+                          .unit = row.speed ? 1 : 1e6}};
+  plot::Series data{
+      .name = "measured", .mark = plot::Mark::marker, .style = 1, .colour = plot::Colour::measured};
   plot::Series points{.name = "predicted",
                       .mark = plot::Mark::marker,
-                      .x = {},
-                      .y = {},
                       .style = 1,
                       .tone = plot::Tone::hollow,
                       .colour = plot::Colour::closed_form};
@@ -385,17 +378,13 @@ plot::Chart infer_chart(const InferCase& question, inverse::Quantity quantity, c
     most = std::max(most, m.state.mean_stress());
     if (m.quantity != quantity)
       continue;
-    data.x.push_back(m.state.mean_stress());
-    data.y.push_back(m.value.value);
-    data.y_error.push_back(m.value.standard_error);
+    data.add(m.state.mean_stress(), m.value.value, m.value.standard_error);
   }
   for (const auto& [state, specimen] : question.predicted) {
     const Measured value = forecast(state, specimen);
     least = std::min(least, state.mean_stress());
     most = std::max(most, state.mean_stress());
-    points.x.push_back(state.mean_stress());
-    points.y.push_back(value.value);
-    points.y_error.push_back(value.standard_error);
+    points.add(state.mean_stress(), value.value, value.standard_error);
   }
   if (least == most) {
     least /= 3;
@@ -403,16 +392,10 @@ plot::Chart infer_chart(const InferCase& question, inverse::Quantity quantity, c
   }
   if (least >= 1e6)
     chart.x = {.title = "p' [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6};
-  plot::Series curve{.name = "fit",
-                     .mark = plot::Mark::line,
-                     .x = {},
-                     .y = {},
-                     .style = 0,
-                     .colour = plot::Colour::closed_form};
+  plot::Series curve{
+      .name = "fit", .mark = plot::Mark::line, .style = 0, .colour = plot::Colour::closed_form};
   plot::Series low{.name = "its standard error",
                    .mark = plot::Mark::line,
-                   .x = {},
-                   .y = {},
                    .style = 0,
                    .tone = plot::Tone::faint,
                    .colour = plot::Colour::closed_form};
@@ -427,11 +410,9 @@ plot::Chart infer_chart(const InferCase& question, inverse::Quantity quantity, c
     state.stress_h *= p / first.mean_stress();
     state.void_ratio = void_ratio_at(p);
     const Measured value = forecast(state, inverse::AskedPacking::same);
-    for (plot::Series* series : {&curve, &low, &high})
-      series->x.push_back(p);
-    curve.y.push_back(value.value);
-    low.y.push_back(value.value - value.standard_error);
-    high.y.push_back(value.value + value.standard_error);
+    curve.add(p, value.value);
+    low.add(p, value.value - value.standard_error);
+    high.add(p, value.value + value.standard_error);
   }
   chart.x.asked = points.x;
   chart.x.asked.insert(chart.x.asked.end(), data.x.begin(), data.x.end());

@@ -300,7 +300,6 @@ plot::Chart panel(const std::string& title, const std::string& x, double unit) {
   return {.title = title,
           .x = {.title = x, .unit = unit},
           .y = {.title = "depth [m]", .reversed = true},
-          .series = {},
           .width = 230,
           .height = 460,
           .legend_below = true};
@@ -312,15 +311,11 @@ plot::Chart stress_panel(const std::vector<DepthState>& states) {
                        double (*of)(const DepthPoint&)) {
     plot::Series line{.name = name,
                       .mark = plot::Mark::line,
-                      .x = {},
-                      .y = {},
                       .style = chart.series.size(), // dashes
                       .tone = colour ? plot::Tone::full : plot::Tone::grey,
                       .colour = colour};
-    for (const DepthState& at : states) {
-      line.x.push_back(of(at.point));
-      line.y.push_back(at.point.depth);
-    }
+    for (const DepthState& at : states)
+      line.add(of(at.point), at.point.depth);
     chart.series.push_back(std::move(line));
   };
   add("\u03c3'_v", plot::Colour::vertical, [](const DepthPoint& at) { return at.stress.effective.v; });

@@ -98,8 +98,7 @@ plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<
                      const Rungs& rungs) {
   const SweptQuantity& quantity = swept_quantity(o.picture_of.empty() ? "G_hv" : o.picture_of);
   const plot::Scale scale = path.logarithmic ? plot::Scale::logarithmic : plot::Scale::linear;
-  plot::Chart chart{
-      .title = path.text, .x = {.title = "\u03b7 = q/p'"}, .y = {.title = quantity.name}, .series = {}};
+  plot::Chart chart{.title = path.text, .x = {.title = "\u03b7 = q/p'"}, .y = {.title = quantity.name}};
   if (path.isotropic)
     chart.x = {.title = "p' [kPa]", .scale = scale, .unit = 1e3};
   if (quantity.dimension == Dimension::pressure)
@@ -136,15 +135,11 @@ plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<
   for (std::size_t r = 0; r < rungs.size(); ++r) {
     if (rungs[r]->name == effective::RungName::relaxed) // the answer itself
       continue;
-    plot::Series series{.name = effective::label(*rungs[r]),
-                        .x = {},
-                        .y = {},
-                        .style = r,
-                        .colour = plot::Colour::uniform_strain};
+    plot::Series series{
+        .name = effective::label(*rungs[r]), .style = r, .colour = plot::Colour::uniform_strain};
     for (std::size_t k = 0; k < states.size(); ++k) {
       const auto& answer = states[k].rungs[r];
-      series.x.push_back(place(k));
-      series.y.push_back(answer ? quantity.of(*answer).value_or(nothing) : nothing);
+      series.add(place(k), answer ? quantity.of(*answer).value_or(nothing) : nothing);
     }
     chart.series.push_back(std::move(series));
   }

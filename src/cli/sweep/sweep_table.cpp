@@ -198,8 +198,7 @@ plot::Chart chart_of(const std::vector<RowPoint>& points) {
   const plot::Scale scale = logarithmic ? plot::Scale::logarithmic : plot::Scale::linear;
   plot::Chart chart{.title = "shear modulus",
                     .x = {.title = "p' [kPa]", .scale = scale, .unit = 1e3},
-                    .y = {.title = "G [MPa]", .scale = scale, .unit = 1e6},
-                    .series = {}};
+                    .y = {.title = "G [MPa]", .scale = scale, .unit = 1e6}};
   if (one_stress)
     chart.x = {.title = "void ratio"};
   const auto x_of = [&](const RowPoint& point) { return one_stress ? point.void_ratio : point.mean_stress; };
@@ -216,21 +215,16 @@ plot::Chart chart_of(const std::vector<RowPoint>& points) {
                        const auto& range_of) {
     plot::Series ranges{.name = name == "answer" ? "range" : name + ", range",
                         .mark = plot::Mark::line,
-                        .x = {},
-                        .y = {},
                         .style = 0,
                         .tone = plot::Tone::faint,
                         .colour = colour};
-    plot::Series answers{
-        .name = name, .mark = plot::Mark::marker, .x = {}, .y = {}, .style = style, .colour = colour};
+    plot::Series answers{.name = name, .mark = plot::Mark::marker, .style = style, .colour = colour};
     for (const RowPoint& point : points)
       if (const std::optional<estimate::Range> range = range_of(point)) {
         const double x = beside(x_of(point), side);
-        answers.x.push_back(x);
-        answers.y.push_back(range->value);
+        answers.add(x, range->value);
         for (const double end : {range->low, range->high, nothing}) {
-          ranges.x.push_back(x);
-          ranges.y.push_back(end); // a gap after each range
+          ranges.add(x, end); // a gap after each range
         }
       }
     if (answers.x.empty())

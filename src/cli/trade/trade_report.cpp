@@ -89,15 +89,11 @@ void add_row(plot::Chart& panel, const TradeRow& row) {
   if (series == panel.series.end()) {
     const bool dense = row.density == triaxial::Density::dense;
     series = panel.series.insert(series, plot::Series{.name = name,
-                                                      .x = {},
-                                                      .y = {},
                                                       .style = dense ? 0 : 1,
                                                       .tone = dense ? plot::Tone::full : plot::Tone::hollow,
                                                       .colour = plot::Colour::measured});
   }
-  series->x.push_back(row.cpu_seconds);
-  series->y.push_back(error_of(row));
-  series->y_error.push_back(row.shear_modulus->standard_error);
+  series->add(row.cpu_seconds, error_of(row), row.shear_modulus->standard_error);
 }
 
 /// The first columns of rows and samples.
@@ -274,7 +270,6 @@ std::string trade_picture(const std::vector<TradeRow>& rows) {
     plot::Chart panel{.title = panel_title(varied),
                       .x = {"processor time [s]", plot::Scale::logarithmic},
                       .y = {"error of G [%]", plot::Scale::logarithmic, 0.01},
-                      .series = {},
                       .width = 260,
                       .height = 220,
                       .legend_below = true};
@@ -285,7 +280,7 @@ std::string trade_picture(const std::vector<TradeRow>& rows) {
       panels.push_back(std::move(panel));
   }
   if (panels.empty()) // axes with this title
-    panels.push_back({.title = "Nothing was measured", .x = {}, .y = {}, .series = {}});
+    panels.push_back({.title = "Nothing was measured"});
   constexpr std::size_t panels_in_a_row = 3;
   return plot::svg(panels, panels_in_a_row);
 }

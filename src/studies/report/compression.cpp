@@ -117,19 +117,14 @@ plot::Series series_of(const Compression& c, plot::Mark mark,
                        const std::function<std::optional<double>(const RouteState&)>& x,
                        const std::function<std::optional<double>(const RouteState&)>& y) {
   const bool loose = c.density == Density::loose;
-  plot::Series out{.name = {},
-                   .mark = mark,
-                   .x = {},
-                   .y = {},
+  plot::Series out{.mark = mark,
                    .style = mark == plot::Mark::line && loose ? 1 : 0,
                    .tone = mark != plot::Mark::line && loose ? plot::Tone::hollow : plot::Tone::full,
                    .colour = colour_of(c.contact)};
   for (const RouteState& state : c.states) {
     const auto across = x(state), up = y(state);
-    if (across && up) {
-      out.x.push_back(*across);
-      out.y.push_back(*up);
-    }
+    if (across && up)
+      out.add(*across, *up);
   }
   return out;
 }
@@ -198,15 +193,11 @@ Panel contact_law_panel(const Scene& scene, const std::vector<Compression>& all)
   out.chart.finding = "Stiffness of a contact against its force; the numbers are slopes.";
   for (const contact::Shape shape : shapes_of(all)) {
     const contact::NormalLaw contact_law = law(scene, shape);
-    plot::Series line{.name = std::string(name(shape)),
-                      .mark = plot::Mark::line,
-                      .x = {},
-                      .y = {},
-                      .style = 0,
-                      .colour = colour_of(shape)};
+    plot::Series line{
+        .name = std::string(name(shape)), .mark = plot::Mark::line, .style = 0, .colour = colour_of(shape)};
     for (int k = 0; k <= 20; ++k) {
-      line.x.push_back(force * std::pow(10, k / 20.0));
-      line.y.push_back(contact_law.stiffness_at_force(line.x.back()));
+      const double f = force * std::pow(10, k / 20.0);
+      line.add(f, contact_law.stiffness_at_force(f));
     }
     const double b = contact_law.exponent_at_force(line.x[15]);
     out.chart.triangles.push_back({.x0 = line.x[10],
@@ -255,10 +246,10 @@ double largest_gap(const std::vector<plot::Series>& curves) {
 }
 
 plot::Series relaxation_curve(const Scene& scene, contact::Shape shape, double low, double high) {
-  plot::Series out{.name = {}, .mark = plot::Mark::line, .x = {}, .y = {}, .tone = plot::Tone::grey};
+  plot::Series out{.mark = plot::Mark::line, .tone = plot::Tone::grey};
   for (int k = 0; k <= 60; ++k) {
-    out.x.push_back(low + (high - low) * k / 60);
-    out.y.push_back(shear_relaxation(scene, shape, out.x.back()));
+    const double z = low + (high - low) * k / 60;
+    out.add(z, shear_relaxation(scene, shape, z));
   }
   return out;
 }

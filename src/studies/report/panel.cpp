@@ -13,7 +13,6 @@ Panel panel(std::string stem, std::string title, const Quantity& x, const Quanti
           .chart = {.title = std::move(title),
                     .x = x.axis,
                     .y = y.axis,
-                    .series = {},
                     .width = 320,
                     .height = 250,
                     .legend_below = true},

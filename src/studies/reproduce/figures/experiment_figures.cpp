@@ -104,17 +104,12 @@ std::optional<double> mean_stress_of(const StateRecord& point) { return point.at
 
 plot::Series series_of(const PathRun& run, const std::vector<const StateRecord*>& points, const Coordinate& x,
                        const Coordinate& y) {
-  plot::Series out{.name = std::string(name(run.path)),
-                   .x = {},
-                   .y = {},
-                   .style = style_of(run.path),
-                   .colour = colour_of(run.path)};
+  plot::Series out{
+      .name = std::string(name(run.path)), .style = style_of(run.path), .colour = colour_of(run.path)};
   for (const StateRecord* point : points) {
     const std::optional<double> across = x(*point), up = y(*point);
-    if (across && up) {
-      out.x.push_back(*across);
-      out.y.push_back(*up);
-    }
+    if (across && up)
+      out.add(*across, *up);
   }
   return out;
 }

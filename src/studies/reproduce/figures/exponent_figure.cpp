@@ -32,8 +32,6 @@ Panel exponent_panel(const Experiment& experiment, const std::vector<TableRow>& 
   for (const ShownExponent& row : shown_exponents) {
     plot::Series ours{.name = std::string(row.legend) + ", granum",
                       .mark = plot::Mark::marker,
-                      .x = {},
-                      .y = {},
                       .style = row.style,
                       .colour = row.colour};
     plot::Series paper = ours;
@@ -43,13 +41,9 @@ Panel exponent_panel(const Experiment& experiment, const std::vector<TableRow>& 
       for (const Cell& cell : specimen.cells)
         if (specimen.density == density && cell.quantity == row.quantity) {
           const double x = contact_exponent(experiment.scene, specimen.contact) + row.aside;
-          ours.x.push_back(x);
-          ours.y.push_back(cell.ours.value);
-          ours.y_error.push_back(cell.ours.standard_error.value_or(nothing));
-          if (cell.printed) {
-            paper.x.push_back(x);
-            paper.y.push_back(*cell.printed);
-          }
+          ours.add(x, cell.ours.value, cell.ours.standard_error.value_or(nothing));
+          if (cell.printed)
+            paper.add(x, *cell.printed);
         }
     add(out, std::move(paper), std::string(row.legend) + " paper");
     add(out, std::move(ours), std::string(row.legend) + " granum");

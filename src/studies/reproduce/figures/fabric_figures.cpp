@@ -16,26 +16,23 @@ constexpr double pi = std::numbers::pi;
 
 /// Contacts per solid angle with errors sqrt(n), over polar angle.
 plot::Series histogram(const StateRecord& point) {
-  plot::Series out{.name = {}, .mark = plot::Mark::both, .x = {}, .y = {}};
+  plot::Series out{.mark = plot::Mark::both};
   const std::vector<std::size_t> counts(point.polar_counts.begin(), point.polar_counts.end());
-  for (const fabric::RoseBin& bin : fabric::readable_rose(counts, 0)) {
-    out.x.push_back((bin.low + bin.high) / 2);
-    out.y.push_back(bin.density);
-    out.y_error.push_back(bin.density_error);
-  }
+  for (const fabric::RoseBin& bin : fabric::readable_rose(counts, 0))
+    out.add((bin.low + bin.high) / 2, bin.density, bin.density_error);
   return out;
 }
 
 /// E(gamma; a) with a of the same contacts; empty if a is outside of the range of E.
 plot::Series fitted(const StateRecord& point) {
   constexpr int steps = 60;
-  plot::Series out{.name = {}, .mark = plot::Mark::line, .x = {}, .y = {}};
+  plot::Series out{.mark = plot::Mark::line};
   const double a = fabric::anisotropy_from_F33(point.fabric(2, 2));
   if (!(std::abs(a) <= 1))
     return out;
   for (int k = 0; k <= steps; ++k) {
-    out.x.push_back(pi / 2 * k / steps);
-    out.y.push_back(fabric::density(out.x.back(), a));
+    const double angle = pi / 2 * k / steps;
+    out.add(angle, fabric::density(angle, a));
   }
   return out;
 }

@@ -17,14 +17,10 @@ Panel curves(const Kind& kind, const std::string& stem, const Quantity& y, doubl
   for (const PathRun& run : kind.specimen->runs) {
     plot::Series line{.name = std::string(name(run.path)),
                       .mark = plot::Mark::line,
-                      .x = {},
-                      .y = {},
                       .style = style_of(run.path),
                       .colour = colour_of(run.path)};
-    for (const PathPoint& point : run.curve) {
-      line.x.push_back(point.axial_strain);
-      line.y.push_back(of(point));
-    }
+    for (const PathPoint& point : run.curve)
+      line.add(point.axial_strain, of(point));
     add(out, std::move(line), std::string(name(run.path)));
   }
   return out;
@@ -82,16 +78,10 @@ Figure shear_loops(const Experiment& experiment) {
                   kind.title() + ", \u03b7 = " + short_text(std::abs(loop.eta) < 1e-3 ? 0 : loop.eta, 2),
                   {"shear_strain", {.title = "shear strain [10\u207b\u2076]", .unit = 1e-6}},
                   {"shear_stress_Pa", {.title = "shear stress [kPa]", .unit = 1e3}});
-        plot::Series line{.name = {},
-                          .mark = plot::Mark::both,
-                          .x = {},
-                          .y = {},
-                          .style = style_of(run.path),
-                          .colour = colour_of(run.path)};
-        for (const triaxial::LoopPoint& point : loop.points) {
-          line.x.push_back(point.shear_strain);
-          line.y.push_back(point.shear_stress);
-        }
+        plot::Series line{
+            .mark = plot::Mark::both, .style = style_of(run.path), .colour = colour_of(run.path)};
+        for (const triaxial::LoopPoint& point : loop.points)
+          line.add(point.shear_strain, point.shear_stress);
         add(cycle, std::move(line), "cycle");
         add(out, std::move(cycle));
       }

@@ -40,8 +40,6 @@ namespace {
 plot::Series states(const Experiment& experiment, const Kind& kind) {
   plot::Series out{.name = kind.title(),
                    .mark = plot::Mark::marker,
-                   .x = {},
-                   .y = {},
                    .style = kind.density == triaxial::Density::dense ? 0 : 1,
                    .tone = plot::Tone::faint,
                    .colour = colour_of(kind.contact)};
@@ -49,22 +47,18 @@ plot::Series states(const Experiment& experiment, const Kind& kind) {
     if (specimen.contact == kind.contact && specimen.density == kind.density)
       for (const PathRun& run : specimen.runs)
         for (const StateRecord& point : run.points)
-          if (const std::optional<double> ratio = network_over_uniform_strain(point)) {
-            out.x.push_back(point.micro.mechanical_coordination_number);
-            out.y.push_back(*ratio);
-          }
+          if (const std::optional<double> ratio = network_over_uniform_strain(point))
+            out.add(point.micro.mechanical_coordination_number, *ratio);
   return out;
 }
 
 /// The closed form's factor over the range of z* that the states have.
 plot::Series closed_form(const Scene& scene, contact::Shape contact, double low, double high) {
   constexpr int steps = 80;
-  plot::Series out{
-      .name = "closed form, " + std::string(name(contact)), .mark = plot::Mark::line, .x = {}, .y = {}};
+  plot::Series out{.name = "closed form, " + std::string(name(contact)), .mark = plot::Mark::line};
   for (int k = 0; k <= steps; ++k) {
     const double z = low + (high - low) * k / steps;
-    out.x.push_back(z);
-    out.y.push_back(shear_relaxation(scene, contact, z));
+    out.add(z, shear_relaxation(scene, contact, z));
   }
   return out;
 }
