@@ -26,10 +26,9 @@ void finish(Command& command, const std::string& above) {
   command.called = above.empty() ? command.name : above + " " + command.name;
   for (Command& inner : command.within)
     finish(inner, command.called);
-  command.add({.name = "-h,--help",
-               .value = {.take = [](const std::string&, const std::string&) {}},
-               .group = output_group,
-               .meaning = "Print this help message and exit"});
+  command.add(output_group, {{.name = "-h,--help",
+                              .value = {.take = [](const std::string&, const std::string&) {}},
+                              .meaning = "Print this help message and exit"}});
 }
 
 } // namespace
@@ -47,10 +46,9 @@ std::unique_ptr<Command> make_program() {
                "Exit codes: 0 ok, 1 some rows or checks failed, 2 usage, 3 file,\n"
                "4 not converged, or a warning under --strict, 129, 130 or 143 stopped by\n"
                "SIGHUP, Ctrl-C or SIGTERM."});
-  program->add({.name = "--version",
-                .value = {.take = [](const std::string&, const std::string&) {}},
-                .group = "Options",
-                .meaning = "Display program version information and exit"});
+  program->add("Options", {{.name = "--version",
+                            .value = {.take = [](const std::string&, const std::string&) {}},
+                            .meaning = "Display program version information and exit"}});
   const auto add = [&](const char* group, Command command) {
     command.group = group;
     program->within.push_back(std::move(command));

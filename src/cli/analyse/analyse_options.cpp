@@ -272,20 +272,18 @@ Value spaced(Value value, std::optional<Dimension> dimension) {
 
 void add_grain_options(Command& command, AnalyseOptions& o) {
   command.add(
+      grains_group,
       {{.name = "--grain-density",
         .value = number_without_default(o.grain_density),
-        .group = grains_group,
         .meaning =
             "Density rho_s of the grain mineral, such as 2650kg/m3; no default; needed for wave speeds",
         .synonyms = grain_density_synonyms()},
        {.name = "--friction-angle",
         .value = number_without_default(o.friction_angle),
-        .group = grains_group,
         .meaning = "Friction angle between grains, to find sliding contacts; by default from the forces",
         .synonyms = {{"phi mu friction frictioncoefficient"}}},
        {.name = "--material",
         .value = texts(o.materials, "TYPE:MATERIAL"),
-        .group = grains_group,
         .meaning = "Moduli of a type of grains: 1:shear-modulus=30GPa,poisson-ratio=0.15; for files with "
                    "types, once for "
                    "each",
@@ -300,81 +298,69 @@ void add_moment_options(Command& command, AnalyseOptions& o) {
   const auto row = [](const char* name, std::string& to, const char* what) {
     return OptionRow{.name = name,
                      .value = text(to, "STIFFNESS"),
-                     .group = law_group,
                      .meaning = fmt::format("Stiffness of all contacts against {}, in one of four forms: "
                                             "2e4N/m, times R*^2 (LAMMPS' sds); 1e-3Nm, per radian "
                                             "(YADE's kr); a number, times k_n R*^2; marshall, which is k_t "
                                             "R* d/2. 1/R* = 1/R_i + 1/R_j, d is the overlap",
                                             what)};
   };
-  command.add({row("--rolling-stiffness", o.rolling_stiffness, "rolling"),
-               row("--twisting-stiffness", o.twisting_stiffness, "twisting")});
+  command.add(law_group, {row("--rolling-stiffness", o.rolling_stiffness, "rolling"),
+                          row("--twisting-stiffness", o.twisting_stiffness, "twisting")});
 }
 
 void add_file_options(Command& command, AnalyseOptions& o) {
-  constexpr const char* group = "Files";
   command.add(
+      "Files",
       {{.name = "--column-map",
         .value = text(o.column_map, "MAP"),
-        .group = group,
         .meaning = "Meaning of the columns of dumps, if granum cannot recognise them from their values: "
                    "id1=c_cl[1],id2=c_cl[2],force=c_cp[2]"},
        {.name = "--stress",
         .value = spaced(texts(o.stress, "PRESSURES|FILE"), Dimension::pressure),
-        .group = group,
         .meaning =
             "Stress reported by the code, to compare with: xx,yy,zz,xy,xz,yz, compression positive; once for "
             "each selected frame, or a CSV file with a row for each: columns xx_kPa or sigma_xx_Pa and so "
             "on (states.csv of an exported deck), and step to match frames by it"},
        {.name = "--probes",
         .value = path(o.probes),
-        .group = group,
         .meaning =
             "Moduli by probes of the code, to compare the network with: a CSV file, columns modulus (K, G, "
             "G_hh, G_vh, ...), value_Pa, and step or state (moduli.csv of an exported deck)"},
        {.name = "--box",
         .value = spaced(text(o.box, "LENGTHS"), Dimension::length),
-        .group = group,
         .meaning = "Edges of the periodic box, LX,LY,LZ, for CSV files (other formats contain them)"},
        {.name = "--frames",
         .value = text(o.frames),
-        .group = group,
         .meaning = "Frames to read, counted from 0: all, last, N, FIRST:LAST or FIRST:LAST:STRIDE"},
        {.name = "--series",
         .value = choice({"name", "all"}, o.series),
-        .group = group,
         .meaning =
             "Which frames are fitted together for exponents: name, those of files whose names differ only in "
             "numbers (dense_p50, dense_p100); all, every frame"}});
 }
 
 void add_measuring_options(Command& command, AnalyseOptions& o) {
-  constexpr const char* group = "Measurements";
   command.add(
+      "Measurements",
       {{.name = "--stiffness-from",
         .value = choice({"overlap", "force", "force-over-overlap"}, o.stiffness_from),
-        .group = group,
         .meaning = "Source of k_n of the network; by default the overlaps, unless they are rounded; "
                    "force-over-overlap: 1.5 f/d, Hertz without a material"},
        {.name = "--window",
         .value = text(o.window, "RANGES"),
-        .group = group,
         .meaning = "Part of the packing used for e, C_n, z*, fabric and stress: x0..x1,y0..y1,z0..z1, "
                    "each end a length; .. is the whole axis; auto: an interior if there are walls or a free "
                    "surface; none: the whole packing"},
        {.name = "--depth",
         .value = text(o.depth, "RANGE"),
-        .group = group,
         .meaning = "Range of z of that part, by depth below the highest grain: 2mm..6mm",
         .synonyms = {{"z"}}},
        {.name = "--no-network",
         .value = flag(o.no_network),
-        .group = group,
         .meaning =
             "Leave out the contact network (rung 4) and its 6x6 stiffness, which take most of the time"},
        {.name = "--threads",
         .value = count(o.threads),
-        .group = group,
         .meaning =
             "Threads for the 6x6 stiffness, by default one for each core; the results do not depend on it",
         .synonyms = {{"j jobs nthreads cores"}}}});
@@ -396,21 +382,16 @@ void add_analyse_options(Command& command, AnalyseOptions& o) {
   add_moment_options(command, o);
   add_file_options(command, o);
   add_measuring_options(command, o);
-  command.add({{.name = "--json",
-                .value = flag(o.json),
-                .group = output_group,
-                .meaning = "Print one JSON object, SI units"},
-               {.name = "--strict",
-                .value = flag(o.strict),
-                .group = output_group,
-                .meaning = "Fail (exit code 4) if there is a warning"}});
+  command.add(
+      output_group,
+      {{.name = "--json", .value = flag(o.json), .meaning = "Print one JSON object, SI units"},
+       {.name = "--strict", .value = flag(o.strict), .meaning = "Fail (exit code 4) if there is a warning"}});
   add_output_place(command, o.out, o.force, "DIR",
                    "Folder for CSV (frames, stiffness, rose, forces), JSON and pictures", "existing results");
-  command.add({.name = "--paraview",
-               .value = flag(o.paraview),
-               .group = output_group,
-               .meaning = "Also write grains and force chains for ParaView",
-               .needs = {{"--out"}}});
+  command.add(output_group, {{.name = "--paraview",
+                              .value = flag(o.paraview),
+                              .meaning = "Also write grains and force chains for ParaView",
+                              .needs = {{"--out"}}}});
 }
 
 } // namespace granum::cli

@@ -200,6 +200,7 @@ std::vector<Number*> movable(PackingOptions& packing, AnswerOptions& options) {
 
 void add_answer_options(Command& command, AnswerOptions& o) {
   command.add(
+      grains_group,
       {{.name = "--preparation",
         .value = read_by(
             [&o](const std::string& text) {
@@ -215,14 +216,12 @@ void add_answer_options(Command& command, AnswerOptions& o) {
         .value =
             read_by([&o](const std::string& text) { o.mineral = &contact::mineral(in_small_letters(text)); },
                     keys_of(contact::minerals())),
-        .group = grains_group,
         .meaning = "Mineral of the grains: sets G_g, nu_g and density unless they are given",
         .synonyms = {{"mineral material solid"}}},
        {.name = "--sand",
         .value =
             read_by([&o](const std::string& text) { o.sand = &sands::known_sand(in_small_letters(text)); },
                     keys_of(sands::known_sands())),
-        .group = grains_group,
         .meaning =
             "Sand by name: sets --grain, d50, C_u for laws measured on sands, and e_min and e_max, as far "
             "as published"},
@@ -232,7 +231,6 @@ void add_answer_options(Command& command, AnswerOptions& o) {
               o.grain_shape = estimate::grain_shape_of(in_small_letters(text));
             },
             std::vector<std::string>{"sphere", "sand"}),
-        .group = grains_group,
         .meaning = "sand: result from laws measured on sands; sphere: result from the model of spheres; by "
                    "default as implied by other options, else both results"},
        {.name = "--relative-density",
@@ -253,7 +251,6 @@ void add_answer_options(Command& command, AnswerOptions& o) {
         .synonyms = {{"emax"}}},
        {.name = "--grain-density",
         .value = number(o.grain_density),
-        .group = grains_group,
         .meaning = "Density rho_s of the grain mineral, for wave speeds",
         .synonyms = grain_density_synonyms()},
        {.name = "--saturation",
@@ -265,11 +262,10 @@ void add_answer_options(Command& command, AnswerOptions& o) {
 }
 
 void add_state_options(Command& command, AnswerOptions& o) {
-  command.add({.name = "--k0",
-               .value = number_without_default(o.earth_pressure_at_rest),
-               .group = state_group,
-               .meaning = "K_0 = sigma_h/sigma_v, instead of --stress-h",
-               .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}}});
+  command.add(state_group, {{.name = "--k0",
+                             .value = number_without_default(o.earth_pressure_at_rest),
+                             .meaning = "K_0 = sigma_h/sigma_v, instead of --stress-h",
+                             .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}}}});
   command.add(strain_row(o));
 }
 
@@ -312,7 +308,6 @@ OptionRow uncertainty_row(std::vector<std::string>& settings) {
   value.joins_units = true;
   return {.name = "--uncertainty",
           .value = std::move(value),
-          .group = "More results",
           .meaning = "Standard deviation of an input, may be repeated. KEY is the name of its option: "
                      "void-ratio=0.02; or relative to its value: pressure=5%"};
 }

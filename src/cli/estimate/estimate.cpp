@@ -120,20 +120,18 @@ Command make_estimate() {
   add_answer_options(command, options->answer);
   add_state_options(command, options->answer);
   command.add(
+      "More results",
       {{.name = "--bounds",
         .value = flag(options->bounds),
-        .group = "More results",
         .meaning = "Also show three closed forms with their exponents: uniform strain (all grains move with "
                    "the mean strain), uniform stress (all contacts carry the forces of the mean stress), and "
                    "relaxed"},
        {.name = "--tolerance",
         .value = number_without_default(options->tolerance),
-        .group = "More results",
         .meaning =
             "Choose the cheapest closed form (rung) whose stated error is within this tolerance, such as 5%"},
        {.name = "--cement",
         .value = number_without_default(options->cement),
-        .group = "More results",
         .meaning = "Also show the packing with cement that fills this share of the total volume, such as 2%",
         .synonyms = {{"cementation bond"}}},
        uncertainty_row(options->uncertain)});
@@ -141,10 +139,10 @@ Command make_estimate() {
   add_picture(command, options->picture,
               "Draw G and its range over the mean stress, or over the shear strain with --strain");
   command.add(
-      {.name = "--report",
-       .value = path(options->report, "FILE.html"),
-       .group = output_group,
-       .meaning = "Write the answer as a page with range, assumptions, full references, and the picture"});
+      output_group,
+      {{.name = "--report",
+        .value = path(options->report, "FILE.html"),
+        .meaning = "Write the answer as a page with range, assumptions, full references, and the picture"}});
   OptionRow& force = command.row("--force");
   force.needs = {{"--out --picture --report", "--out, --picture or --report"}};
   force.meaning = "Let --out, --picture and --report replace existing files";

@@ -163,7 +163,6 @@ ExitCode run(const ExportOptions& options) {
 
 Command make_export() {
   auto options = std::make_shared<ExportOptions>();
-  constexpr const char* group = "Deck";
   Command lammps{.name = "lammps",
                  .meaning = "A deck for LAMMPS: grains, preparation, isotropic compression, a stress path, "
                             "snapshots, probes",
@@ -171,33 +170,29 @@ Command make_export() {
                  .run = [options] { return run(*options); }};
   add_study_options(lammps, options->study, studies::SceneCommand::export_lammps);
   lammps.add(
+      "Deck",
       {{.name = "--start",
         .value = choice({"packed", "scattered"}, options->start),
-        .group = group,
         .meaning =
             "packed: granum makes the initial packing; scattered: LAMMPS makes it from grains that do not "
             "touch, for packings too large for one machine"},
        {.name = "--path",
         .value = choice({"none", "txc", "rtxc", "rtxe", "txe"}, options->path),
-        .group = group,
         .meaning = "Triaxial test from the last pressure of the isotropic compression; its states are probed "
                    "too"},
        {.name = "--eta-step",
         .value = quantity(options->eta_step, Dimension::dimensionless),
-        .group = group,
         .meaning = "Increment of q/p between two recorded states of --path"},
        {.name = "--largest-strain",
         .value = quantity(options->largest_strain, Dimension::dimensionless),
-        .group = group,
         .meaning = "Axial strain at which --path ends"}});
   add_output_place(lammps, options->out, options->force, "DIR",
                    "Folder for the files; each specimen has its own folder in it", "existing files");
   lammps.row("--out").required = true;
   lammps.row("--force").needs.clear();
-  lammps.add({.name = "--json",
-              .value = flag(options->json),
-              .group = output_group,
-              .meaning = "Print one JSON object: the scene in SI and the files written"});
+  lammps.add(output_group, {{.name = "--json",
+                             .value = flag(options->json),
+                             .meaning = "Print one JSON object: the scene in SI and the files written"}});
   add_strict_scene(lammps, options->strict);
   Command command{.name = "export", .meaning = "Write a scene as input files of another DEM code (LAMMPS)"};
   command.within.push_back(std::move(lammps));

@@ -55,30 +55,25 @@ ExitCode run(FitQuestion question) {
 }
 
 void add_column_options(Command& command, FitQuestion& question) {
-  constexpr const char* group = "Columns";
   command.add(
+      "Columns",
       {{.name = "--modulus-column",
         .value = text(question.modulus_column),
-        .group = group,
         .meaning = "Column of the modulus; by default the first of G, G_max, G_0, G_vh, ... in the table"},
        {.name = "--stress-i-column",
         .value = text(question.stress_i_column),
-        .group = group,
         .meaning =
             "Column of sigma_i; by default sigma_v, or by the name of the modulus: sigma_h for G_hv; p in "
             "tables with only a mean stress"},
        {.name = "--stress-j-column",
         .value = text(question.stress_j_column),
-        .group = group,
         .meaning = "Column of sigma_j; by default sigma_h, or by the name of the modulus: sigma_v for G_hv"},
        {.name = "--void-ratio-column",
         .value = text(question.void_ratio_column),
-        .group = group,
         .meaning = "Column of the void ratio; by default e or void_ratio"}});
 }
 
 void add_fit_law_options(Command& command, FitQuestion& question) {
-  constexpr const char* group = "Law";
   std::vector<std::string> functions;
   for (const hardin::VoidRatioFunction function : hardin::all_void_ratio_functions())
     functions.emplace_back(hardin::name(function));
@@ -87,22 +82,19 @@ void add_fit_law_options(Command& command, FitQuestion& question) {
     question.void_ratio_function_given = true;
   });
   function.by_default = question.void_ratio_function;
-  command.add(
-      {{.name = "--sum-only",
-        .value = flag(question.sum_only),
-        .group = group,
-        .meaning = "Fit C and s = m + n only, for data of a single stress ratio"},
-       {.name = "--void-ratio-function", .value = std::move(function), .group = group, .meaning = "f(e)"},
-       {.name = "--atmospheric-pressure",
-        .value = quantity(question.atmospheric_pressure, Dimension::pressure),
-        .group = group,
-        .meaning = "Reference pressure p_a of the law",
-        .synonyms = {{"pa patm pref referencepressure"}}},
-       {.name = "--weights",
-        .value = choice({"relative", "absolute"}, question.weights),
-        .group = group,
-        .meaning = "Assume the same relative error of G in all rows (residuals of ln G), or the same "
-                   "absolute error"}});
+  command.add("Law",
+              {{.name = "--sum-only",
+                .value = flag(question.sum_only),
+                .meaning = "Fit C and s = m + n only, for data of a single stress ratio"},
+               {.name = "--void-ratio-function", .value = std::move(function), .meaning = "f(e)"},
+               {.name = "--atmospheric-pressure",
+                .value = quantity(question.atmospheric_pressure, Dimension::pressure),
+                .meaning = "Reference pressure p_a of the law",
+                .synonyms = {{"pa patm pref referencepressure"}}},
+               {.name = "--weights",
+                .value = choice({"relative", "absolute"}, question.weights),
+                .meaning = "Assume the same relative error of G in all rows (residuals of ln G), or the same "
+                           "absolute error"}});
 }
 
 } // namespace

@@ -15,13 +15,10 @@ namespace granum::cli {
 
 void add_output_options(Command& command, OutputOptions& options) {
   command.add(
-      {{.name = "--json",
-        .value = flag(options.json),
-        .group = output_group,
-        .meaning = "Print one JSON object, SI units"},
+      output_group,
+      {{.name = "--json", .value = flag(options.json), .meaning = "Print one JSON object, SI units"},
        {.name = "--strict",
         .value = flag(options.strict),
-        .group = output_group,
         .meaning =
             "Fail (exit code 4) if there is a warning or the result lies outside a formula's validity"}});
   add_output_place(command, options.out, options.force, "FILE", "Write the result to this file",
@@ -30,28 +27,25 @@ void add_output_options(Command& command, OutputOptions& options) {
 
 void add_output_place(Command& command, std::string& out, bool& force, std::string type, std::string out_help,
                       const std::string& replaced) {
-  command.add({{.name = "--out",
-                .value = path(out, std::move(type)),
-                .group = output_group,
-                .meaning = std::move(out_help),
-                .synonyms = {{"o output outfile"}}},
-               {.name = "--force",
-                .value = flag(force),
-                .group = output_group,
-                .meaning = "Let --out replace " + replaced,
-                .needs = {{"--out"}},
-                .synonyms = {{"f overwrite"}}}});
+  command.add(output_group, {{.name = "--out",
+                              .value = path(out, std::move(type)),
+                              .meaning = std::move(out_help),
+                              .synonyms = {{"o output outfile"}}},
+                             {.name = "--force",
+                              .value = flag(force),
+                              .meaning = "Let --out replace " + replaced,
+                              .needs = {{"--out"}},
+                              .synonyms = {{"f overwrite"}}}});
 }
 
 void add_picture(Command& command, std::string& target, const std::string& help) {
   OptionRow& force = command.row("--force");
   force.needs = {{"--out --picture", "--out or --picture"}};
   force.meaning = "Let --out and --picture replace existing files";
-  command.add({.name = "--picture",
-               .value = path(target, "FILE.svg"),
-               .group = output_group,
-               .meaning = help,
-               .synonyms = {{"plot figure svg chart graph"}}});
+  command.add(output_group, {{.name = "--picture",
+                              .value = path(target, "FILE.svg"),
+                              .meaning = help,
+                              .synonyms = {{"plot figure svg chart graph"}}}});
 }
 
 void require_free(const OutputOptions& output, const std::string& picture) {

@@ -68,9 +68,12 @@ void Command::add(OptionRow row) {
   options.push_back(std::move(row));
 }
 
-void Command::add(std::initializer_list<OptionRow> rows) {
-  for (const OptionRow& row : rows)
-    add(row);
+void Command::add(const std::string& their_group, std::initializer_list<OptionRow> rows) {
+  for (OptionRow row : rows) {
+    if (row.group.empty())
+      row.group = their_group;
+    add(std::move(row));
+  }
 }
 
 const OptionRow* Command::find(std::string_view option) const {

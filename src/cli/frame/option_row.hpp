@@ -119,7 +119,8 @@ struct Command {
   std::function<ExitCode()> run = {};
 
   void add(OptionRow row);
-  void add(std::initializer_list<OptionRow> rows);
+  /// \param    their_group   of the rows that name none
+  void add(const std::string& their_group, std::initializer_list<OptionRow> rows);
   /// The row of an option by any of its names. \throws std::logic_error if the command has none
   [[nodiscard]] OptionRow& row(std::string_view option);
   [[nodiscard]] const OptionRow* find(std::string_view option) const;

@@ -47,20 +47,18 @@ void add_measured_options(Command& command, InferOptions& o) {
     const MeasuredOption& measured = options_table[k];
     Value value = text(o.measured[k], type_name(measured.dimension()) + "[+-ERROR]");
     value.dimension = measured.dimension();
-    command.add({.name = measured.option,
-                 .value = std::move(value),
-                 .group = group,
-                 .meaning = measured.help,
-                 .synonyms = {{measured.synonyms}}});
+    command.add(group, {{.name = measured.option,
+                         .value = std::move(value),
+                         .meaning = measured.help,
+                         .synonyms = {{measured.synonyms}}}});
   }
   command.add(
+      group,
       {{.name = "--measurement-error",
         .value = number_without_default(o.measurement_error),
-        .group = group,
         .meaning = "Relative standard error of measurements that are given without an error, such as 2%"},
        {.name = "--table",
         .value = path(o.table, "FILE.csv"),
-        .group = group,
         .meaning = "CSV file with one or more measurements per row: p_kPa, e, V_s_m/s, V_s_error_m/s, "
                    "G_MPa, ...",
         .synonyms = {{"csv file input data"}}}});
@@ -80,7 +78,6 @@ std::vector<std::string> contact_names() {
 }
 
 void add_prediction_options(Command& command, InferOptions& o) {
-  constexpr const char* group = "Predicted";
   Value pressures{.type = type_name(Dimension::pressure),
                   .dimension = Dimension::pressure,
                   .several = true,
@@ -92,34 +89,29 @@ void add_prediction_options(Command& command, InferOptions& o) {
   Value growth = choice(growth_names(), o.growth);
   growth.by_default = "sand for sands, packings for spheres";
   OptionRow uncertainty = uncertainty_row(o.uncertain);
-  uncertainty.group = group;
   uncertainty.meaning = "Standard deviation of an input common to all measurements, may be repeated: "
                         "grain-shear-modulus=5%, void-ratio=0.01";
   command.add(
+      "Predicted",
       {{.name = "--growth",
         .value = std::move(growth),
-        .group = group,
         .meaning =
             "Change with stress. sand: G as in measured sands; packings: z* as in packings of spheres; "
             "fixed: z* constant; fitted: from the measurements"},
        {.name = "--contacts",
         .value = choice(contact_names(), o.contacts),
-        .group = group,
         .meaning = "Contact parameters inferred besides z*: given: none; rough: the roughness; power-law: "
                    "alpha and the softness relative to Hertz' law",
         .synonyms = {{"roughness contact law implied softness"}}},
        {.name = "--predict-pressure",
         .value = std::move(pressures),
-        .group = group,
         .meaning = "Mean stresses of the predictions, separated by commas"},
        {.name = "--predict-stress-ratio",
         .value = number_without_default(o.predict_stress_ratio),
-        .group = group,
         .meaning = "sigma_h/sigma_v of the predictions; by default that of the first measurement",
         .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}}},
        {.name = "--predict-void-ratio",
         .value = number_without_default(o.predict_void_ratio),
-        .group = group,
         .meaning = "Predict for another packing of this void ratio, prepared in the same way"},
        std::move(uncertainty)});
 }
@@ -136,11 +128,10 @@ void add_infer_options(Command& command, InferOptions& o) {
   std::vector<std::string> keys;
   for (const inverse::QuantityRow& row : inverse::quantities())
     keys.emplace_back(row.key);
-  command.add({.name = "--picture-of",
-               .value = choice(keys, o.picture_of),
-               .group = output_group,
-               .meaning = "Quantity in the picture; by default the first measured one",
-               .needs = {{"--picture"}}});
+  command.add(output_group, {{.name = "--picture-of",
+                              .value = choice(keys, o.picture_of),
+                              .meaning = "Quantity in the picture; by default the first measured one",
+                              .needs = {{"--picture"}}}});
 }
 
 Quantity pictured(const InferOptions& o, const InferCase& question) {

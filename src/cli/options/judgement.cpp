@@ -8,12 +8,12 @@
 namespace granum::cli {
 
 void add_strict(Command& command, bool& strict) {
-  command.add({.name = "--strict",
-               .value = flag(strict),
-               .group = output_group,
-               .meaning = "Fail (exit code 1) if a result differs from the paper's by more than its goal; "
-                          "stop before the run (exit code 4) "
-                          "if a key of the scene is probably a mistake"});
+  command.add(output_group,
+              {{.name = "--strict",
+                .value = flag(strict),
+                .meaning = "Fail (exit code 1) if a result differs from the paper's by more than its goal; "
+                           "stop before the run (exit code 4) "
+                           "if a key of the scene is probably a mistake"}});
 }
 
 ExitCode judged(const std::vector<studies::Verdict>& verdicts, bool strict) {

@@ -302,17 +302,15 @@ void add_law_options(Command& command, PackingOptions& o, const std::string& nam
       },
       synonyms());
   shape.by_default = contact::name(o.contact);
-  command.add({.name = name,
-               .value = std::move(shape),
-               .group = law_group,
-               .meaning = "Shape of the grains near their contacts",
-               .synonyms = {{"shape law model contactlaw contactmodel"}}});
+  command.add(law_group, {{.name = name,
+                           .value = std::move(shape),
+                           .meaning = "Shape of the grains near their contacts",
+                           .synonyms = {{"shape law model contactlaw contactmodel"}}}});
   for (auto& [row, parameter, of_law] : o.law_numbers)
-    command.add({.name = parameter->option(),
-                 .value = (parameter->origin.empty() ? number_without_default : number)(of_law),
-                 .group = law_group,
-                 .meaning = help_of(*row, *parameter),
-                 .belongs = {{"--contact", contact::name(row->shape), "sphere"}}});
+    command.add(law_group, {{.name = parameter->option(),
+                             .value = (parameter->origin.empty() ? number_without_default : number)(of_law),
+                             .meaning = help_of(*row, *parameter),
+                             .belongs = {{"--contact", contact::name(row->shape), "sphere"}}}});
 }
 
 const Number& PackingOptions::law_number(std::string_view key) const {

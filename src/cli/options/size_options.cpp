@@ -27,10 +27,10 @@ void set_sizes(PackingOptions& o, sizes::Distribution distribution) {
 void add_size_options(Command& command, PackingOptions& o) {
   const Exclusion once{"--sizes --sieve --uniformity", given_twice::sizes};
   command.add(
+      sizes_group,
       {{.name = "--sizes",
         .value = read_by([&o](const std::string& text) { set_sizes(o, sizes::parse_distribution(text)); },
                          "DISTRIBUTION"),
-        .group = sizes_group,
         .meaning = "Grain-size distribution: " + sizes::distribution_forms(),
         .excludes = {once},
         .synonyms = {{"psd gsd sievecurve sizedistribution"}}},
@@ -41,7 +41,6 @@ void add_size_options(Command& command, PackingOptions& o) {
               o.graded = true;
             },
             "FILE"),
-        .group = sizes_group,
         .meaning = "Sieve curve of the grains, a CSV file with columns d_mm and passing_%; sets --radius "
                    "as well",
         .excludes = {once},
@@ -54,7 +53,6 @@ void add_size_options(Command& command, PackingOptions& o) {
               o.graded = true;
             },
             "NUMBER"),
-        .group = sizes_group,
         .meaning = "Uniformity coefficient C_u = d60/d10 of grains that are lognormal by mass",
         .excludes = {once},
         .synonyms = {{"cu uniformitycoefficient gradation"}}}});

@@ -11,30 +11,25 @@
 namespace granum::cli {
 
 void add_study_options(Command& command, StudyOptions& options, studies::SceneCommand of) {
-  constexpr const char* group = "Scene";
   Value settings = texts(options.settings, "KEY=VALUE");
   settings.joins_units = true;
-  command.add({{.name = "--scene",
+  command.add("Scene",
+              {{.name = "--scene",
                 .value = path(options.scene_file),
-                .group = group,
                 .meaning = "TOML file; by default the six specimens of Chung et al. 2014 (the paper)",
                 .synonyms = {{"config c"}}},
                {.name = "--set",
                 .value = std::move(settings),
-                .group = group,
                 .meaning = "Override one key, may be repeated: --set grain.radius=0.4mm"},
                {.name = "--grains",
                 .value = count(options.grains),
-                .group = group,
                 .meaning = "Grains of a specimen",
                 .synonyms = {{"particles ngrains numberofgrains"}}},
                {.name = "--seeds",
                 .value = count(options.seeds),
-                .group = group,
                 .meaning = "Specimens of each contact shape and density"},
                {.name = "--threads",
                 .value = count(options.threads),
-                .group = group,
                 .meaning = "Specimens computed at the same time; the results do not depend on it",
                 .synonyms = {{"j jobs nthreads cores"}}}});
   command.notes = key_help(of);
@@ -48,19 +43,18 @@ void add_result_options(Command& command, ResultOptions& options, const std::str
                         const std::string& json_help, const std::string& replaced) {
   add_output_place(command, options.out, options.force, "DIR", out_help, replaced);
   command.row("--force").needs.clear(); // --force is also allowed with the default folder
-  command.add({{.name = "--json", .value = flag(options.json), .group = output_group, .meaning = json_help},
-               {.name = "--quiet",
-                .value = flag(options.quiet),
-                .group = output_group,
-                .meaning = "No progress line on a terminal",
-                .synonyms = {{"verbose silent quiet"}}}});
+  command.add(output_group, {{.name = "--json", .value = flag(options.json), .meaning = json_help},
+                             {.name = "--quiet",
+                              .value = flag(options.quiet),
+                              .meaning = "No progress line on a terminal",
+                              .synonyms = {{"verbose silent quiet"}}}});
 }
 
 void add_strict_scene(Command& command, bool& strict) {
-  command.add({.name = "--strict",
-               .value = flag(strict),
-               .group = output_group,
-               .meaning = "Stop before the run (exit code 4) if a key of the scene is probably a mistake"});
+  command.add(output_group,
+              {{.name = "--strict",
+                .value = flag(strict),
+                .meaning = "Stop before the run (exit code 4) if a key of the scene is probably a mistake"}});
 }
 
 void say_cost_of_sizes(const studies::Scene& scene) {

@@ -128,10 +128,10 @@ Command make_plan() {
   Value error = quantity(options->error, Dimension::dimensionless);
   error.by_default = "1%";
   command.add(
-      {.name = "--error",
-       .value = std::move(error),
-       .group = "Plan",
-       .meaning = "Required error of G; gives the number of grains and the inertial number: --error 2%"});
+      "Plan",
+      {{.name = "--error",
+        .value = std::move(error),
+        .meaning = "Required error of G; gives the number of grains and the inertial number: --error 2%"}});
   add_output_options(command, options->output);
   return command;
 }

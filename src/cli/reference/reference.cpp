@@ -45,11 +45,9 @@ ExitCode run(const Command& program, const fs::path& folder) {
 Command make_reference(const Command& program) {
   auto folder = std::make_shared<std::string>();
   Command command{.name = "reference", .meaning = "Manual pages and completion for shells, for the build"};
-  command.add({.name = "--out",
-               .value = path(*folder, "DIR"),
-               .group = output_group,
-               .meaning = "Folder for them",
-               .required = true});
+  command.add(
+      output_group,
+      {{.name = "--out", .value = path(*folder, "DIR"), .meaning = "Folder for them", .required = true}});
   command.run = [&program, folder] { return run(program, *folder); };
   return command;
 }

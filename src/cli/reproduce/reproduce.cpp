@@ -155,14 +155,13 @@ Command make_reproduce() {
       .run = [options] { return run(*options); }};
   add_study_options(command, options->study, studies::SceneCommand::reproduce);
   command.add(
+      "Run",
       {{.name = "--paper",
         .value = flag(options->paper),
-        .group = "Run",
         .meaning = "10,000 grains between six rigid walls, as in the paper; 7 to 11 minutes on two cores",
         .excludes = {{"--scene", "--paper is itself a scene; give one of --paper and --scene"}}},
        {.name = "--resume",
         .value = path(options->resume, "DIR"),
-        .group = "Run",
         .meaning = "Continue the run in this folder from its last checkpoints, with identical results; for a "
                    "finished "
                    "run, write its tables and pictures again",

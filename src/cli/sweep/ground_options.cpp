@@ -113,22 +113,20 @@ void resolve_wet_ground(const SweepOptions& o, const PackingMass& mass, GroundCa
 } // namespace
 
 void add_ground_options(Command& command, GroundOptions& o) {
-  constexpr const char* group = "Ground";
   const std::vector<Need> in_ground = {{"--depth --table", "--depth"}};
   const std::vector<Need> below_water = {{"--depth --table", "--depth"},
                                          {"--water-table --table", "--water-table, below which it applies"}};
   Value depth = text(o.depth, "FROM..TO");
   depth.joins_units = true;
   command.add(
+      "Ground",
       {{.name = "--depth",
         .value = std::move(depth),
-        .group = group,
         .meaning = "Stiffness over depth in level ground, between two depths: 0m..30m",
         .excludes = {{"--path --from --to --eta --friction-angle --spacing --table --rungs --picture-of"}},
         .synonyms = {{"z"}}},
        {.name = "--layers",
         .value = path(o.layers, "FILE.csv"),
-        .group = group,
         .meaning =
             "Layers of the ground, one per row from its top_m down, with columns as for --table: e or D_r, "
             "unit_weight, saturated_unit_weight, k0, sand, S_r",
@@ -136,7 +134,6 @@ void add_ground_options(Command& command, GroundOptions& o) {
         .synonyms = {{"profile soil strata"}}},
        {.name = "--unit-weight",
         .value = number_without_default(o.unit_weight),
-        .group = group,
         .meaning =
             "Unit weight above the water table, with pore water; by default from grain density and void "
             "ratio",
@@ -144,29 +141,24 @@ void add_ground_options(Command& command, GroundOptions& o) {
         .synonyms = {{"gamma gammad gammasat bulkunitweight"}}},
        {.name = "--saturated-unit-weight",
         .value = number_without_default(o.saturated_unit_weight),
-        .group = group,
         .meaning = "Unit weight below the water table; by default from grain density and void ratio",
         .needs = below_water},
        {.name = "--water-table",
         .value = number_without_default(o.water_table),
-        .group = group,
         .meaning = "Depth of the water table; negative for water above the ground; by default none (dry)",
         .needs = in_ground,
         .synonyms = {{"gwt waterlevel groundwater"}}},
        {.name = "--k0",
         .value = number(o.earth_pressure_at_rest),
-        .group = group,
         .meaning = "K_0, horizontal over vertical effective stress in the ground",
         .needs = in_ground,
         .synonyms = {{"k0 ko"}}},
        {.name = "--surcharge",
         .value = number(o.surcharge),
-        .group = group,
         .meaning = "Pressure on the surface of the ground",
         .needs = in_ground},
        {.name = "--water-unit-weight",
         .value = number(o.water_unit_weight),
-        .group = group,
         .meaning = "Unit weight of the water",
         .needs = below_water}});
 }

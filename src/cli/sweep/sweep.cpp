@@ -44,29 +44,25 @@ std::vector<std::string> names_of(std::span<const Item> items, const char* Item:
 }
 
 void add_path_options(Command& command, SweepOptions& o) {
-  constexpr const char* group = "Path";
   const std::vector<Belonging> sheared = {
       {"--path", "txc rtxc rtxe txe", "iso", "--path txc, rtxc, rtxe and txe, not with iso"}};
   command.add(
+      "Path",
       {{.name = "--path",
         .value = choice({"iso", "txc", "rtxc", "rtxe", "txe"}, o.path),
-        .group = group,
         .meaning = "Stress path. iso: equal stresses, from --from to --to. The others, from --from to --eta: "
                    "txc, vertical stress grows; rtxc, horizontal stress falls; rtxe, vertical stress falls; "
                    "txe, horizontal stress grows"},
        {.name = "--from",
         .value = number_without_default(o.from),
-        .group = group,
         .meaning = "Mean stress at the start",
         .synonyms = command.row("--pressure").synonyms},
        {.name = "--to",
         .value = number_without_default(o.to),
-        .group = group,
         .meaning = "Mean stress at the end of --path iso",
         .belongs = {{"--path", "iso", "iso", "--path iso; other paths end at --eta or --friction-angle"}}},
        {.name = "--eta",
         .value = number_without_default(o.eta),
-        .group = group,
         .meaning = "Stress ratio q/p' = (sigma_v - sigma_h)/p' at the end of the other paths; negative for "
                    "rtxe and txe",
         .excludes = {{"--friction-angle", "give one of --eta and --friction-angle: the end of the path"}},
@@ -74,22 +70,18 @@ void add_path_options(Command& command, SweepOptions& o) {
         .synonyms = {{"stressratio q"}}},
        {.name = "--friction-angle",
         .value = number_without_default(o.friction_angle),
-        .group = group,
         .meaning = "End at failure with this friction angle, instead of --eta",
         .belongs = sheared,
         .synonyms = {{"phi mu friction frictioncoefficient"}}},
        {.name = "--spacing",
         .value = choice({"log", "linear"}, o.spacing),
-        .group = group,
         .meaning = "Spacing of the states in p' or eta; by default log for iso, linear for others"},
        {.name = "--points",
         .value = whole_number(o.points, 2, 1000000),
-        .group = group,
         .meaning = "States on the path, or depths, both ends included"}});
 }
 
 void add_table_options(Command& command, SweepOptions& o) {
-  constexpr const char* group = "Table and columns";
   Value rungs = choice(names_of(effective::closed_forms(), &Rung::key),
                        [&o](const std::string& key) { o.rungs.push_back(key); });
   rungs.by_default = "all; none in the CSV of a table";
@@ -98,25 +90,22 @@ void add_table_options(Command& command, SweepOptions& o) {
   Value columns = choice({"usual", "all"}, [&o](const std::string& text) { o.all_columns = text == "all"; });
   columns.by_default = "usual";
   command.add(
+      "Table and columns",
       {{.name = "--table",
         .value = path(o.table, "FILE.csv"),
-        .group = group,
         .meaning = "States from the rows of this CSV file",
         .excludes = {{"--path --from --to --eta --friction-angle --points --spacing --picture-of"}},
         .synonyms = {{"csv file input data"}}},
        {.name = "--rungs",
         .value = std::move(rungs),
-        .group = group,
         .meaning = "Closed forms to compare with (rungs, below), separated by commas"},
        {.name = "--laws",
         .value = flag(o.law_columns),
-        .group = group,
         .meaning =
             "Also published laws of sands: one column each, and their range in the picture of G along a "
             "path or over depth"},
        {.name = "--columns",
         .value = std::move(columns),
-        .group = group,
         .meaning = "Columns of the CSV. usual: G, V_s, V_p, z* and s of the answer with their ranges; all: "
                    "all moduli and "
                    "speeds, and every rung for a table"}});
@@ -144,11 +133,11 @@ void add_sweep_options(Command& command, SweepOptions& o) {
       "Draw the answer with its range and the rungs along the path; stresses and answers over depth; or "
       "G of a table's rows");
   command.row("--picture").excludes = {{"--json"}};
-  command.add({.name = "--picture-of",
-               .value = choice(names_of(swept_quantities(), &SweptQuantity::name), o.picture_of),
-               .group = output_group,
-               .meaning = "Quantity in the picture of a path; by default G_hv",
-               .needs = {{"--picture"}}});
+  command.add(output_group,
+              {{.name = "--picture-of",
+                .value = choice(names_of(swept_quantities(), &SweptQuantity::name), o.picture_of),
+                .meaning = "Quantity in the picture of a path; by default G_hv",
+                .needs = {{"--picture"}}}});
 }
 
 ExitCode run(SweepOptions o) {

@@ -155,23 +155,19 @@ Command make_trade() {
       .meaning = "Measure speed against accuracy on this machine: grains, rates, time step, probe, walls",
       .run = [options] { return run(*options); }};
   add_study_options(command, options->study, studies::SceneCommand::trade);
-  command.add({{.name = "--quick",
-                .value = flag(options->quick),
-                .group = "Extent",
-                .meaning = "Up to 1,000 grains, few values of each setting, two seeds",
-                .excludes = {{"--full --budget", "--quick cannot go with --full or --budget"}}},
-               {.name = "--full",
-                .value = flag(options->full),
-                .group = "Extent",
-                .meaning = "Up to 16,000 grains, and more values of every setting"},
-               {.name = "--budget",
-                .value = quantity(options->budget, Dimension::time),
-                .group = "Extent",
-                .meaning = "Largest numbers of grains within this wall time: --budget 600s"},
-               {.name = "--redraw",
-                .value = path(options->redraw, "DIR"),
-                .group = "Run",
-                .meaning = "Draw trade.svg again from the finished run of this folder"}});
+  command.add("Extent", {{.name = "--quick",
+                          .value = flag(options->quick),
+                          .meaning = "Up to 1,000 grains, few values of each setting, two seeds",
+                          .excludes = {{"--full --budget", "--quick cannot go with --full or --budget"}}},
+                         {.name = "--full",
+                          .value = flag(options->full),
+                          .meaning = "Up to 16,000 grains, and more values of every setting"},
+                         {.name = "--budget",
+                          .value = quantity(options->budget, Dimension::time),
+                          .meaning = "Largest numbers of grains within this wall time: --budget 600s"}});
+  command.add("Run", {{.name = "--redraw",
+                       .value = path(options->redraw, "DIR"),
+                       .meaning = "Draw trade.svg again from the finished run of this folder"}});
   add_strict_scene(command, options->strict);
   add_result_options(command, options->results, "Folder for results; by default a new granum-trade-N");
   return command;

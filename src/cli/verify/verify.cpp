@@ -97,12 +97,12 @@ Command make_verify() {
       .run = [options] { return run(*options); }};
   add_study_options(command, options->study, studies::SceneCommand::verify);
   command.add(
-      {.name = "--report",
-       .value = path(options->report, "DIR"),
-       .group = "Run",
-       .meaning = "Write report.html and its figures again from the finished run in this folder",
-       .excludes = {{"--scene --set --grains --seeds --threads --out",
-                     "--report uses the earlier run; no scene and no other folder may be given with it"}}});
+      "Run",
+      {{.name = "--report",
+        .value = path(options->report, "DIR"),
+        .meaning = "Write report.html and its figures again from the finished run in this folder",
+        .excludes = {{"--scene --set --grains --seeds --threads --out",
+                      "--report uses the earlier run; no scene and no other folder may be given with it"}}}});
   add_strict(command, options->strict);
   add_result_options(command, options->results,
                      "Folder for report, CSV and manifest; by default a new granum-verify-N");
