@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/verify/exponent_scatter.hpp"
+#include "studies/verify/seed_mean.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/verify/exponent_scatter.hpp"
 #include "studies/verify/findings.hpp"
+#include "studies/verify/seed_mean.hpp"
 
 #include <cmath>
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/trade/trade_rule.hpp"
+#include "studies/trade/trade_findings.hpp"
 
 #include <algorithm>
 #include <cmath>

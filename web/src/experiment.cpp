@@ -16,7 +16,7 @@
 #include <granum/fabric/rose.hpp>
 
 #include "experiment.hpp"
-#include "studies/verify/exponent_scatter.hpp"
+#include "studies/verify/seed_mean.hpp"
 
 namespace {
 

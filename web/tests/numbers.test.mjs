@@ -275,7 +275,7 @@ for (const density of ["dense", "loose"])
         "probe_pressures=100kPa"].flatMap((setting) => ["--set", `study.${setting}`]), "--out", path.join(out, "verify"));
       const s = native.exponents[0].network;
       console.log(`${density}: s ${once.s} +- ${once.error}, native ${s.value} +- ${s.standard_error}`);
-      const betweenSpecimens = { dense: 0.0017, loose: 0.0198 }[density] * Math.sqrt(1000 / 300); // exponent_scatter.cpp
+      const betweenSpecimens = { dense: 0.0017, loose: 0.0198 }[density] * Math.sqrt(1000 / 300); // seed_mean.cpp
       assert.ok(once.error >= betweenSpecimens * (1 - 1e-12), `error ${once.error}`);
       // Last digits of logarithms and powers differ; loose grains then go other ways, so that these are two specimens.
       assert.ok(Math.abs(once.s - s.value) < 3 * Math.hypot(once.error, s.standard_error), `s ${once.s}, native ${s.value}`);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "answer_page.hpp"
+#include "estimate.hpp"
 
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
 #include <granum/plot/page.hpp>
-
-#include "sources.hpp"
 
 namespace granum::cli {
 
@@ -44,6 +43,23 @@ std::string numbers(const Named& named) {
       rows.push_back({row.symbol, field_text(row, range->value), field_text(row, range->low),
                       field_text(row, range->high), row.meaning});
   return plot::html_paragraph(named.first) + plot::html_table({"", "answer", "low", "high", "meaning"}, rows);
+}
+
+struct Source {
+  std::string_view key, text;
+};
+constexpr Source bibliography[] = {
+#include "sources_table.inc"
+};
+
+/// The entries of validation/references.bib whose keys occur in a text, in the order of the bibliography:
+/// "Menq2003: Menq, F. Y. (2003): ...".
+std::vector<std::string> sources_in(std::string_view text) {
+  std::vector<std::string> all;
+  for (const Source& source : bibliography)
+    if (text.find(source.key) != std::string_view::npos)
+      all.push_back(std::string(source.key) + ": " + std::string(source.text));
+  return all;
 }
 
 /// Keys of the sources of all numbers.

@@ -8,17 +8,13 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/io/output_file.hpp>
-#include <granum/plot/chart.hpp>
 
 #include "answer_options.hpp"
-#include "answer_page.hpp"
 #include "answer_picture.hpp"
-#include "cement_report.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/packing_options.hpp"
-#include "ladder_report.hpp"
 
 namespace granum::cli {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ladder_report.hpp"
+#include "estimate.hpp"
 
 #include <fmt/core.h>
 #include <granum/core/number.hpp>

@@ -1,12 +1,131 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing_rows.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <sstream>
+
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/sizes/distribution_text.hpp>
 
 namespace granum::cli {
+
+namespace {
+
+/// "--void-ratio" as void_ratio.
+std::string heading_of(const Number& number) {
+  std::string name = number.name.substr(2);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+/// Usual spellings of "void_ratio": "void ratio", "Void ratio", "Void Ratio", "Void_ratio".
+std::vector<std::string> written_forms(const std::string& name) {
+  std::string words = name;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  const auto upper = [](char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); };
+  std::string each = words;
+  for (std::size_t k = 0; k < each.size(); ++k)
+    if (k == 0 || each[k - 1] == ' ')
+      each[k] = upper(each[k]);
+  std::vector<std::string> forms{name, words, upper(name[0]) + name.substr(1),
+                                 upper(words[0]) + words.substr(1), each};
+  std::sort(forms.begin(), forms.end());
+  forms.erase(std::unique(forms.begin(), forms.end()), forms.end());
+  return forms;
+}
+
+std::vector<std::string> names_of(const Number& number) {
+  std::vector<std::string> names = written_forms(heading_of(number));
+  std::istringstream symbols{std::string(number.symbols)};
+  for (std::string symbol; symbols >> symbol;)
+    if (std::find(names.begin(), names.end(), symbol) == names.end())
+      names.push_back(symbol);
+  return names;
+}
+
+void refuse_twice(bool option_given, const std::string& option, const std::string& heading) {
+  if (option_given)
+    throw InvalidArgument(fmt::format("{} is given as an option and by the column '{}'", option, heading));
+}
+
+} // namespace
+
+NumberColumns::NumberColumns(const io::CsvTable& table)
+    : table_(table), read_(table.headings().size(), false) {}
+
+bool NumberColumns::bind(Number& number) {
+  const auto& headings = table_.headings();
+  std::optional<io::CsvTable::Place> found;
+  for (const std::string& name : names_of(number)) {
+    if (!table_.has(name))
+      continue;
+    const io::CsvTable::Place column = table_.column(name, number.dimension);
+    if (found)
+      throw FileError(table_.name(), table_.heading_line(),
+                      fmt::format("columns {} and {}, '{}' and '{}', both contain {}", found->index + 1,
+                                  column.index + 1, headings[found->index], headings[column.index],
+                                  heading_of(number)));
+    found = column;
+  }
+  if (!found)
+    return false;
+  refuse_twice(number.given(), number.name, headings[found->index]);
+  number.per_cent = number.dimension == Dimension::dimensionless && found->factor != 1;
+  inputs_.push_back({&number, *found, number.value});
+  read_[found->index] = true;
+  return true;
+}
+
+std::optional<std::size_t> NumberColumns::text(const std::string& heading, bool option_given) {
+  const auto& headings = table_.headings();
+  const std::vector<std::string> forms = written_forms(heading);
+  const auto found = std::find_if(headings.begin(), headings.end(), [&](const std::string& one) {
+    return std::find(forms.begin(), forms.end(), one) != forms.end();
+  });
+  if (found == headings.end())
+    return std::nullopt;
+  refuse_twice(option_given, "--" + heading, *found);
+  const auto index = static_cast<std::size_t>(found - headings.begin());
+  read_[index] = true;
+  return index;
+}
+
+void NumberColumns::take(std::size_t row) const {
+  const auto& fields = table_.fields(row);
+  for (const auto& [number, column, by_default] : inputs_) {
+    const std::string& field = fields[column.index];
+    number->in_table = !trimmed(field).empty();
+    if (!number->in_table) {
+      number->value = by_default;
+      continue;
+    }
+    std::string text(trimmed(field));
+    double share = 1;
+    if (number->dimension == Dimension::dimensionless && text.ends_with('%')) {
+      text.pop_back();
+      share = number->per_cent ? 1 : 0.01; // the sign in the cell repeats that of the heading
+    }
+    auto value = parse_number(trimmed(text));
+    if (value)
+      *value *= share;
+    if (!value || !std::isfinite(*value * column.factor))
+      throw InvalidArgument(fmt::format("expected a finite number in column '{}', found '{}'",
+                                        table_.headings()[column.index], field));
+    number->value = *value * column.factor;
+  }
+}
+
+std::vector<std::string> NumberColumns::unread() const {
+  std::vector<std::string> headings;
+  for (std::size_t k = 0; k < read_.size(); ++k)
+    if (!read_[k])
+      headings.push_back(table_.headings()[k]);
+  return headings;
+}
 
 PackingRows::PackingRows(const io::CsvTable& table, const PackingOptions& options)
     : table_(table), row_(options), contact_by_default_(options.contact), columns_(table) {

@@ -8,11 +8,46 @@
 
 #include <granum/io/csv/table.hpp>
 
-#include "number_columns.hpp"
 #include "packing_options.hpp"
 
-/// Packings from the rows of a table, completed by the options of a command.
+/// Columns of a table for values that may also be options, and packings from its rows, completed by the
+/// options of a command.
 namespace granum::cli {
+
+/// Numbers bound to their columns, by the names of their options (void_ratio, "void ratio") or
+/// by symbol (e), with their unit: p_kPa, "p (kPa)", "p [kPa]".
+class NumberColumns {
+ public:
+  explicit NumberColumns(const io::CsvTable& table);
+
+  /// Binds the number to its column; returns whether the table has one. If a row leaves it empty, the number
+  /// is not given and has its default.
+  /// \throws   FileError for a column without its unit, or if two columns contain the number;
+  ///           InvalidArgument if it is given by an option too
+  bool bind(Number& number);
+  /// The column of a text with that heading; empty if there is none.
+  /// \throws   InvalidArgument if it is given by an option too
+  [[nodiscard]] std::optional<std::size_t> text(const std::string& heading, bool option_given);
+  /// Marks a column as used by other code.
+  void mark_as_read(std::size_t column) { read_.at(column) = true; }
+
+  /// Sets the bound numbers to those of a row.
+  /// \throws   InvalidArgument for a field that is not a number
+  void take(std::size_t row) const;
+  /// Headings of unused columns.
+  [[nodiscard]] std::vector<std::string> unread() const;
+
+ private:
+  struct Input {
+    Number* number;
+    io::CsvTable::Place column;
+    double by_default;
+  };
+
+  const io::CsvTable& table_;
+  std::vector<Input> inputs_;
+  std::vector<bool> read_;
+};
 
 /// The inputs in a table: numbers, contact, sizes; and the packing of each of its rows.
 class PackingRows {

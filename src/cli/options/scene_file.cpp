@@ -2,14 +2,20 @@
 #include "scene_file.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <toml++/toml.h>
-
-#include "scene_source.hpp"
 
 namespace granum::cli {
 
@@ -18,6 +24,161 @@ namespace {
 using studies::Scene;
 using studies::SceneCommand;
 using studies::SceneKey;
+
+// ---- the text of a scene file, checked before a parser sees it
+
+constexpr std::size_t largest_file = 1'000'000; ///< bytes
+constexpr std::size_t most_parts = 8;           ///< of a key
+constexpr std::size_t deepest = 8;              ///< brackets within brackets
+constexpr std::size_t longest = 1000;           ///< key or value, characters
+
+std::string last_error() { return std::generic_category().message(errno); }
+
+class OpenFile {
+ public:
+  explicit OpenFile(const std::string& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (descriptor_ < 0)
+      throw FileError(path, 0, "could not be opened: " + last_error());
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() { ::close(descriptor_); }
+
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+void require_file_or_pipe(const OpenFile& file, const std::string& path) {
+  struct stat about {};
+  if (::fstat(file.descriptor(), &about) != 0)
+    throw FileError(path, 0, "could not be read: " + last_error());
+  if (S_ISDIR(about.st_mode))
+    throw FileError(path, 0, "is a folder; a scene is a TOML file");
+  if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode) && !S_ISSOCK(about.st_mode))
+    throw FileError(path, 0, "is a device; a scene is a TOML file or comes through a pipe");
+}
+
+/// Reads a TOML text and counts the depth of a parser's stack.
+class FlatCheck {
+ public:
+  FlatCheck(std::string_view text, const std::string& path) : text_(text), path_(path) {}
+
+  void run() {
+    while (place_ < text_.size()) {
+      const char c = text_[place_];
+      if (c == '"' || c == '\'')
+        pass_string(c);
+      else
+        pass(c);
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw FileError(path_, line_, what + "; a scene has sections, and keys with a value");
+  }
+
+  void begin_item() { parts_ = 1, length_ = 0; }
+
+  void lengthen(std::size_t by) {
+    length_ += by;
+    if (length_ > longest)
+      refuse("a key or value of more than " + std::to_string(longest) + " characters");
+  }
+
+  void pass(char c) {
+    ++place_;
+    switch (c) {
+    case '\n':
+      ++line_;
+      return begin_item();
+    case '#':
+      place_ = std::min(text_.find('\n', place_), text_.size());
+      return;
+    case '.':
+      if (++parts_ > most_parts)
+        refuse("a key of more than " + std::to_string(most_parts) + " parts");
+      return lengthen(1);
+    case '[':
+    case '{':
+      if (++depth_ > deepest)
+        refuse("brackets more than " + std::to_string(deepest) + " deep");
+      return begin_item();
+    case ']':
+    case '}':
+      depth_ -= depth_ > 0;
+      return begin_item();
+    case ',':
+    case '=':
+      return begin_item();
+    default:
+      return lengthen(1);
+    }
+  }
+
+  /// Moves to the end of a text in single or triple quotes; an unclosed text ends with its line.
+  void pass_string(char quote) {
+    const std::size_t begin = place_;
+    const std::string three(3, quote);
+    const bool many_lines = text_.substr(place_, 3) == three;
+    place_ += many_lines ? 3 : 1;
+    for (; place_ < text_.size(); ++place_) {
+      const char c = text_[place_];
+      if (c == '\n') {
+        ++line_;
+        if (!many_lines)
+          break;
+      } else if (c == '\\' && quote == '"') {
+        ++place_;
+      } else if (c == quote && (!many_lines || text_.substr(place_, 3) == three)) {
+        place_ += many_lines ? 3 : 1;
+        break;
+      }
+    }
+    place_ = std::min(place_, text_.size());
+    lengthen(place_ - begin);
+  }
+
+  std::string_view text_;
+  const std::string& path_;
+  std::size_t place_ = 0;
+  std::size_t line_ = 1;
+  std::size_t parts_ = 1;
+  std::size_t length_ = 0;
+  std::size_t depth_ = 0;
+};
+
+/// The text of a regular file or a pipe of at most one megabyte.
+/// \throws   FileError for a folder, a device, a larger file, or one that cannot be read
+std::string read_scene_text(const std::string& path) {
+  const OpenFile file(path);
+  require_file_or_pipe(file, path);
+  std::string text;
+  std::array<char, 65536> buffer;
+  for (;;) {
+    const ssize_t count = ::read(file.descriptor(), buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      throw FileError(path, 0, "could not be read: " + last_error());
+    if (count == 0)
+      return text;
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (text.size() > largest_file)
+      throw FileError(path, 0,
+                      "is longer than " + std::to_string(largest_file) + " bytes, too long for a scene");
+  }
+}
+
+/// Scenes are flat: [section] and key = value. In deeply nested texts the recursion of the parser would
+/// overflow the stack.
+/// \throws   FileError with path and line for a key of more than 8 parts, brackets more than 8 deep, or a key
+///           or value of more than 1,000 characters
+void require_flat(std::string_view text, const std::string& path) { FlatCheck(text, path).run(); }
+
+// ---- its keys
 
 /// A TOML value as a text for --set.
 std::string text_of(const toml::node& node, const std::string& path) {

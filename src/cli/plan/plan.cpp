@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "studies/plan/plan.hpp"
-#include "studies/trade/trade_rule.hpp"
+#include "studies/trade/trade_findings.hpp"
 #include <fmt/core.h>
 #include <granum/core/number.hpp>
 #include <granum/io/csv/columns.hpp>

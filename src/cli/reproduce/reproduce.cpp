@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "studies/reproduce/experiment.hpp"
-#include "studies/reproduce/experiment_findings.hpp"
+#include "studies/reproduce/experiment_html.hpp"
+#include "studies/reproduce/experiment_tables.hpp"
+#include "studies/reproduce/figures/experiment_figures.hpp"
 #include "studies/verify/tables.hpp"
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
@@ -14,19 +15,21 @@
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
+#include "cli/frame/json_members.hpp"
 #include "cli/frame/messages.hpp"
 #include "cli/frame/progress.hpp"
 #include "cli/frame/stop_signal.hpp"
 #include "cli/options/judgement.hpp"
 #include "cli/options/likely_mistakes.hpp"
+#include "cli/options/panel_files.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
-#include "reproduce_output.hpp"
 
 namespace granum::cli {
 
 namespace {
 
+using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 struct ReproduceOptions {
@@ -39,6 +42,112 @@ struct ReproduceOptions {
 
 constexpr const char* scene_of_run = "scene.toml";
 constexpr const char* checkpoints_name = "checkpoints";
+
+/// Files and folders that write_results makes.
+constexpr const char* written_names[] = {"states.csv",   "curves.csv",    "loops.csv",   "histograms.csv",
+                                         "table2.csv",   "table4.csv",    "table5.csv",  "exponents.csv",
+                                         "verdicts.csv", "manifest.json", "report.html", "figures"};
+
+ordered_json table_json(const std::vector<studies::TableRow>& rows) {
+  return members_of_all(studies::cell_columns(), studies::cell_rows(rows));
+}
+
+/// Numbers and picture of every panel.
+void write_figures(const fs::path& folder, const std::vector<studies::Figure>& figures,
+                   const std::optional<studies::AssemblyPicture>& assembly) {
+  prepare_folder(folder, {}, true);
+  const auto write = [&](const std::string& name, const std::string& text) {
+    io::write_file(folder / name, text, io::Existing::replace);
+  };
+  if (assembly)
+    write(assembly->stem + ".svg", assembly->svg);
+  for (const studies::Figure& figure : figures)
+    write_panels(folder, figure.panels);
+}
+
+ordered_json run_json(const studies::ExperimentSpecimen& specimen, const studies::PathRun& run) {
+  return {{"contact", contact::name(specimen.contact)},
+          {"density", studies::name(specimen.density)},
+          {"seed", specimen.seed},
+          {"path", studies::name(run.path)},
+          {"frozen_states", run.points.size()},
+          {"steps", run.steps},
+          {"peak_eta", run.peak.stress.ratio()},
+          {"path_error", run.path_error},
+          {"largest_inertial_number", run.largest_inertial_number},
+          {"notes", run.notes},
+          {"failure", run.failure}};
+}
+
+ordered_json manifest_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
+                         const studies::RunTime& time) {
+  ordered_json json = json_head("reproduce");
+  json["wall_time_s"] = time.seconds;
+  json["resumed"] = time.resumed;
+  json["complete"] = experiment.complete();
+  json["scene"] = json_of(experiment.scene);
+  json["threads_used"] = studies::thread_count(experiment.scene);
+  json["conventions"] = {
+      {"units", "SI, as in the names; friction angles in degrees"},
+      {"signs", "compression positive; z is vertical; eta = (s_v - s_h)/p'; strains are logarithmic"},
+      {"G", "of the contact network of the frozen state, every contact sticking; probes by cyclic shear"}};
+  json["table_2"] = table_json(studies::table_2(experiment));
+  json["table_4"] = table_json(studies::table_4(experiment));
+  json["table_5"] = table_json(studies::table_5(experiment));
+  json["further_exponents"] = table_json(studies::further_exponents(experiment));
+  json["verdicts"] = members_of_all(studies::verdict_columns(), verdicts);
+  json["runs"] = ordered_json::array();
+  for (const studies::ExperimentSpecimen& specimen : experiment.specimens)
+    for (const studies::PathRun& run : specimen.runs)
+      json["runs"].push_back(run_json(specimen, run));
+  return json;
+}
+
+/// Tables, figures, report.html and manifest; replaces those of an earlier run.
+/// \throws   FileError
+void write_results(const fs::path& folder, const studies::Experiment& experiment,
+                   const std::vector<studies::Verdict>& verdicts, const ordered_json& manifest,
+                   const studies::RunTime& time) {
+  const auto write = [&](const char* name, const std::string& text) {
+    io::write_file(folder / name, text, io::Existing::replace);
+  };
+  write("states.csv", studies::frozen_states_csv(experiment));
+  write("curves.csv", studies::curves_csv(experiment));
+  write("loops.csv", studies::loops_csv(experiment));
+  write("histograms.csv", studies::histograms_csv(experiment));
+  write("table2.csv", studies::table_csv(studies::table_2(experiment)));
+  write("table4.csv", studies::table_csv(studies::table_4(experiment)));
+  write("table5.csv", studies::table_csv(studies::table_5(experiment)));
+  write("exponents.csv", studies::table_csv(studies::further_exponents(experiment)));
+  write("verdicts.csv", io::csv_text(studies::verdict_columns(), verdicts));
+  const std::vector<studies::Figure> figures = studies::experiment_figures(experiment);
+  const std::optional<studies::AssemblyPicture> assembly = studies::assembly_picture(experiment);
+  const studies::ExperimentReport report =
+      studies::experiment_report(experiment, verdicts, figures, assembly, time);
+  const fs::path pictures = folder / studies::figures_folder;
+  write_figures(pictures, figures, assembly);
+  write_panels(pictures, report.panels);
+  write("report.html", report.html);
+  write("manifest.json", json_text(manifest));
+}
+
+/// Tables 2, 4 and 5 with the paper's values, and the verdicts, as text.
+std::string report_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
+                      const studies::RunTime& time) {
+  std::string out = "granum +- standard error, compared with the paper; within: whether the difference is "
+                    "within the tolerance, undecided if the standard error exceeds it\n\n";
+  out += studies::table_text("Table 2: start of isotropic compression", studies::table_2(experiment)) + "\n";
+  out += studies::table_text("Table 4: friction angle at the peak", studies::table_4(experiment)) + "\n";
+  out +=
+      studies::table_text("Table 5: G = C p_a f(e) (s_i/p_a)^m (s_j/p_a)^n", studies::table_5(experiment)) +
+      "\n";
+  out += studies::table_text("Further exponents", studies::further_exponents(experiment)) + "\n";
+  out += studies::verdicts_table(verdicts);
+  return out + fmt::format("\n{} specimens of {} grains, {} frozen states in {:.1f} s on {}\n",
+                           experiment.specimens.size(), experiment.scene.study.grains,
+                           frozen_states(experiment), time.seconds,
+                           threads_text(studies::thread_count(experiment.scene)));
+}
 
 /// The paper's own size: 10,000 grains between six rigid walls.
 studies::Scene paper_scene() {
@@ -88,7 +197,7 @@ studies::Scene new_scene(const ReproduceOptions& options) {
 
 Place new_place(const ReproduceOptions& options, const studies::Scene& scene) {
   Place place{.scene = scene, .folder = {}};
-  std::vector<const char*> names(result_names().begin(), result_names().end());
+  std::vector<const char*> names(std::begin(written_names), std::end(written_names));
   names.push_back(scene_of_run);
   names.push_back(checkpoints_name);
   suggest_resume(options.results);
@@ -135,7 +244,7 @@ ExitCode run(const ReproduceOptions& options) {
   }
   const std::vector<studies::Verdict> verdicts = studies::experiment_verdicts(experiment);
   const studies::RunTime time{.seconds = seconds_since(start), .resumed = !anew};
-  const nlohmann::ordered_json manifest = with_cost_of_sizes(
+  const ordered_json manifest = with_cost_of_sizes(
       with_warnings(manifest_of(experiment, verdicts, time), likely_mistakes(place.scene)), place.scene);
   write_results(place.folder, experiment, verdicts, manifest, time);
   options.results.print(report_of(experiment, verdicts, time) + "report.html, tables and pictures in " +

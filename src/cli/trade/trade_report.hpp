@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "studies/trade/trade_findings.hpp"
-#include "studies/trade/trade_rule.hpp"
 #include <nlohmann/json.hpp>
 
 namespace granum::cli {

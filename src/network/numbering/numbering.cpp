@@ -7,7 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "halving.hpp"
 #include "weakly_supported.hpp"
 
 namespace granum::network {
@@ -27,6 +26,29 @@ Neighbours adjacency(const packing::Assembly& assembly, const std::vector<bool>&
     neighbours[c.j].push_back(c.i);
   }
   return neighbours;
+}
+
+/// Sorts points into two halves along the longest side of their bounding box; returns the number in the
+/// first.
+/// \param    points   numbers of points, at least 1
+std::size_t halve(const std::vector<Vec3>& position, std::span<std::uint32_t> points) {
+  Vec3 low = position[points.front()], high = low;
+  for (const std::uint32_t p : points)
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], position[p][k]);
+      high[k] = std::max(high[k], position[p][k]);
+    }
+  const Vec3 side = high - low;
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+    if (side[k] > side[axis])
+      axis = k;
+  const std::size_t half = points.size() / 2;
+  std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(half), points.end(),
+                   [&](std::uint32_t p, std::uint32_t q) {
+                     return std::pair(position[p][axis], p) < std::pair(position[q][axis], q);
+                   });
+  return half;
 }
 
 class Counter {

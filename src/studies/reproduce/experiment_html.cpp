@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "studies/report/verdict_lists.hpp"
-#include "studies/reproduce/experiment_data.hpp"
 #include "studies/reproduce/experiment_findings.hpp"
 #include "studies/reproduce/experiment_tables.hpp"
 #include "studies/reproduce/figures/figure_parts.hpp"

@@ -4,8 +4,6 @@
 
 #include "studies/reproduce/experiment_findings.hpp"
 
-#include "experiment_data.hpp"
-
 #include <granum/core/number.hpp>
 
 namespace granum::studies {

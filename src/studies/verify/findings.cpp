@@ -11,7 +11,6 @@
 #include <granum/hardin/fit.hpp>
 #include <granum/hardin/polynomial.hpp>
 
-#include "exponent_scatter.hpp"
 #include "seed_mean.hpp"
 #include "studies/running/fitted_exponent.hpp"
 #include "studies/running/outcome_text.hpp"

@@ -26,7 +26,7 @@ struct ExponentRow {
 
 /// Exponents of the specimens that have at least three states, by Levenberg-Marquardt on G itself, as in the
 /// paper: the mean over the seeds. Its standard error is, over the root of their number, the larger of two:
-/// the scatter between specimens, pooled from earlier studies (exponent_scatter.hpp) and these seeds, and the
+/// the scatter between specimens, pooled from earlier studies (seed_mean.hpp) and these seeds, and the
 /// mean regression error. Empty with fewer than three states, or if the fit does not converge. Order:
 /// contacts, then densities, as in the scene.
 /// Checked by tests/studies/test_findings.cpp

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "figure_parts.hpp"
-#include "studies/reproduce/experiment_data.hpp"
+#include "studies/reproduce/experiment_findings.hpp"
 
 namespace granum::studies {
 

@@ -3,7 +3,7 @@
 #include <iterator>
 
 #include "figure_parts.hpp"
-#include "studies/reproduce/experiment_data.hpp"
+#include "studies/reproduce/experiment_findings.hpp"
 
 namespace granum::studies {
 
