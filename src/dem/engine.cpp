@@ -214,7 +214,6 @@ void Engine::Data::take_figures(const SweepSums& total) {
   if (walls) {
     figures.boundary_stress = wall_stress(walls->forces(), wall_planes(cold.cell));
     figures.wall_contacts = walls->forces().contacts;
-    figures.wall_sliding = walls->forces().sliding;
   }
   const std::size_t all = figures.contacts + figures.wall_contacts;
   figures.mean_normal_force = all > 0 ? total.normal_force / static_cast<double>(all) : 0;

@@ -12,8 +12,16 @@ namespace granum::packing {
 
 namespace {
 
-/// <f_n^x (1 + weight (f_t/f_n)^2)>/<f_n>^x over the contacts that carry force.
-double weighted_moment(const Assembly& assembly, double exponent, double weight) {
+/// f^2/k, the work of a force on its own displacement.
+double compliance_energy(double force, double stiffness) {
+  if (force == 0)
+    return 0;
+  return stiffness > 0 ? force * force / stiffness : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+double normal_force_moment(const Assembly& assembly, double exponent) {
   require_valid(assembly);
   require_finite("exponent", exponent);
   double count = 0, sum = 0;
@@ -27,28 +35,9 @@ double weighted_moment(const Assembly& assembly, double exponent, double weight)
   const double mean = sum / count;
   double moment = 0;
   for (const Contact& c : assembly.contacts)
-    if (c.normal_force > 0) {
-      const double slope = norm(c.tangential_force) / c.normal_force;
-      moment += std::pow(c.normal_force / mean, exponent) * (1 + weight * slope * slope);
-    }
+    if (c.normal_force > 0)
+      moment += std::pow(c.normal_force / mean, exponent);
   return moment / count;
-}
-
-/// f^2/k, the work of a force on its own displacement.
-double compliance_energy(double force, double stiffness) {
-  if (force == 0)
-    return 0;
-  return stiffness > 0 ? force * force / stiffness : std::numeric_limits<double>::infinity();
-}
-
-} // namespace
-
-double normal_force_moment(const Assembly& assembly, double exponent) {
-  return weighted_moment(assembly, exponent, 0);
-}
-
-double energy_moment(const Assembly& assembly, double exponent, double tangential_ratio) {
-  return weighted_moment(assembly, exponent, 1 / require_positive("tangential_ratio", tangential_ratio));
 }
 
 BulkModulusBounds bulk_modulus_bounds(const Assembly& assembly) {

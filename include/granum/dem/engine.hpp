@@ -22,7 +22,6 @@ struct StepFigures {
   std::size_t contacts = 0;      ///< between grains
   std::size_t sliding = 0;       ///< number of these at the Coulomb limit in this step
   std::size_t wall_contacts = 0; ///< between grains and walls
-  std::size_t wall_sliding = 0;
 };
 
 /// Default time step over its stability limit. Smaller ones cost more steps and do not change quasi-static

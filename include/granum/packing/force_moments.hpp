@@ -12,14 +12,6 @@ namespace granum::packing {
 /// Checked by tests/packing/test_force_moments.cpp
 [[nodiscard]] double normal_force_moment(const Assembly& assembly, double exponent);
 
-/// Z'(x) = <f_n^x (1 + (f_t/f_n)^2/r)>/<f_n>^x: the same with the tangential forces' share of the elastic
-/// energy; x = 5/3 for Hertz contacts.                                                   [AgnolinRoux2007c]
-/// \param    exponent          x, any finite number [1]
-/// \param    tangential_ratio  r = k_t/k_n > 0 [1]
-/// \throws   InvalidArgument as normal_force_moment, or if tangential_ratio is not positive
-/// Checked by tests/packing/test_force_moments.cpp
-[[nodiscard]] double energy_moment(const Assembly& assembly, double exponent, double tangential_ratio);
-
 /// Two-sided bound on a bulk modulus [Pa].
 struct BulkModulusBounds {
   double lower = 0;

@@ -190,36 +190,6 @@ std::string contacts_vtp(const packing::Assembly& assembly, std::span<const long
   return text.finish();
 }
 
-std::string path_vtp(std::span<const PathColumn> columns, std::size_t x, std::size_t y, std::size_t z) {
-  for (const std::size_t k : {x, y, z})
-    if (k >= columns.size())
-      throw InvalidArgument("coordinate " + std::to_string(k) + " is none of the " +
-                            std::to_string(columns.size()) + " columns");
-  const std::size_t count = columns[x].values.size();
-  for (const PathColumn& column : columns)
-    if (column.values.size() != count)
-      throw InvalidArgument("column '" + column.name + "' has " + std::to_string(column.values.size()) +
-                            " values where '" + columns[x].name + "' has " + std::to_string(count));
-  std::vector<Vec3> points;
-  for (std::size_t k = 0; k < count; ++k)
-    points.push_back({columns[x].values[k], columns[y].values[k], columns[z].values[k]});
-
-  const std::size_t lines = count > 0 ? 1 : 0;
-  VtkText text("PolyData");
-  text.open("Piece " + counted("NumberOfPoints", count) + ' ' + counted("NumberOfLines", lines));
-  add_points(text, points);
-  text.open("PointData");
-  for (const PathColumn& column : columns)
-    add_scalars(text, column.name.c_str(), column.values);
-  text.close("PointData");
-  text.open("Lines");
-  text.array("Int64", "connectivity", count, 1, [](std::size_t k) { return k; });
-  text.array("Int64", "offsets", lines, 1, [&](std::size_t) { return count; });
-  text.close("Lines");
-  text.close("Piece");
-  return text.finish();
-}
-
 std::string pvd(std::span<const SeriesEntry> series) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
                      "byte_order=\"LittleEndian\">\n<Collection>\n";

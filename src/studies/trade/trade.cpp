@@ -154,9 +154,4 @@ TradeScene within_budget(TradeScene trade, double seconds, double seconds_per_gr
   return trade;
 }
 
-double predicted_seconds(const TradeScene& trade, double seconds_per_grain_step) {
-  require_valid(trade);
-  return trade::predicted_work(trade, trade::planned_work(trade).work) * seconds_per_grain_step;
-}
-
 } // namespace granum::studies

@@ -95,10 +95,6 @@ struct TradeSample {
 /// \throws   InvalidArgument with the budget that the smallest two sizes need
 [[nodiscard]] TradeScene within_budget(TradeScene trade, double seconds, double seconds_per_grain_step);
 
-/// Predicted processor time of a study, from the engine's speed [s].
-/// \param    seconds_per_grain_step  as for within_budget() [s]
-[[nodiscard]] double predicted_seconds(const TradeScene& trade, double seconds_per_grain_step);
-
 /// Runs all studies. Samples that need the same run share it. Specimens run side by side; the numbers, but
 /// for the times, are the same bits for any number of threads.
 /// \return   samples in the order varied, boundary, value, density, seed

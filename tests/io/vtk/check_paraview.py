@@ -38,7 +38,3 @@ assert values(contacts.GetCellData(), "normal_force") == [(2,), (1 / 3,), (3,)]
 assert values(contacts.GetCellData(), "tangential_force") == [(0, 0, 0), (0.1, -0.2, 0), (0, 0, 0)]
 assert values(contacts.GetCellData(), "grains") == [(0, 1), (0, 2), (2, 2)]
 assert values(contacts.GetCellData(), "wall") == [(-1,), (-1,), (5,)]
-
-path = read(vtk.vtkXMLPolyDataReader(), "path.vtp")
-assert path.GetNumberOfLines() == 1 and path.GetCell(0).GetNumberOfPoints() == 3
-assert values(path.GetPointData(), "e") == [(0.6,), (0.5,), (0.4,)]

@@ -132,19 +132,6 @@ TEST_CASE("ParaView: an assembly without contacts, and one without grains") {
   CHECK_THROWS_WITH_AS(grains_vtu(none, id), "id has 1 numbers for 0 grains", InvalidArgument);
 }
 
-TEST_CASE("ParaView: a path with its columns, names escaped") {
-  const std::vector<PathColumn> columns{
-      {"p' [Pa]", {1e5, 2e5}}, {"q <& \"more\"> [Pa]", {0, 3e4}}, {"e", {0.6, 0.59}}};
-  const std::string file = path_vtp(columns, 0, 1, 2);
-  CHECK(array(file, "Points") == std::vector<double>{1e5, 0, 0.6, 2e5, 3e4, 0.59});
-  CHECK(array(file, "offsets") == std::vector<double>{2});
-  CHECK(file.find("q &lt;&amp; &quot;more&quot;&gt; [Pa]") != std::string::npos);
-  CHECK_THROWS_WITH_AS(path_vtp(columns, 0, 1, 3), "coordinate 3 is none of the 3 columns", InvalidArgument);
-  const std::vector<PathColumn> unequal{{"a", {1, 2}}, {"b", {1}}};
-  CHECK_THROWS_WITH_AS(path_vtp(unequal, 0, 0, 0), "column 'b' has 1 values where 'a' has 2",
-                       InvalidArgument);
-}
-
 TEST_CASE("ParaView: a series names its files in their order") {
   const std::vector<SeriesEntry> series{{0, "a.vtu"}, {0.1, "b&c.vtu"}};
   const std::string file = pvd(series);

@@ -25,6 +25,4 @@ int main(int, char** arguments) {
   assembly.wall_contacts = {{.i = 2, .j = 5, .branch = {0, 0, 0.2e-3}, .normal_force = 3}};
   write("grains.vtu", io::grains_vtu(assembly, {}, 0.25));
   write("contacts.vtp", io::contacts_vtp(assembly));
-  const std::vector<io::PathColumn> path{{"p", {1, 2, 3}}, {"q", {0, 1, 2}}, {"e", {0.6, 0.5, 0.4}}};
-  write("path.vtp", io::path_vtp(path, 0, 1, 2));
 }

@@ -8,7 +8,7 @@
 
 #include <granum/packing/assembly.hpp>
 
-/// Packings and stress paths as VTK's XML files, for ParaView and every other reader of them. Text in ASCII,
+/// Packings as VTK's XML files, for ParaView and every other reader of them. Text in ASCII,
 /// SI, with all digits of every number.
 /// Checked by tests/io/vtk/test_paraview.cpp
 namespace granum::io {
@@ -33,19 +33,6 @@ namespace granum::io {
 /// force chains. read_vtk_xml (vtk_xml.hpp) reads both files back.
 /// \throws   as grains_vtu
 [[nodiscard]] std::string contacts_vtp(const packing::Assembly& assembly, std::span<const long> id = {});
-
-/// A quantity along a path.
-struct PathColumn {
-  std::string name; ///< with its unit
-  std::vector<double> values;
-};
-
-/// A path as one polyline (.vtp) through three of its quantities, for instance p', q and e, with every column
-/// as point data.
-/// \param    x, y, z   indices of the columns that are the coordinates
-/// \throws   InvalidArgument for columns of unequal length or a coordinate that is none of them
-[[nodiscard]] std::string path_vtp(std::span<const PathColumn> columns, std::size_t x, std::size_t y,
-                                   std::size_t z);
 
 /// A file at a time of a series, its name relative to the folder of the collection.
 struct SeriesEntry {
