@@ -98,10 +98,6 @@ FrameAnswer analyse_contacts(io::PackingFile& file, const studies::MeasureOption
   return {.measured = studies::measure_frame(table, options.given, options.wanted)};
 }
 
-io::Existing existing(const AnalyseOptions& o) {
-  return o.force ? io::Existing::replace : io::Existing::keep;
-}
-
 AnalyseAnswer answer_all(const AnalyseOptions& o) {
   const FrameChoice choice = parse_frames(o.frames);
   const studies::MeasureOptions options = measure_options(o);
@@ -121,7 +117,7 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
   }
   io::PackingFiles files(std::move(given),
                          {.columns = io::parse_column_map(o.column_map), .box = parse_box(o.box)});
-  ParaviewFrames pictures(o.out, existing(o));
+  ParaviewFrames pictures(o.out, existing(o.force));
   out.frames = analyse_frames(files, choice, options, [&](const auto& packing, std::size_t number) {
     if (!o.out.empty())
       out.chains = studies::force_chains(packing.assembly);
@@ -192,7 +188,7 @@ ExitCode run(const AnalyseOptions& o) {
   take_probes(o.probes, answer.frames);
   std::string table = o.json && o.out.empty() ? "" : within_width(analyse_table(answer));
   if (!o.out.empty()) {
-    write_analysis(o.out, answer, table, existing(o));
+    write_analysis(o.out, answer, table, existing(o.force));
     table += within_width("\nreport.html, CSV, JSON and pictures in " + o.out + "\n");
   }
   const OutputOptions to_screen{.json = o.json, .strict = o.strict, .force = false, .out = {}};

@@ -33,17 +33,6 @@ std::size_t frame_number(const std::string& text, const std::string& all) {
   return static_cast<std::size_t>(*value);
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t end = text.find(separator); end != std::string::npos; end = text.find(separator, begin)) {
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  parts.push_back(text.substr(begin));
-  return parts;
-}
-
 /// The contact law that the options describe, for any material and radius.
 analysis::LawFamily law_family(const PackingOptions& options) {
   return [options = options](const contact::GrainMaterial& grain, double radius) mutable {
@@ -59,7 +48,7 @@ analysis::LawFamily law_family(const PackingOptions& options) {
 template <std::size_t count>
 std::array<double, count> parse_list(const std::string& name, const std::string& text, Dimension dimension,
                                      const char* what) {
-  const std::vector<std::string> parts = split(text, ',');
+  const std::vector<std::string> parts = split_at(text, ',');
   if (parts.size() != count)
     throw InvalidArgument(fmt::format("{} takes {}, not \"{}\"", name, what, text));
   std::array<double, count> out{};
@@ -82,7 +71,7 @@ FrameChoice parse_frames(const std::string& text) {
     return {};
   if (text == "last")
     return {.only_last = true};
-  const std::vector<std::string> parts = split(text, ':');
+  const std::vector<std::string> parts = split_at(text, ':');
   FrameChoice choice;
   if (parts.size() > 3)
     refuse_frames(text);
@@ -135,7 +124,7 @@ std::array<std::optional<double>, 2> parse_range(const std::string& name, const 
 /// "shear-modulus=30GPa,poisson-ratio=0.15"
 contact::GrainMaterial parse_material(const std::string& list, const std::string& whole) {
   std::optional<double> modulus, ratio, bulk;
-  for (const std::string& item : split(list, ',')) {
+  for (const std::string& item : split_at(list, ',')) {
     const std::size_t equals = item.find('=');
     const std::string key = item.substr(0, equals);
     const std::string value = equals == std::string::npos ? "" : item.substr(equals + 1);
@@ -166,7 +155,7 @@ std::optional<studies::WindowChoice> parse_window(const std::string& window, con
     return std::nullopt;
   studies::WindowChoice choice;
   if (!window.empty()) {
-    const std::vector<std::string> axes = split(window, ',');
+    const std::vector<std::string> axes = split_at(window, ',');
     if (axes.size() != 3)
       throw InvalidArgument(fmt::format(
           "--window takes three ranges, x0..x1,y0..y1,z0..z1, .. for a whole axis, not \"{}\"", window));

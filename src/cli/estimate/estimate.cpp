@@ -92,11 +92,10 @@ ExitCode run(Options o) {
     chart = answer_chart(o.packing, o.answer, o.uncertain, answer);
   const std::string text = within_width(table);
   const ExitCode code = deliver(o.output, csv ? answer_csv(answer, packing) : text, json, validity);
-  const io::Existing existing = o.output.force ? io::Existing::replace : io::Existing::keep;
   if (!o.picture.empty())
-    io::write_file(o.picture, plot::svg(*chart), existing);
+    io::write_file(o.picture, plot::svg(*chart), existing(o.output.force));
   if (!o.report.empty())
-    io::write_file(o.report, answer_page(answer, *chart, text, validity), existing);
+    io::write_file(o.report, answer_page(answer, *chart, text, validity), existing(o.output.force));
   return code;
 }
 

@@ -148,8 +148,7 @@ ExitCode run(const ExportOptions& options) {
   for (const Specimen& specimen : specimens_of(scene)) {
     const fs::path folder = fs::path(options.out) / specimen.folder();
     for (const io::DeckFile& file : deck_of(scene, specimen, options, stop_requested)) {
-      io::write_file(folder / file.name, file.text,
-                     options.force ? io::Existing::replace : io::Existing::keep);
+      io::write_file(folder / file.name, file.text, existing(options.force));
       json["files"].push_back((folder / file.name).string());
     }
     table += fmt::format("{}: {} grains; run there  lmp -in in.all  or  mpirun -np N lmp -in in.all\n",

@@ -50,7 +50,7 @@ ExitCode run(FitQuestion question) {
                                 fit_json(question, report), validity);
   if (!question.picture.empty())
     io::write_file(question.picture, plot::svg(fit_chart(question, report.fit(), rows)),
-                   question.output.force ? io::Existing::replace : io::Existing::keep);
+                   existing(question.output.force));
   return code;
 }
 

@@ -129,16 +129,6 @@ class Reader {
   std::size_t next_ = 0;
 };
 
-std::vector<std::string> split_at(const std::string& text, char delimiter) {
-  std::vector<std::string> parts{{}};
-  for (const char c : text)
-    if (c == delimiter && delimiter != '\0')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
 /// Passes the values to an option.
 /// \return   the first error; empty if there is none
 std::string fault_of_value(const TypedArgument& typed, std::exception_ptr& unreadable) {

@@ -113,7 +113,7 @@ ExitCode deliver(const OutputOptions& options, const std::string& table, const n
   if (options.out.empty())
     print(options.json ? text : printable(text));
   else
-    io::write_file(options.out, text, options.force ? io::Existing::replace : io::Existing::keep);
+    io::write_file(options.out, text, existing(options.force));
   for (const std::string& note : validity.notes)
     say(options.strict ? "error" : "warning", note);
   return options.strict && !validity.ok() ? ExitCode::not_converged : ExitCode::ok;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <granum/core/validity.hpp>
+#include <granum/io/output_file.hpp>
 #include <nlohmann/json.hpp>
 
 #include "option_row.hpp"
@@ -37,6 +38,11 @@ inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 [[nodiscard]] Command make_sweep();
 [[nodiscard]] Command make_trade();
 [[nodiscard]] Command make_verify();
+
+/// Whether files may be replaced: with --force only.
+[[nodiscard]] inline io::Existing existing(bool force) {
+  return force ? io::Existing::replace : io::Existing::keep;
+}
 
 /// Options of every subcommand.
 struct OutputOptions {

@@ -16,18 +16,6 @@ namespace granum::cli {
 
 namespace {
 
-/// The parts of a text between separators, without empty ones.
-std::vector<std::string> parts_of(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(separator), text.size());
-    if (end > 0)
-      parts.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return parts;
-}
-
 /// \throws   InvalidArgument with a hint to commands for several states
 double quantity_in(const std::string& name, const std::string& text, Dimension dimension) {
   try {
@@ -98,7 +86,7 @@ bool Command::takes_arguments() const {
 }
 
 std::vector<std::string> names_of(const OptionRow& row) {
-  return row.positional() ? std::vector<std::string>() : parts_of(row.name, ',');
+  return row.positional() ? std::vector<std::string>() : split_at(row.name, ',');
 }
 
 std::string first_name(const OptionRow& row) { return row.name.substr(0, row.name.find(',')); }
@@ -112,6 +100,17 @@ bool is_named(const OptionRow& row, std::string_view option) {
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return false;
+}
+
+std::vector<std::string> split_at(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.emplace_back(text.substr(0, end));
+    if (end == std::string_view::npos)
+      return parts;
+    text.remove_prefix(end + 1);
+  }
 }
 
 bool has_word(std::string_view list, std::string_view word) {

@@ -133,6 +133,8 @@ struct Command {
 /// The name used in tables and contradictions; "--vs" in "--shear-wave-speed,--vs" is the second name.
 [[nodiscard]] std::string first_name(const OptionRow& row);
 [[nodiscard]] bool is_named(const OptionRow& row, std::string_view option);
+/// The parts of a text between separators.
+[[nodiscard]] std::vector<std::string> split_at(std::string_view text, char separator);
 /// Splits words at blanks.
 [[nodiscard]] bool has_word(std::string_view list, std::string_view word);
 

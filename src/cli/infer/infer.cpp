@@ -173,7 +173,7 @@ ExitCode run_sand(const InferOptions& o, const InferCase& question, const invers
                          return sand.predict(of_picture, state);
                        },
                        [&](double) { return question.measurements.front().state.void_ratio; })),
-                   o.output.force ? io::Existing::replace : io::Existing::keep);
+                   existing(o.output.force));
   return code;
 }
 
@@ -219,15 +219,13 @@ ExitCode run(const InferOptions& o) {
                          return answer.together->predict(of_picture, state, specimen);
                        },
                        [&](double p) { return answer.together->void_ratio_at(p); })),
-                   o.output.force ? io::Existing::replace : io::Existing::keep);
+                   existing(o.output.force));
   return code;
 }
 
 } // namespace
 
-Dimension MeasuredOption::dimension() const {
-  return inverse::row_of(quantity).speed ? Dimension::speed : Dimension::pressure;
-}
+Dimension MeasuredOption::dimension() const { return dimension_of(inverse::row_of(quantity)); }
 
 std::span<const MeasuredOption> measured_options() { return options_table; }
 

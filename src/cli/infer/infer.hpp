@@ -31,6 +31,8 @@ struct MeasuredOption {
   [[nodiscard]] Dimension dimension() const;
 };
 [[nodiscard]] std::span<const MeasuredOption> measured_options();
+/// Of the values of a quantity.
+[[nodiscard]] Dimension dimension_of(const inverse::QuantityRow& row);
 
 struct InferOptions {
   PackingOptions packing;
@@ -95,6 +97,9 @@ inline constexpr std::string_view sand_growth_name = "sand";
 [[nodiscard]] std::string sand_inference_text(const InferCase& question, const inverse::SandInference& sand);
 [[nodiscard]] nlohmann::ordered_json sand_inference_json(const InferCase& question,
                                                          const inverse::SandInference& sand);
+[[nodiscard]] nlohmann::ordered_json measured_json(const Measured& number);
+/// Its stresses and void ratio, SI.
+[[nodiscard]] nlohmann::ordered_json state_json(const effective::State& state);
 /// "p = 100 kPa, e = 0.6".
 [[nodiscard]] std::string place_text(const effective::State& state);
 

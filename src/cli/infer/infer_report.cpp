@@ -19,8 +19,6 @@ using inverse::InferenceAnswer;
 using inverse::QuantityRow;
 using nlohmann::ordered_json;
 
-Dimension dimension_of(const QuantityRow& row) { return row.speed ? Dimension::speed : Dimension::pressure; }
-
 /// The quantities that can be predicted.
 std::vector<const QuantityRow*> predictable(const InferCase& question) {
   std::vector<const QuantityRow*> rows;
@@ -54,8 +52,6 @@ std::string with_error(const Measured& number, int digits) {
   return fmt::format("{} +- {}", short_text(number.value, digits), short_text(number.standard_error, 2));
 }
 
-std::string place(const State& s) { return place_text(s); }
-
 // ---- screen
 
 std::string head_text(const InferCase& question) {
@@ -77,7 +73,7 @@ std::string measurement_lines(const InferCase& question, const InferenceAnswer& 
     const QuantityRow& row = inverse::row_of(m.quantity);
     const auto& z = answer.alone[k].mechanical_coordination_number;
     text += fmt::format("  {:<6} {:>11} +- {:<7} at {}\n", row.key, pretty(m.value.value, dimension_of(row)),
-                        percent(m.value), place(m.state));
+                        percent(m.value), place_text(m.state));
     text += fmt::format("         alone: z* {}", z ? with_error(*z, 3) : "none");
     if (answer.together) {
       const inverse::FittedObservation& fitted = answer.together->measurements()[k];
@@ -103,7 +99,7 @@ std::string shares_text(const Inference& fit) {
 
 std::string contact_lines(const InferCase& question, const Inference& fit) {
   const inverse::InferredPacking packing = fit.packing(question.measurements.front().state);
-  std::string text = fmt::format("\ncontacts at {}\n", place(question.measurements.front().state));
+  std::string text = fmt::format("\ncontacts at {}\n", place_text(question.measurements.front().state));
   text += fmt::format("  {:<9} {:>16}   contacts per grain, without rattlers\n", "z*",
                       with_error(packing.mechanical_coordination_number, 4));
   text += fmt::format("  {:<9} {:>16}   grains without load\n", "rattlers",
@@ -167,7 +163,7 @@ std::string implied_lines(const InferCase& question, const Inference& fit) {
 std::string prediction_lines(const InferCase& question, const Inference& fit) {
   std::string text;
   for (const auto& [state, specimen] : question.predicted) {
-    text += fmt::format("\npredicted at {}\n", place(state));
+    text += fmt::format("\npredicted at {}\n", place_text(state));
     const auto line = [&text](const char* key, const std::string& value, const Measured& number) {
       text += fmt::format("  {:<6} {:>11} +- {}\n", key, value, percent(number));
     };
@@ -183,14 +179,10 @@ std::string prediction_lines(const InferCase& question, const Inference& fit) {
 
 // ---- JSON
 
-ordered_json json_of(const Measured& number) {
-  return {{"value", number.value}, {"standard_error", number.standard_error}};
-}
-
 ordered_json json_of(const inverse::InferredPacking& packing) {
-  return {{"mechanical_coordination_number", json_of(packing.mechanical_coordination_number)},
-          {"rattler_fraction", json_of(packing.rattler_fraction)},
-          {"coordination_number", json_of(packing.coordination_number)}};
+  return {{"mechanical_coordination_number", measured_json(packing.mechanical_coordination_number)},
+          {"rattler_fraction", measured_json(packing.rattler_fraction)},
+          {"coordination_number", measured_json(packing.coordination_number)}};
 }
 
 ordered_json json_of(const inverse::ImpliedContacts& contacts, const std::string& name) {
@@ -207,10 +199,6 @@ ordered_json json_of(const inverse::ImpliedContacts& contacts, const std::string
                                 ? ordered_json(inverse::row_of(*contacts.would_determine).key)
                                 : ordered_json();
   return json;
-}
-
-ordered_json json_of(const State& s) {
-  return {{"stress_v", s.stress_v}, {"stress_h", s.stress_h}, {"void_ratio", s.void_ratio}};
 }
 
 const char* name_of(effective::Explained explained) {
@@ -231,15 +219,15 @@ ordered_json measurements_json(const InferCase& question, const InferenceAnswer&
     const inverse::Observation& m = question.measurements[k];
     const inverse::AloneAnswer& alone = answer.alone[k];
     ordered_json json = {{"quantity", inverse::row_of(m.quantity).key}};
-    json.update(json_of(m.value));
-    json.update(json_of(m.state));
+    json.update(measured_json(m.value));
+    json.update(state_json(m.state));
     json["explained"] = name_of(alone.implied.explained);
     json["softest"] = alone.implied.softest;
     json["stiffest"] = alone.implied.stiffest;
     const auto& z = alone.mechanical_coordination_number;
-    json["mechanical_coordination_number"] = z ? json_of(*z) : ordered_json();
+    json["mechanical_coordination_number"] = z ? measured_json(*z) : ordered_json();
     if (answer.together) {
-      json["fitted"] = json_of(answer.together->measurements()[k].value);
+      json["fitted"] = measured_json(answer.together->measurements()[k].value);
       json["deviation"] = answer.together->measurements()[k].deviation;
     }
     list.push_back(std::move(json));
@@ -250,10 +238,10 @@ ordered_json measurements_json(const InferCase& question, const InferenceAnswer&
 ordered_json predictions_json(const InferCase& question, const Inference& fit) {
   ordered_json list = ordered_json::array();
   for (const auto& [state, specimen] : question.predicted) {
-    ordered_json json = json_of(state);
+    ordered_json json = state_json(state);
     json.update(json_of(fit.packing(state, specimen)));
     for (const QuantityRow* row : predictable(question))
-      json[row->key] = json_of(fit.predict(row->quantity, state, specimen));
+      json[row->key] = measured_json(fit.predict(row->quantity, state, specimen));
     list.push_back(std::move(json));
   }
   return list;
@@ -264,6 +252,16 @@ ordered_json predictions_json(const InferCase& question, const Inference& fit) {
 constexpr std::size_t curve_points = 60;
 
 } // namespace
+
+Dimension dimension_of(const QuantityRow& row) { return row.speed ? Dimension::speed : Dimension::pressure; }
+
+ordered_json measured_json(const Measured& number) {
+  return {{"value", number.value}, {"standard_error", number.standard_error}};
+}
+
+ordered_json state_json(const State& s) {
+  return {{"stress_v", s.stress_v}, {"stress_h", s.stress_h}, {"void_ratio", s.void_ratio}};
+}
 
 std::string place_text(const State& s) {
   std::string text = s.stress_v == s.stress_h
@@ -295,7 +293,7 @@ ordered_json infer_json(const InferCase& question, const InferenceAnswer& answer
     const Inference& fit = *answer.together;
     json["answer"] = json_of(fit.packing(question.measurements.front().state));
     json["reference_stress"] = fit.reference_stress();
-    json["growth_exponent"] = fit.growth_exponent() ? json_of(*fit.growth_exponent()) : ordered_json();
+    json["growth_exponent"] = fit.growth_exponent() ? measured_json(*fit.growth_exponent()) : ordered_json();
     if (fit.contacts())
       json["contacts"] = json_of(*fit.contacts(), question.options.contacts.name);
     for (const inverse::ErrorShare& share : fit.error_shares())

@@ -20,22 +20,9 @@ using nlohmann::ordered_json;
 
 constexpr Quantity foretold[] = {Quantity::G_vh, Quantity::V_s, Quantity::V_p, Quantity::K};
 
-/// In wet pores, the wave of the dry skeleton cannot be measured.
-bool is_foretold(const InferCase& question, Quantity quantity) {
-  return is_told(question, inverse::row_of(quantity));
-}
-
-Dimension unit_of(Quantity quantity) {
-  return inverse::row_of(quantity).speed ? Dimension::speed : Dimension::pressure;
-}
-
 std::string number_line(const char* name, const Measured& number, const char* meaning) {
   return fmt::format("  {:<6} {:>11} +- {:<7} {}\n", name, short_text(number.value, 3),
                      short_text(number.standard_error, 2), meaning);
-}
-
-ordered_json measured_json(const Measured& number) {
-  return {{"value", number.value}, {"standard_error", number.standard_error}};
 }
 
 ordered_json range_json(const estimate::Range& range) {
@@ -62,12 +49,13 @@ std::string sand_inference_text(const InferCase& question, const SandInference& 
   std::string text = fmt::format("sand (measured laws)\n\nmeasured; together: by the fit to all\n");
   for (std::size_t k = 0; k < question.measurements.size(); ++k) {
     const inverse::Observation& m = question.measurements[k];
+    const inverse::QuantityRow& row = inverse::row_of(m.quantity);
     const inverse::FittedObservation& fitted = sand.measurements()[k];
     text += fmt::format(
-        "  {:<6} {:>11} +- {:<6} at {}\n         together: {}, off by {:+.1f} standard errors\n",
-        inverse::row_of(m.quantity).key, pretty(m.value.value, unit_of(m.quantity)),
-        percent_text(m.value.standard_error / m.value.value), place_text(m.state),
-        pretty(fitted.value.value, unit_of(m.quantity)), std::round(10 * fitted.deviation) / 10 + 0.0);
+        "  {:<6} {:>11} +- {:<6} at {}\n         together: {}, off by {:+.1f} standard errors\n", row.key,
+        pretty(m.value.value, dimension_of(row)), percent_text(m.value.standard_error / m.value.value),
+        place_text(m.state), pretty(fitted.value.value, dimension_of(row)),
+        std::round(10 * fitted.deviation) / 10 + 0.0);
   }
   text +=
       "\nthis sand\n" + number_line("level", sand.level(), "G relative to sands of this density and stress");
@@ -80,13 +68,14 @@ std::string sand_inference_text(const InferCase& question, const SandInference& 
   text += contacts_text(sand, first);
   for (const auto& [state, specimen] : question.predicted) {
     text += fmt::format("\npredicted at {}\n", place_text(state));
-    for (const Quantity quantity : foretold)
-      if (is_foretold(question, quantity)) {
-        const Measured value = sand.predict(quantity, state);
-        text += fmt::format("  {:<6} {:>11} +- {}\n", inverse::row_of(quantity).key,
-                            pretty(value.value, unit_of(quantity)),
-                            percent_text(value.standard_error / value.value));
-      }
+    for (const Quantity quantity : foretold) {
+      const inverse::QuantityRow& row = inverse::row_of(quantity);
+      if (!is_told(question, row))
+        continue;
+      const Measured value = sand.predict(quantity, state);
+      text += fmt::format("  {:<6} {:>11} +- {}\n", row.key, pretty(value.value, dimension_of(row)),
+                          percent_text(value.standard_error / value.value));
+    }
   }
   return text;
 }
@@ -110,8 +99,7 @@ ordered_json sand_inference_json(const InferCase& question, const SandInference&
                                     {"deviation", sand.measurements()[k].deviation}});
   json["predictions"] = ordered_json::array();
   for (const auto& [state, specimen] : question.predicted) {
-    ordered_json one = {
-        {"stress_v", state.stress_v}, {"stress_h", state.stress_h}, {"void_ratio", state.void_ratio}};
+    ordered_json one = state_json(state);
     for (const inverse::QuantityRow& row : inverse::quantities())
       if (is_told(question, row))
         one[row.key] = measured_json(sand.predict(row.quantity, state));
@@ -132,7 +120,7 @@ std::string sand_inference_csv(const InferCase& question, const SandInference& s
   for (const inverse::QuantityRow& row : inverse::quantities())
     if (is_told(question, row))
       for (const char* what : {"_measured", "_measured_error", "", "_error"})
-        csv.headings.push_back(fmt::format("{}{}_{}", row.key, what, si_symbol(unit_of(row.quantity))));
+        csv.headings.push_back(fmt::format("{}{}_{}", row.key, what, si_symbol(dimension_of(row))));
   const auto add = [&](const char* kind, const effective::State& s, const inverse::Observation* m) {
     auto& cells = csv.rows.emplace_back();
     cells = {std::string(kind), s.mean_stress(), s.stress_v, s.stress_h, s.void_ratio};

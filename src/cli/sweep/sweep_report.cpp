@@ -8,6 +8,7 @@
 #include <granum/core/version.hpp>
 #include <granum/io/output_file.hpp>
 
+#include "cli/frame/help.hpp"
 #include "cli/frame/messages.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "sweep.hpp"
@@ -51,10 +52,6 @@ void add_once(std::vector<std::string>& texts, const std::string& text) {
     texts.push_back(text);
 }
 
-std::string joined(const std::vector<std::string>& texts) {
-  return fmt::format("{}", fmt::join(texts, "; "));
-}
-
 /// Likely mistakes first, because the other notes follow from these numbers.
 std::vector<std::string> remarks_of(const SweptState& state) {
   std::vector<std::string> all = state.slips;
@@ -80,7 +77,7 @@ void add_rungs(SweptState& state, const Rungs& rungs) {
       add_once(errors, error.what());
     }
   }
-  state.error = joined(errors);
+  state.error = joined(errors, "; ");
 }
 
 ordered_json rung_json(const std::optional<RungAnswer>& answer) {
@@ -132,7 +129,7 @@ void Tally::count(const SweptState& state, const std::string& where) {
   if (!state.error.empty() && ++failed_ == 1)
     first_failure_ = where + ": " + state.error;
   if (!state.notes.empty() && ++noted_ == 1)
-    first_note_ = where + ": " + joined(state.notes);
+    first_note_ = where + ": " + joined(state.notes, "; ");
   for (const std::string& slip : state.slips) {
     Slips& of_input = slips_[slip.substr(0, slip.find(' '))];
     if (++of_input.states == 1)
@@ -205,7 +202,7 @@ void SweepOutput::add(std::vector<io::CsvCell> cells, ordered_json place, const 
   for (const std::optional<RungAnswer>& answer : state.rungs)
     for (const SweptQuantity& quantity : quantities)
       cells.emplace_back(answer ? quantity.of(*answer).value_or(nothing) : nothing);
-  cells.emplace_back(joined(remarks_of(state)));
+  cells.emplace_back(joined(remarks_of(state), "; "));
   cells.emplace_back(state.error);
   add_sand_cells(cells, state);
   rows_ += io::csv_line(cells, manner_);
@@ -264,8 +261,7 @@ ExitCode deliver_sweep(const SweepOptions& o, const std::string& screen, const s
   const bool shown = !screen.empty() && o.output.out.empty();
   const ExitCode code = deliver(o.output, shown ? screen : csv, json, validity);
   if (!o.picture.empty())
-    io::write_file(o.picture, plot::svg(picture),
-                   o.output.force ? io::Existing::replace : io::Existing::keep);
+    io::write_file(o.picture, plot::svg(picture), existing(o.output.force));
   if (!o.output.out.empty()) // else the screen would be empty
     print(fmt::format("written: {}{}\n", o.output.out, o.picture.empty() ? "" : ", " + o.picture));
   return code;

@@ -245,15 +245,6 @@ double largest_gap(const std::vector<plot::Series>& curves) {
   return gap;
 }
 
-plot::Series relaxation_curve(const Scene& scene, contact::Shape shape, double low, double high) {
-  plot::Series out{.mark = plot::Mark::line, .tone = plot::Tone::grey};
-  for (int k = 0; k <= 60; ++k) {
-    const double z = low + (high - low) * k / 60;
-    out.add(z, shear_relaxation(scene, shape, z));
-  }
-  return out;
-}
-
 /// Curves that lie within a hundredth of each other are drawn as one.
 void add_closed_forms(Panel& out, const Scene& scene, const std::vector<Compression>& all) {
   constexpr double drawn_as_one = 0.01;
@@ -265,16 +256,16 @@ void add_closed_forms(Panel& out, const Scene& scene, const std::vector<Compress
   const auto [low, high] = std::minmax_element(z.begin(), z.end());
   std::vector<plot::Series> curves;
   for (const contact::Shape shape : shapes_of(all))
-    curves.push_back(relaxation_curve(scene, shape, *low, *high));
+    curves.push_back(relaxation_curve(scene, shape, *low, *high, 60));
   if (largest_gap(curves) < drawn_as_one) {
     curves.resize(1);
     curves.front().name = "rung 3, of all shapes";
     curves.front().style = 0;
+    curves.front().tone = plot::Tone::grey;
     add(out, std::move(curves.front()), "closed form");
     return;
   }
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    curves[k].tone = plot::Tone::full;
     curves[k].style = 0;
     curves[k].colour = colour_of(shapes_of(all)[k]);
     curves[k].kind = "rung 3";
@@ -312,6 +303,15 @@ double shear_relaxation(const Scene& scene, contact::Shape shape, double mechani
   return effective::relaxation(mechanical_coordination_number, tangential_ratio(scene),
                                contact_exponent(scene, shape), effective::stiffening_of(law(scene, shape)))
       .shear.value;
+}
+
+plot::Series relaxation_curve(const Scene& scene, contact::Shape shape, double low, double high, int steps) {
+  plot::Series out{.mark = plot::Mark::line};
+  for (int k = 0; k <= steps; ++k) {
+    const double z = low + (high - low) * k / steps;
+    out.add(z, shear_relaxation(scene, shape, z));
+  }
+  return out;
 }
 
 std::string plural(contact::Shape shape) { return contact::row_of(shape).plural; }

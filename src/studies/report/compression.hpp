@@ -67,6 +67,9 @@ struct CompressionStory {
 /// G of a packing of the scene over G under uniform strain, by rung 3.
 [[nodiscard]] double shear_relaxation(const Scene& scene, contact::Shape shape,
                                       double mechanical_coordination_number);
+/// The same as a line over z*.
+[[nodiscard]] plot::Series relaxation_curve(const Scene& scene, contact::Shape shape, double low, double high,
+                                            int steps);
 
 /// "spheres", "flat contacts".
 [[nodiscard]] std::string plural(contact::Shape shape);

@@ -52,17 +52,6 @@ plot::Series states(const Experiment& experiment, const Kind& kind) {
   return out;
 }
 
-/// The closed form's factor over the range of z* that the states have.
-plot::Series closed_form(const Scene& scene, contact::Shape contact, double low, double high) {
-  constexpr int steps = 80;
-  plot::Series out{.name = "closed form, " + std::string(name(contact)), .mark = plot::Mark::line};
-  for (int k = 0; k <= steps; ++k) {
-    const double z = low + (high - low) * k / steps;
-    out.add(z, shear_relaxation(scene, contact, z));
-  }
-  return out;
-}
-
 } // namespace
 
 void add_relaxation_figure(std::vector<Figure>& to, const Experiment& experiment) {
@@ -81,7 +70,8 @@ void add_relaxation_figure(std::vector<Figure>& to, const Experiment& experiment
     return;
   const auto [low, high] = std::minmax_element(found.begin(), found.end());
   for (const contact::Shape contact : experiment.scene.study.contacts) {
-    plot::Series line = closed_form(experiment.scene, contact, *low, *high);
+    plot::Series line = relaxation_curve(experiment.scene, contact, *low, *high, 80);
+    line.name = "closed form, " + std::string(name(contact));
     line.style = 0;
     line.colour = colour_of(contact);
     add(all, std::move(line), "closed form " + std::string(name(contact)));
