@@ -9,10 +9,10 @@ Inside YADE, at the end of a script or in its console:
     granum_export.write("packing", O)     # packing.grains, packing.contacts
 
 Reading them: granum::io::read_yade. YADE's own text exports print six digits, too few for overlaps.
-Forces are those on the second body of a pair, normals point from the first to the second, kn and ks are the tangents
-at this state, kr and ktw the stiffnesses against rolling and twisting [N m], 0 where the law has none; clumpId is -1 of
-single spheres. A contact of a sphere with a wall, a facet or a box has the sphere first and -1 - the other's id second;
-contacts with other bodies are counted, not written.
+Forces act on the second body of a pair, and normals point from the first body to the second. kn and ks are the tangent
+stiffnesses at this state [N/m], kr and ktw the stiffnesses against rolling and twisting [N m], 0 where the law has none.
+clumpId is -1 for single spheres. A contact of a sphere with a wall, a facet or a box lists the sphere first, and second
+-1 minus the id of the other body. Contacts with other bodies are counted and not written.
 """
 
 GRAIN_COLUMNS = "id material x y z r clumpId"
@@ -37,7 +37,7 @@ def _walls(scene):
 
 
 def _row_of(i, first, second, turn):
-    """A contact, with everything that points somewhere multiplied by `turn`."""
+    """A contact, with all vectors multiplied by `turn` (1, or -1 to exchange the bodies)."""
     geom, phys = i.geom, i.phys
     numbers = list(geom.contactPoint) + [turn * x for x in geom.normal] + [geom.penetrationDepth]
     numbers += [turn * x for v in (phys.normalForce, phys.shearForce) for x in v] + [phys.kn, phys.ks]

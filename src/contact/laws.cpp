@@ -59,14 +59,14 @@ LawRow flat() {
   row.plural = "flat contacts";
   row.maker = "flat_punch";
   row.title = "Contact of two flat punches, of the same stiffness at every force.";
-  row.source = "c = 2 G a/(1-nu). [Sneddon1965]";
+  row.source = "c = 2 G (punch radius)/(1-nu). [Sneddon1965]";
   row.cpp_name = "PowerLaw::flat";
   row.header = power_law_header;
   row.synonyms = {"linear", "punch"};
   row.parameters = {{.key = "punch_radius",
                      .name = "punch_radius",
-                     .symbol = "a",
-                     .help = "radius of the contact",
+                     .symbol = "punch radius",
+                     .help = "the radius of the contact at every force",
                      .dimension = Dimension::length,
                      .value = 5.7e-6,
                      .origin = fitted,

@@ -185,8 +185,8 @@ void note_state(const State& s, double z, double overlap, Validity& validity) {
   const double ratio = s.stress_h > 0 ? std::max(s.stress_v / s.stress_h, s.stress_h / s.stress_v) : 1;
   if (ratio > largest_stress_ratio || std::abs(s.fabric_anisotropy) > largest_anisotropy)
     validity.add(detail::formatted(
-        "stress ratio %.3g or fabric anisotropy %.3g is beyond the range in which the relaxation of "
-        "anisotropic packings was validated (2.2 and 0.25)",
+        "stress ratio %.3g (larger over smaller stress) or fabric anisotropy %.3g is beyond the range in "
+        "which the relaxation of anisotropic packings was validated (2.2 and 0.25)",
         ratio, s.fabric_anisotropy));
 }
 

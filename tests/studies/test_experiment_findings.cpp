@@ -111,7 +111,7 @@ TEST_CASE("a path that failed has no peak, and leaves its cell out") {
   Experiment experiment = synthetic_experiment(one_kind());
   experiment.specimens[0].runs[1].failure = "the motion became unstable";
   CHECK(table_4(experiment)[0].cells.size() == 3);
-  const Verdict v = verdict(experiment_verdicts(experiment), "dense sphere #1, TXC: the whole path");
+  const Verdict v = verdict(experiment_verdicts(experiment), "dense sphere (seed 1), TXC: the whole path");
   CHECK_FALSE(v.holds);
   CHECK(v.measured == "the motion became unstable");
   CHECK_FALSE(experiment.complete());
@@ -120,29 +120,29 @@ TEST_CASE("a path that failed has no peak, and leaves its cell out") {
 TEST_CASE("claims on the structure of dense specimens look at the states they are about") {
   Experiment experiment = synthetic_experiment(one_kind());
   const auto holds = [&](const char* begin) { return verdict(experiment_verdicts(experiment), begin).holds; };
-  CHECK(holds("dense sphere #1: C_n within 3 %"));
-  CHECK(holds("dense sphere #1: a within 0.03"));
-  CHECK(holds("dense sphere #1: past the peak"));
+  CHECK(holds("dense sphere (seed 1): C_n within 3 %"));
+  CHECK(holds("dense sphere (seed 1): fabric anisotropy a within 0.03"));
+  CHECK(holds("dense sphere (seed 1): past the peak"));
   StateRecord& early = experiment.specimens[0].runs[2].points[4];
   early.micro.coordination_number *= 0.96;
-  CHECK_FALSE(holds("dense sphere #1: C_n within 3 %"));
+  CHECK_FALSE(holds("dense sphere (seed 1): C_n within 3 %"));
   early.micro.fabric_anisotropy = -0.04;
-  CHECK_FALSE(holds("dense sphere #1: a within 0.03"));
+  CHECK_FALSE(holds("dense sphere (seed 1): fabric anisotropy a within 0.03"));
   experiment.specimens[0].runs[3].points.back().micro.fabric_anisotropy = 0.4; // the wrong sense in extension
-  CHECK_FALSE(holds("dense sphere #1: past the peak"));
+  CHECK_FALSE(holds("dense sphere (seed 1): past the peak"));
 }
 
 TEST_CASE("flat contacts: G constant is claimed of dense specimens, and not of loose ones") {
   const Synthetic constant{.m = 0, .n = 0};
   const auto dense = experiment_verdicts(synthetic_experiment(one_kind(Shape::flat), constant));
-  CHECK(verdict(dense, "dense flat #1: G constant").holds);
+  CHECK(verdict(dense, "dense flat (seed 1): G constant").holds);
   const auto loose =
       experiment_verdicts(synthetic_experiment(one_kind(Shape::flat, Density::loose), constant));
-  CHECK_FALSE(verdict(loose, "loose flat #1: G not constant").holds);
+  CHECK_FALSE(verdict(loose, "loose flat (seed 1): G not constant").holds);
   const Synthetic growing{.m = 0.2, .n = 0.2};
   const auto changing =
       experiment_verdicts(synthetic_experiment(one_kind(Shape::flat, Density::loose), growing));
-  CHECK(verdict(changing, "loose flat #1: G not constant").holds);
+  CHECK(verdict(changing, "loose flat (seed 1): G not constant").holds);
 }
 
 TEST_CASE("G_vh = G_hv is checked by probes up to 0.9 of the peak") {

@@ -138,5 +138,5 @@ TEST_CASE("tables for people name each specimen, its end and the verdicts") {
     CHECK(line.size() <= 80); // wider ones are broken on a screen
   const std::string judged =
       verdicts_table({{"this", true, "1"}, {"that", false, "2"}, {"from theirs", false, "3", true}});
-  CHECK(judged == "  holds   this: 1\n  FAILS   that: 2\n  differs from theirs: 3\n");
+  CHECK(judged == "  holds    this: 1\n  FAILS    that: 2\n  differs  from theirs: 3\n");
 }

@@ -144,14 +144,16 @@ AnswerCase bare_answer(const PackingOptions& packing, const AnswerOptions& optio
   estimate::Question question = question_of(packing, options);
   std::vector<estimate::UncertainInput> inputs = uncertain_inputs_of(packing, options, uncertainties);
   std::optional<estimate::Answer> of_sand;
+  double sand_grain_modulus = 0;
   if (!told_shape(packing, options)) {
     AnswerOptions sand = options;
     sand.grain_shape = estimate::GrainShape::sand;
     PackingOptions of_quartz = packing;
     apply_presets(of_quartz, sand);
     try {
-      of_sand =
-          estimate::answer(question_of(of_quartz, sand), uncertain_inputs_of(of_quartz, sand, uncertainties));
+      const estimate::Question of_grains = question_of(of_quartz, sand);
+      of_sand = estimate::answer(of_grains, uncertain_inputs_of(of_quartz, sand, uncertainties));
+      sand_grain_modulus = of_grains.state.law.grain().shear_modulus;
     } catch (const InvalidArgument&) { // a sand cannot be so, but a packing of spheres can
     }
   }
@@ -159,7 +161,8 @@ AnswerCase bare_answer(const PackingOptions& packing, const AnswerOptions& optio
   return {.question = std::move(question),
           .inputs = std::move(inputs),
           .answer = std::move(answer),
-          .sand_answer = std::move(of_sand)};
+          .sand_answer = std::move(of_sand),
+          .sand_grain_modulus = sand_grain_modulus};
 }
 
 AnswerCase solve_answer(const PackingOptions& packing, const AnswerOptions& options,
@@ -238,6 +241,15 @@ std::string both_text(const AnswerCase& c) {
   return text + "\n";
 }
 
+/// The grains that z* and k/k_H of the sand are of, if they are not those of the spheres.
+std::string sand_grains_text(const AnswerCase& c) {
+  const double modulus = c.sand_grain_modulus;
+  if (modulus == c.question.state.law.grain().shear_modulus || !c.sand_answer->find(Field::contact_softness))
+    return "";
+  return fmt::format("  z* and k/k_H are for quartz grains of G_g = {}, not for G_g above\n",
+                     pressure(modulus));
+}
+
 } // namespace
 
 std::string answer_table(const AnswerCase& c) {
@@ -245,8 +257,8 @@ std::string answer_table(const AnswerCase& c) {
     return fmt::format("{}\n", title_of(c.question.grain_shape)) + moduli_text(c, c.answer) + range_text(c) +
            sands_text(c);
   return both_text(c) + title_of(estimate::GrainShape::sand) + "\n" + moduli_text(c, *c.sand_answer) +
-         shares_text(*c.sand_answer) + sands_text(c) + "\n" + title_of(estimate::GrainShape::sphere) + "\n" +
-         moduli_text(c, c.answer) + range_text(c);
+         sand_grains_text(c) + shares_text(*c.sand_answer) + sands_text(c) + "\n" +
+         title_of(estimate::GrainShape::sphere) + "\n" + moduli_text(c, c.answer) + range_text(c);
 }
 
 } // namespace granum::cli

@@ -26,7 +26,8 @@ struct AnswerCase {
   estimate::Answer answer;
   /// The answer for a sand, if the kind of grains is not given; `answer` is then that for spheres.
   std::optional<estimate::Answer> sand_answer = std::nullopt;
-  double uniformity = 0; ///< C_u of the measured laws [1]
+  double sand_grain_modulus = 0; ///< G_g of sand_answer, if there is one [Pa]
+  double uniformity = 0;         ///< C_u of the measured laws [1]
   bool uniformity_assumed = false;
   std::vector<SandAnswer> sands = {};        ///< empty without stress
   std::vector<std::string> assumptions = {}; ///< of shape, grains and fabric, with their deviations

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/core.h>
+#include <granum/contact/minerals.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/version.hpp>
@@ -180,11 +181,13 @@ std::vector<std::string> sand_notes(const AnswerCase& c, const AnswerOptions& op
       fmt::format("sand: nu is a mean of measurements; its scatter changes E little, {}K by a factor of 1.5",
                   q.saturation < 1 ? "V_p by about 10 %, and " : "V_p of saturated sand hardly, and "));
   if (q.state.mean_stress() > 0)
-    notes.emplace_back(
-        "sand: z* and k/k_H, the contact stiffness over that of smooth spheres, are inferred: "
-        "with them the closed form for spheres gives this nu and this G. From G alone, few contacts and "
-        "soft contacts cannot be distinguished. k_t/k_n, tangential over normal contact stiffness, is "
-        "assumed to be the one of smooth spheres");
+    notes.push_back(fmt::format(
+        "sand: z* and k/k_H, the contact stiffness over that of smooth spheres of the same mineral, are "
+        "inferred: with them the closed form for spheres gives this nu and this G. The mineral is quartz "
+        "(G_g = {}) unless the grains are given. From G alone, few contacts and soft contacts cannot be "
+        "distinguished. k_t/k_n, tangential over normal contact stiffness, is assumed to be that of smooth "
+        "spheres",
+        pretty(contact::mineral("quartz").material.shear_modulus, Dimension::pressure)));
   if (options.usual_limits)
     notes.push_back(
         fmt::format("sand: void ratio {} follows from the relative density with e_min {} and e_max {}, "

@@ -151,9 +151,10 @@ ExitCode run(const ExportOptions& options) {
       io::write_file(folder / file.name, file.text, existing(options.force));
       json["files"].push_back((folder / file.name).string());
     }
-    table += fmt::format("{}: {} grains; run there  lmp -in in.all  or  mpirun -np N lmp -in in.all\n",
-                         folder.string(), scene.study.grains);
+    table += fmt::format("{}: {} grains\n", folder.string(), scene.study.grains);
   }
+  table += "run in each of these folders: lmp -in in.all (one core), or\n"
+           "mpirun -np N lmp -in in.all (N cores)\n";
   return deliver({.json = options.json, .strict = false, .force = false, .out = {}}, table,
                  with_warnings(json, slips), {});
 }
@@ -163,8 +164,8 @@ ExitCode run(const ExportOptions& options) {
 Command make_export() {
   auto options = std::make_shared<ExportOptions>();
   Command lammps{.name = "lammps",
-                 .meaning = "A deck for LAMMPS: grains, preparation, isotropic compression, a stress path, "
-                            "snapshots, probes",
+                 .meaning = "Input files of LAMMPS (a deck): grains, preparation, isotropic compression, "
+                            "a stress path, snapshots, probes",
                  .group = "Commands",
                  .run = [options] { return run(*options); }};
   add_study_options(lammps, options->study, studies::SceneCommand::export_lammps);

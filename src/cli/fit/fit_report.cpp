@@ -43,8 +43,9 @@ double roughness_of_quartz(double transition_pressure) {
 std::string contacts_of(double s, double stress) {
   const double transition = effective::transition_pressure_of(s, stress);
   return fmt::format(" With a constant number of contacts, s = {} corresponds to tips of profile r^alpha "
-                     "with alpha = {}, or to rough spheres whose roughness is flattened at about p* = {}: "
-                     "for quartz, a roughness u0 of about {} radii.",
+                     "with alpha = {} (cone 1, sphere 2), or to rough spheres whose roughness is flattened "
+                     "at a mean stress of about p* = {}: for quartz, a roughness u0 of about {} radii (u0: "
+                     "about 0.4 of the rms height).",
                      short_text(s, 3), short_text(1 / s - 1, 3), pretty(transition, Dimension::pressure),
                      short_text(roughness_of_quartz(transition), 2));
 }
@@ -54,7 +55,8 @@ std::string meaning_of(const Measured& s, double stress) {
   const double error = s.standard_error;
   const auto below = [&](double number) { return s.value + 2 * error < number; };
   const auto above = [&](double number) { return s.value - 2 * error > number; };
-  std::string text = fmt::format("measured sands have s = 0.40 C_u^0.18 +- 0.05, 0.43 for uniform sands. ");
+  const std::string text = "Measured sands have s = 0.40 C_u^0.18 +- 0.05 (C_u: uniformity coefficient), "
+                           "0.43 if they are uniform. ";
   if (below(1.0 / 3))
     return text + "s below 1/3: contacts that stiffen little with stress, for instance by bonds or cement.";
   if (!above(1.0 / 3))
@@ -63,9 +65,9 @@ std::string meaning_of(const Measured& s, double stress) {
     return text + "s above 1/2: new contacts form as the stress grows, or f(e) does not cover the change of "
                   "void ratio.";
   return text +
-         "s between 1/3 and 1/2: new contacts form as the stress grows, or grains are rough, or touch at "
-         "angular tips; s alone does not determine which of these, V_p and V_s together would (granum infer "
-         "--contacts)." +
+         "s between 1/3 and 1/2 (within two standard errors): new contacts form as the stress grows, or "
+         "grains are rough, or touch at angular tips. s alone does not show which of these it is; V_p and "
+         "V_s together would (granum infer --contacts)." +
          contacts_of(s.value, stress);
 }
 

@@ -31,7 +31,11 @@ void add_size_options(Command& command, PackingOptions& o) {
       {{.name = "--sizes",
         .value = read_by([&o](const std::string& text) { set_sizes(o, sizes::parse_distribution(text)); },
                          "DISTRIBUTION"),
-        .meaning = "Grain-size distribution: " + sizes::distribution_forms(),
+        .meaning = "Grain-size distribution: " + sizes::distribution_forms() +
+                   ". Sizes are radii by number: RATIO, large over small; SHARE, of large grains (0.5 if "
+                   "left out); SIGMA, standard deviation of ln radius; EXPONENT, of a density "
+                   "radius^-EXPONENT; SIZE_RATIO, largest over smallest, where the distribution is cut. By "
+                   "mass: C_U, d60/d10 of a lognormal distribution; PASSING, share finer than the diameter D",
         .excludes = {once},
         .synonyms = {{"psd gsd sievecurve sizedistribution"}}},
        {.name = "--sieve",

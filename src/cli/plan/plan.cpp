@@ -105,9 +105,10 @@ ExitCode run(const PlanOptions& options) {
   put_members(json, items, io::Only{});
   std::string text =
       "granum verify would run\n" + io::list_text(items, io::Only{}) +
-      "standard errors due to the number of grains, the seeds and the strain rate, by the laws of "
-      "validation/trade (equal spheres); \"for " +
-      percent_text(options.error) + " of G\": for this error of G\n";
+      "standard errors due to the number of grains, the seeds and the strain rate, by laws measured on "
+      "equal spheres (validation/trade); \"for " +
+      percent_text(options.error) +
+      " of G\": what a standard error of G of this size requires; error of s: absolute, s of G ~ p^s\n";
   for (const triaxial::Density density : scene.study.densities) {
     const io::Items rule = rule_items(rule_of(scene, density, options.error), options.error);
     const std::string name(studies::name(density));

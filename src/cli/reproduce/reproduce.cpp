@@ -89,8 +89,10 @@ ordered_json manifest_of(const studies::Experiment& experiment, const std::vecto
   json["threads_used"] = studies::thread_count(experiment.scene);
   json["conventions"] = {
       {"units", "SI, as in the names; friction angles in degrees"},
-      {"signs", "compression positive; z is vertical; eta = (s_v - s_h)/p'; strains are logarithmic"},
-      {"G", "of the contact network of the frozen state, every contact sticking; probes by cyclic shear"}};
+      {"signs", "compression positive; z is vertical; eta = q/p' = (s_v - s_h)/p', s_v and s_h the vertical "
+                "and the horizontal stress; strains are logarithmic"},
+      {"G", "of the contact network of the frozen state, without sliding in any contact; probes by cyclic "
+            "shear"}};
   json["table_2"] = table_json(studies::table_2(experiment));
   json["table_4"] = table_json(studies::table_4(experiment));
   json["table_5"] = table_json(studies::table_5(experiment));
@@ -134,12 +136,20 @@ void write_results(const fs::path& folder, const studies::Experiment& experiment
 /// Tables 2, 4 and 5 with the paper's values, and the verdicts, as text.
 std::string report_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
                       const studies::RunTime& time) {
-  std::string out = "granum +- standard error, compared with the paper; within: whether the difference is "
-                    "within the tolerance, undecided if the standard error exceeds it\n\n";
-  out += studies::table_text("Table 2: start of isotropic compression", studies::table_2(experiment)) + "\n";
-  out += studies::table_text("Table 4: friction angle at the peak", studies::table_4(experiment)) + "\n";
+  std::string out = "granum: result of this run +- its standard error, where it is known; paper: Chung et\n"
+                    "al. 2014; within: whether the difference is within the tolerance, undecided if\n"
+                    "the standard error exceeds the tolerance\n\n";
+  out += studies::table_text("Table 2: start of isotropic compression (C_n: contacts per grain, e: void\n"
+                             "ratio)",
+                             studies::table_2(experiment)) +
+         "\n";
+  out += studies::table_text("Table 4: friction angle at the peak of q/p', by stress path",
+                             studies::table_4(experiment)) +
+         "\n";
   out +=
-      studies::table_text("Table 5: G = C p_a f(e) (s_i/p_a)^m (s_j/p_a)^n", studies::table_5(experiment)) +
+      studies::table_text("Table 5: G_hv = C p_a f(e) (sigma_h/p_a)^m (sigma_v/p_a)^n, s = m + n, and G_hh\n"
+                          "with sigma_h alone; of the contact networks at |q/p'| up to 0.6",
+                          studies::table_5(experiment)) +
       "\n";
   out += studies::table_text("Further exponents", studies::further_exponents(experiment)) + "\n";
   out += studies::verdicts_table(verdicts);

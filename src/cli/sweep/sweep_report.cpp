@@ -234,8 +234,8 @@ std::string SweepOutput::csv(const Notes& notes, const std::vector<std::string>&
   csv.notes.emplace_back("signs", "compression positive; z is the vertical axis v; q = sigma_v - sigma_h; "
                                   "sigma_v, sigma_h and p are effective stresses");
   csv.notes.emplace_back("exponents",
-                         "m of sigma_h and n of sigma_v in G_hv, s = m + n; in the answer contacts grow with "
-                         "stress, in rungs their number is constant and the exponents are local");
+                         "m of sigma_h and n of sigma_v in G_hv, s = m + n; in the answer the number of "
+                         "contacts grows with stress, in rungs it is constant and the exponents are local");
   for (const Rung* rung : rungs_)
     csv.notes.emplace_back(rung->column, rung->description);
   for (const std::string& remark : remarks)
@@ -275,8 +275,9 @@ std::vector<std::string> remarks_on(const SweepOptions& o, std::vector<std::stri
     return assumptions;
   }
   assumptions.emplace_back(
-      counted ? "void ratio and contacts are the same at every state"
-              : "void ratio and preparation are the same at every state; contacts grow with p'");
+      counted
+          ? "void ratio and contacts are the same at every state"
+          : "void ratio and preparation are the same at every state; the number of contacts grows with p'");
   return assumptions;
 }
 

@@ -29,20 +29,21 @@ using studies::Varied;
 std::string title(const TradeScene& trade, Varied varied) {
   switch (varied) {
   case Varied::grains:
-    return "grains N, periodic cell; G and s by the network, cost from packing to peak";
+    return "number of grains, periodic cell; G and s by the network; cost from packing to peak";
   case Varied::compression:
     return "inertial number of compression; cost of compression through all pressures";
   case Varied::shear:
-    return "inertial number of triaxial compression; G_vh at q/p' = 0.8; cost of the test to " +
-           percent_text(trade.shear_strain) + " strain";
+    return "inertial number of triaxial compression; G_vh at q/p' = 0.8; cost of the test to an axial "
+           "strain of " +
+           percent_text(trade.shear_strain);
   case Varied::time_step:
     return "time step over its stability limit; cost of compression, and of shear where there is a peak";
   case Varied::probe:
-    return "strain of the cyclic probe over (mean overlap/diameter), 0: the network; G_vh; cost of one "
-           "modulus";
+    return "strain of the cyclic probe divided by (mean overlap/diameter), 0: the network; G_vh; cost of "
+           "one modulus";
   case Varied::boundary:
-    return "N grains between walls, probed, and in the periodic cell; mean of G_hh and G_vh; cost of the "
-           "specimen";
+    return "boundary and number of grains: periodic cell, smooth or rough walls; mean of G_hh and G_vh by "
+           "the probe; cost of the specimen";
   }
   return {};
 }
@@ -132,7 +133,7 @@ const io::Columns<TradeRow>& row_columns() {
   static const io::Columns<TradeRow> columns = [] {
     io::Columns<TradeRow> list = subject_columns<TradeRow>();
     list.insert(list.begin(), {"", "", label, io::ShownColumn{.heading = "*reference", .width = -14}});
-    list.back().shown = io::ShownColumn{.heading = "", .width = -6};
+    list.back().shown = io::ShownColumn{.heading = "", .width = -5};
     list.push_back(
         {"specimens", "specimens", &TradeRow::specimens, io::ShownColumn{.heading = "n", .width = 3}});
     list.push_back({"reference", "", [](const TradeRow& row) { return row.reference ? 1 : 0; }});
@@ -146,9 +147,9 @@ const io::Columns<TradeRow>& row_columns() {
                              .absent = "-",
                              .sign = true};
     };
-    add_deviation(list, "G", &TradeRow::shear_modulus, shown("bias of G [%]", 13, 2, 0.01), 8);
-    add_deviation(list, "s", &TradeRow::exponent, shown("of s", 16, 4, 1), 0);
-    add_deviation(list, "peak", &TradeRow::peak_ratio, shown("of peak [%]", 13, 2, 0.01), 0);
+    add_deviation(list, "G", &TradeRow::shear_modulus, shown("G bias [%]", 13, 2, 0.01), 8);
+    add_deviation(list, "s", &TradeRow::exponent, shown("s bias", 16, 4, 1), 0);
+    add_deviation(list, "peak", &TradeRow::peak_ratio, shown("peak [%]", 12, 2, 0.01), 0);
     const auto cost = [](double TradeRow::*of) {
       return io::or_null(
           [of](const TradeRow& row) { return row.specimens > 0 ? std::optional(row.*of) : std::nullopt; });
@@ -222,13 +223,19 @@ std::string trade_table(const TradeScene& trade, const std::vector<TradeRow>& ro
     if (!block.empty())
       out += title(trade, varied) + "\n" + io::table_text(row_columns(), block) + "\n";
   }
+  if (!out.empty())
+    out += "  n: specimens; bias: mean minus that of the reference (*), +- standard error;\n"
+           "  scatter: standard deviation of G between specimens, or between their\n"
+           "  differences from the reference, in %; s: of G ~ p^s; peak: largest q/p', its\n"
+           "  bias; CPU: processor time of the cost named above each table\n\n";
   return out;
 }
 
 std::string laws_table(const TradeScene& trade, const studies::TradeLaws& laws) {
   std::string out =
-      fmt::format("errors as power laws: scatter c N^(-1/2), bias b/N + k I; one specimen of {} "
-                  "grains at the default I\n{}\n",
+      fmt::format("errors as power laws: scatter c N^(-1/2), bias b/N + k I; N: grains, I: inertial\n"
+                  "number; scatter, size (b/N) and rate (k I): of one specimen of {} grains at the\n"
+                  "default I; G and peak relative, s absolute\n{}\n",
                   trade.scene.study.grains, io::heading_line(law_columns()));
   for (const NamedLaw& law : named(trade, laws))
     if (law.law.size.scatter > 0)
@@ -240,8 +247,10 @@ std::string trade_csv(const std::vector<TradeRow>& rows) {
   return io::csv_text(
       row_columns(), rows,
       {{"program", fmt::format("granum {} trade", version())},
-       {"bias", "of the mean against the reference, in parts of it for G and peak"},
-       {"scatter", "standard deviation of one specimen; of differences where packings are the same"}});
+       {"bias", "mean minus that of the reference (reference = 1), for G and peak divided by it; error: "
+                "standard error of the bias"},
+       {"scatter", "standard deviation between specimens; between their differences from the reference where "
+                   "both have the same packings"}});
 }
 
 std::string samples_csv(const TradeScene& trade, const std::vector<TradeSample>& samples) {
@@ -261,7 +270,8 @@ std::string samples_csv(const TradeScene& trade, const std::vector<TradeSample>&
   return io::csv_text(columns, samples,
                       {{"program", fmt::format("granum {} trade", version())},
                        {"scene", json_text(json_of(trade), -1)},
-                       {"G", "at each pressure; shear: one, G_vh at q/p' = 0.8, in the first column"}});
+                       {"G", "at each pressure; in rows of shear only the first column has a value, G_vh at "
+                             "q/p' = 0.8"}});
 }
 
 std::string trade_picture(const std::vector<TradeRow>& rows) {

@@ -90,6 +90,12 @@ std::vector<studies::Verdict> verdicts_of(const ordered_json& manifest) {
   return out;
 }
 
+constexpr const char* columns_text =
+    "Columns of the tables below: p mean stress, e void ratio, C_n contacts per grain, z* contacts per grain "
+    "without rattlers (grains that carry no load); G in MPa. G formula: closed form of uniform strain, from "
+    "C_n and e. G network: linear response of the contact network, every grain in equilibrium. G_hh "
+    "(horizontal plane), G_hv and G_vh (vertical plane): by the DEM probe, a small cyclic shear.";
+
 std::string all_states(const ordered_json& manifest) {
   std::string out;
   for (const ordered_json& specimen : manifest.at("specimens")) {
@@ -152,13 +158,15 @@ StudyPage study_page(const studies::Scene& scene, const ordered_json& manifest) 
           plot::html_paragraph(
               "s by uniform strain, contact network and DEM probe, compared with the paper: "
               "G_hv in Table 5 of Chung, Jang, Baek and Jung, Granular Matter 16 (2014) 23-39. "
-              "Law: 1/(1+\u03b1) of a single contact; with f(e): G of the network divided "
-              "by a function of the void ratio.",
+              "Law: the exponent of a single contact, 1/(1+\u03b1) for the profile r^\u03b1; formula: closed "
+              "form of uniform strain; with f(e): G of the network divided by f(e) = (2.17 - e)^2/(1 + e), e "
+              "the void ratio.",
               "soft") +
               page_table_of(studies::exponent_columns(), manifest.at("exponents")) +
               studies::verdict_lists(verdicts_of(manifest))) +
       plot::html_section("run", "The run",
-                         plot::html_paragraph(run_text(scene, manifest)) + all_states(manifest));
+                         plot::html_paragraph(run_text(scene, manifest)) +
+                             plot::html_paragraph(columns_text, "soft") + all_states(manifest));
   return {.html = plot::html_page("granum verify: why G grows as p^s", body),
           .panels = std::move(story.panels)};
 }

@@ -337,9 +337,11 @@ std::vector<std::string> compression_answer(const std::vector<Compression>& all)
     std::string sentence = "In dense packings s is ";
     sentence +=
         largest_distance(all, Density::dense) < nearly
-            ? "nearly that of a single contact, 1/(1+\u03b1), which depends on its shape (in brackets): " +
+            ? "nearly that of a single contact, which is 1/(1+\u03b1) (in brackets) if the surface near the "
+              "contact has the profile r^\u03b1: " +
                   dense
-            : dense + " (in brackets 1/(1+\u03b1), that of a single contact of this shape)";
+            : dense + " (in brackets: s of a single contact of this shape, 1/(1+\u03b1) for the profile "
+                      "r^\u03b1)";
     if (const auto contacts = mean_range(all, Density::dense, z_star))
       sentence +=
           (std::abs(contacts->last - contacts->first) < hardly ? "; pressure hardly adds contacts, "
@@ -352,13 +354,13 @@ std::vector<std::string> compression_answer(const std::vector<Compression>& all)
     const auto share = mean_range(all, Density::loose, softening);
     std::string sentence = "In loose packings s is " + loose;
     if (contacts && contacts->last > contacts->first && exceeds_contact_law(all, Density::loose))
-      sentence += ", larger than that of a contact because pressure also adds contacts, " +
+      sentence += ", larger than s of a single contact because pressure also adds contacts, " +
                   from_to(*contacts) + " per grain that carries load";
     else if (contacts)
       sentence += "; a grain that carries load has " + from_to(*contacts) + " contacts";
     if (share)
-      sentence += "; the modulus changes " + from_to(*share) +
-                  " of the value that it has if all grains move with the mean strain";
+      sentence += "; G changes " + from_to(*share) +
+                  " of its value under uniform strain (all grains move with the mean strain)";
     answer.push_back(sentence + ".");
   }
   return answer;
@@ -412,10 +414,9 @@ CompressionStory compression_story(const Scene& scene, const std::vector<Compres
   CompressionStory story;
   plot::PageFigure first{
       .caption =
-          "Isotropic compression, first specimen of each kind. Lines: rung 3, the relaxed closed form, with "
-          "the "
-          "counted contacts; circles: linear response of the contact network; diamonds: cyclic shear by DEM. "
-          "Triangles have the slope s of the network."};
+          "Isotropic compression, first specimen of each kind. Lines: rung 3, the closed form of uniform "
+          "strain times a relaxation factor, from the counted contacts; circles: linear response of the "
+          "contact network; diamonds: cyclic shear by DEM. Triangles have the slope s of the network."};
   for (std::size_t k = 0; k < shear_modulus_names.size(); ++k) {
     Panel one = modulus_panel(all, k);
     if (one.chart.series.empty())
@@ -435,8 +436,7 @@ CompressionStory compression_story(const Scene& scene, const std::vector<Compres
           "div",
           why_figure(law,
                      "1. The stiffness of a contact is a power of its force that depends on its shape. "
-                     "With a constant set "
-                     "of contacts the packing would have the same power of p.",
+                     "With a constant set of contacts, G of the packing would be the same power of p.",
                      figures) +
               why_figure(
                   contacts,
@@ -444,8 +444,8 @@ CompressionStory compression_story(const Scene& scene, const std::vector<Compres
                   figures) +
               why_figure(relaxation,
                          "3. Grains do not move exactly with the mean strain; the deviation is larger with "
-                         "fewer contacts. New "
-                         "contacts therefore make a loose packing stiffer, in addition to 1.",
+                         "fewer contacts. New contacts reduce it and make a loose packing stiffer, in "
+                         "addition to cause 1.",
                          figures),
           "trio"));
   story.panels.insert(story.panels.end(), {law, contacts, relaxation});

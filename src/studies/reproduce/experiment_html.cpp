@@ -117,28 +117,26 @@ std::string all_figures(const std::vector<Figure>& figures, const std::optional<
 
 std::string how_to_read() {
   return plot::html_list(
-      {"Signs: compression is positive, of stress and of strain. v is the vertical axis z, h the horizontal "
-       "ones. \u03b7 = q/p' with q = \u03c3_v - \u03c3_h and p' = (\u03c3_v + 2 \u03c3_h)/3: above zero in "
-       "compression (TXC, "
-       "RTXC), below in extension (RTXE, TXE). Strains are logarithmic, from the start of each path.",
+      {"Signs: compression is positive, of stress and of strain. v is the vertical axis z, h are the "
+       "horizontal axes. \u03b7 = q/p' with q = \u03c3_v - \u03c3_h and p' = (\u03c3_v + 2 \u03c3_h)/3: "
+       "above zero in compression (TXC, RTXC), below zero in extension (RTXE, TXE). Strains are logarithmic, "
+       "from the start of each path.",
+       "Symbols: e void ratio, C_n mean number of contacts of a grain, z* the same without rattlers (grains "
+       "that carry no load), a anisotropy of the contact directions (above zero: more near the vertical).",
        "Frozen states: a copy of the specimen is brought to rest with sliding prevented at all contacts. "
-       "All "
-       "measurements of a state are made on this copy.",
+       "All measurements of a state are made on this copy.",
        "G of the network: linear response of the frozen contacts, every grain in equilibrium. Cyclic shear: "
-       "a small "
-       "shear strain back and forth on the frozen specimen, by the discrete element method. G_hh shears the "
-       "horizontal plane, G_hv and G_vh a vertical one.",
-       "Uniform strain: G if every grain followed the mean strain; always stiffer. Relaxed, "
-       "closed "
-       "form: the same with a reduction factor that depends on the number of contacts.",
-       "Exponents: G = C p_a f(e) (\u03c3_i/p_a)^m (\u03c3_j/p_a)^n with f(e) = (2.17 - e)^2/(1 + e) and "
-       "p_a = 100 kPa, "
-       "s = m + n. The paper's C is for p_a in MPa and is not compared.",
+       "a small shear strain back and forth on the frozen specimen, by the discrete element method (DEM). "
+       "G_hh is the shear modulus of the horizontal plane, G_hv and G_vh that of a vertical plane.",
+       "Uniform strain: G if every grain followed the mean strain; it exceeds G of the network. Relaxed "
+       "closed form: the same times a reduction factor that depends on the number of contacts.",
+       "Exponents: G = C p_a f(e) (\u03c3_i/p_a)^m (\u03c3_j/p_a)^n, the paper's Eq. (1), with f(e) = "
+       "(2.17 - e)^2/(1 + e), p_a = 100 kPa and s = m + n. For G_hv \u03c3_i is \u03c3_h and \u03c3_j is "
+       "\u03c3_v; G_hh is fitted with \u03c3_h alone. The paper's C is for p_a in MPa and is not compared.",
        "\u00b1 is one standard error: the larger of the scatter between seeds and the error of each seed, "
        "divided by the root of the number of seeds. With one seed, the scatter between specimens is not "
-       "included. Within: "
-       "whether "
-       "the difference from the paper is within the limit; undecided if the standard error is larger.",
+       "included. Within: whether the difference from the paper is within the limit (column reach of the "
+       "CSV files); undecided if the standard error is larger than the limit.",
        "All numbers: states.csv, curves.csv, loops.csv, histograms.csv and the tables next to this page; the "
        "data of figures in the folder figures. Figures 1, 2 and 5 of the paper are sketches."});
 }
@@ -166,12 +164,14 @@ std::string report_body(const Experiment& experiment, const CompressionStory& st
   const std::string tables =
       table("Table 2: start of isotropic compression", table_2(experiment)) +
       table("Table 4: friction angle at the peak", table_4(experiment)) +
-      table("Table 5: fit of Eq. (1) to the network's moduli for |\u03b7| \u2264 0.6", table_5(experiment)) +
+      table("Table 5: exponents and C of the networks' moduli for |\u03b7| \u2264 0.6 (equation: see "
+            "\u201cHow to read this\u201d)",
+            table_5(experiment)) +
       table("Further exponents", further_exponents(experiment));
   return story.first_screen + story.why +
          plot::html_section("verdicts", "Agreement and differences with the paper",
                             plot::html_paragraph(paper_text, "soft") + verdict_lists(verdicts)) +
-         plot::html_section("tables", "Tables beside the paper's", tables) +
+         plot::html_section("tables", "Tables compared with the paper's", tables) +
          plot::html_section("figures", "Figures", all_figures(figures, assembly)) +
          plot::html_section("run", "The run",
                             plot::html_folded("What was run", what_was_run(experiment, time)) +

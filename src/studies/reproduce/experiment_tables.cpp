@@ -32,10 +32,12 @@ std::string csv_of(const Experiment& experiment, const io::Columns<Item>& column
                       {{"program", "granum " + std::string(version()) + " reproduce"},
                        {"grains", std::to_string(experiment.scene.study.grains)},
                        {"boundary", experiment.scene.specimen.walls ? "six rigid walls" : "periodic"},
-                       {"signs", "compression positive; z is the vertical axis v; eta = (s_v - s_h)/p'"}});
+                       {"signs", "compression positive; z is the vertical axis v; eta = q/p' = "
+                                 "(s_v - s_h)/p'; s_v, s_h: vertical and horizontal stress; p or p': their "
+                                 "mean (s_v + 2 s_h)/3"}});
 }
 
-/// To "is ours within the tolerance?".
+/// Whether the result of granum lies within the tolerance of the printed one.
 const char* answer(Agreement agreement) {
   switch (agreement) {
   case Agreement::within:
@@ -215,18 +217,18 @@ const io::Columns<CellRow>& cell_columns() {
       {"quantity", "quantity", [](const CellRow& row) { return row.cell->quantity; },
        to_the_left("quantity", 28)},
       {"granum", "granum", [](const CellRow& row) { return row.cell->ours.value; }},
-      {"", "", with_error, to_the_right("granum", 15)},
+      {"", "", with_error, to_the_right("granum", 17)},
       {"standard_error", "standard_error",
        io::or_null([](const CellRow& row) { return row.cell->ours.standard_error; })},
       {"paper", "paper", io::or_null([](const CellRow& row) { return row.cell->printed; }),
-       to_the_right("paper", 7)},
+       to_the_right("paper", 6)},
       {"difference", "",
        [](const CellRow& row) {
          return row.cell->printed ? std::optional(row.cell->ours.value - *row.cell->printed) : std::nullopt;
        }},
       {"reach", "reach", io::or_null([](const CellRow& row) { return row.cell->reach; })},
       {"within", "", [](const CellRow& row) { return answer(row.cell->agreement()); },
-       to_the_right("within", 12)},
+       to_the_right("within", 10)},
       {"", "within", within},
   };
   return columns;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "studies/reproduce/experiment_findings.hpp"
 
@@ -13,8 +14,8 @@ namespace {
 using triaxial::Density;
 
 std::string title(const ExperimentSpecimen& specimen) {
-  return std::string(name(specimen.density)) + " " + std::string(name(specimen.contact)) + " #" +
-         std::to_string(specimen.seed);
+  return std::string(name(specimen.density)) + " " + std::string(name(specimen.contact)) + " (seed " +
+         std::to_string(specimen.seed) + ")";
 }
 
 /// Cells of a table that have a printed value: how many are within a distance of it, and the largest one.
@@ -54,11 +55,13 @@ void judge_tables(std::vector<Verdict>& out, const Experiment& experiment) {
                    6 * close.within >= 5 * close.cells,
                    detail::formatted("%.0f of %.0f", static_cast<double>(close.within),
                                      static_cast<double>(close.cells))});
-  judge_all_near(out, "Table 4: all friction angles within 2.5 deg", near(peaks, 2.5));
+  judge_all_near(out, "Table 4: all friction angles within 2.5 deg of the paper", near(peaks, 2.5));
   const std::vector<TableRow> fits = table_5(experiment);
-  for (const auto& [letter, what] : {std::pair{'s', "s within 0.04 (dense), 0.08 (loose)"},
-                                     std::pair{'m', "m and n within 0.05 (dense), 0.10 (loose)"}})
+  for (const auto& [letter, of_dense, of_loose] :
+       {std::tuple{'s', "s within 0.04", "s within 0.08"},
+        std::tuple{'m', "m and n within 0.05", "m and n within 0.10"}})
     for (const Density density : experiment.scene.study.densities) {
+      const std::string what = density == Density::dense ? of_dense : of_loose;
       Near all;
       for (const TableRow& row : fits)
         for (const Cell& cell : row.cells) {
@@ -69,7 +72,8 @@ void judge_tables(std::vector<Verdict>& out, const Experiment& experiment) {
           all.within += cell.agreement() == Agreement::within;
           all.worst = std::max(all.worst, std::abs(cell.ours.value - *cell.printed));
         }
-      judge_all_near(out, std::string("Table 5, ") + std::string(name(density)) + ": " + what, all);
+      judge_all_near(
+          out, std::string("Table 5, ") + std::string(name(density)) + ": " + what + " of the paper", all);
     }
 }
 
@@ -88,7 +92,7 @@ void judge_vertical_shear(std::vector<Verdict>& out, const Experiment& experimen
         ++states;
       }
   if (states > 0)
-    out.push_back({"G_vh = G_hv by cyclic shear up to 0.9 of failure, within 2 %", worst <= 0.02,
+    out.push_back({"G_vh = G_hv by cyclic shear up to 0.9 of the peak q/p', within 2 %", worst <= 0.02,
                    detail::formatted("worst %.2g in %.0f states", worst, static_cast<double>(states))});
 }
 
@@ -112,10 +116,10 @@ void judge_dense_structure(std::vector<Verdict>& out, const ExperimentSpecimen& 
       anisotropy = std::abs(point->micro.fabric_anisotropy);
       error = point->micro.fabric_anisotropy_error;
     }
-  out.push_back({title(specimen) + ": C_n within 3 % of its start for |eta| <= 0.6", coordination <= 0.03,
-                 detail::formatted("worst %.2g", coordination)});
-  out.push_back({title(specimen) + ": a within 0.03 of zero for |eta| <= 0.6", anisotropy <= 0.03,
-                 detail::formatted("worst %.3f +- %.3f", anisotropy, error)});
+  out.push_back({title(specimen) + ": C_n within 3 % of its start for |q/p'| <= 0.6", coordination <= 0.03,
+                 detail::formatted("largest relative change %.2g", coordination)});
+  out.push_back({title(specimen) + ": fabric anisotropy a within 0.03 of zero for |q/p'| <= 0.6",
+                 anisotropy <= 0.03, detail::formatted("worst %.3f +- %.3f", anisotropy, error)});
   double kept = 0, turned = 10;
   for (const PathRun& run : specimen.runs)
     if (run.path && !run.points.empty() && run.failure.empty()) {
@@ -126,7 +130,8 @@ void judge_dense_structure(std::vector<Verdict>& out, const ExperimentSpecimen& 
       turned = std::min(turned, sense * last.fabric_anisotropy);
     }
   if (kept > 0)
-    out.push_back({title(specimen) + ": past the peak C_n has dropped and a grown on every path",
+    out.push_back({title(specimen) + ": past the peak C_n has decreased and a grown towards the larger "
+                                     "stress on every path",
                    kept < 0.9 && turned > 0.1,
                    detail::formatted("at most %.2f of C_n is left, a is %.2f or more", kept, turned)});
 }
@@ -138,11 +143,11 @@ double G_hh_of(const StateRecord& point) { return point.G_hh(); }
 void judge_flat(std::vector<Verdict>& out, const ExperimentSpecimen& specimen) {
   const double change = std::max(worst_change(specimen, G_vh_of), worst_change(specimen, G_hh_of));
   if (specimen.density == Density::dense)
-    out.push_back({title(specimen) + ": G constant within 5 % for |eta| <= 0.6", change <= 0.05,
-                   detail::formatted("worst %.2g", change)});
+    out.push_back({title(specimen) + ": G constant within 5 % for |q/p'| <= 0.6", change <= 0.05,
+                   detail::formatted("largest relative change %.2g", change)});
   else
-    out.push_back({title(specimen) + ": G not constant within 5 % for |eta| <= 0.6", change > 0.05,
-                   detail::formatted("changes by %.2g", change)});
+    out.push_back({title(specimen) + ": G not constant within 5 % for |q/p'| <= 0.6", change > 0.05,
+                   detail::formatted("largest relative change %.2g", change)});
 }
 
 /// In the paper G_hh depends on sigma_h only.

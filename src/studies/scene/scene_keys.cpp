@@ -228,21 +228,24 @@ std::vector<SceneKey> grain_keys() {
                 .reason = "its fifth power, as in moments of inertia, must fit into a double"}),
       sizes_key({"grain.sizes",
                  "distribution of the radii by number: equal, bidisperse:RATIO, uniform:SMALLEST:LARGEST, "
-                 "lognormal:SIGMA, power-law:EXPONENT:RATIO or uniformity:C_U"}),
-      quantity({"grain.shear_modulus", "of the solid that the grains consist of"},
+                 "lognormal:SIGMA, power-law:EXPONENT:RATIO or uniformity:C_U; RATIO: largest over smallest, "
+                 "SIGMA: standard deviation of ln radius, C_U: d60/d10 by mass"}),
+      quantity({"grain.shear_modulus", "G_g, shear modulus of the grain material"},
                GRANUM_MEMBER(grain.shear_modulus), pressure,
                {.low = 1,
                 .high = 1e15,
                 .reason = "all solids lie within, and products of stiffnesses must fit into a double"}),
-      quantity({"grain.poisson_ratio", "of the same solid"}, GRANUM_MEMBER(grain.poisson_ratio),
-               dimensionless,
+      quantity({"grain.poisson_ratio", "nu, Poisson's ratio of the grain material"},
+               GRANUM_MEMBER(grain.poisson_ratio), dimensionless,
                {.low = -1, .high = 0.5, .low_open = true, .reason = "the range of elastic solids"}),
-      quantity({"grain.friction_angle", "between two grains"}, GRANUM_MEMBER(grain.friction_angle), angle,
+      quantity({"grain.friction_angle", "friction angle of the contact between two grains"},
+               GRANUM_MEMBER(grain.friction_angle), angle,
                {.low = 0,
                 .high = std::numbers::pi / 2,
                 .high_open = true,
                 .reason = "its tangent must be finite"}),
-      quantity({"grain.density", "sets the time scale of the simulation, not its result"},
+      quantity({"grain.density",
+                "density of the grain material; sets the time scale of the simulation, not its result"},
                GRANUM_MEMBER(grain.density), density,
                {.low = 1e-6,
                 .high = 1e18,
@@ -269,7 +272,8 @@ SceneKey law_key(const contact::LawRow& row, const contact::LawParameter& parame
 
 std::vector<SceneKey> contact_keys() {
   std::vector<SceneKey> keys{tangential_ratio_key(
-      {"contact.tangential_ratio", "k_t/k_n; mindlin: 2(1-nu)/(2-nu) of the grain's Poisson ratio"},
+      {"contact.tangential_ratio",
+       "k_t/k_n, tangential over normal contact stiffness; mindlin: 2(1-nu)/(2-nu)"},
       {.low = 0,
        .high = 100,
        .reason = "elastic contacts have at most 4/3, and a larger ratio needs a smaller time step"})};
@@ -290,7 +294,7 @@ std::vector<SceneKey> study_keys() {
       names({"study.densities",
              "dense: compressed without friction up to the first pressure; loose: with friction"},
             GRANUM_MEMBER(study.densities), std::vector{Density::dense, Density::loose}),
-      whole_number({"study.grains", "of each specimen"}, GRANUM_MEMBER(study.grains),
+      whole_number({"study.grains", "grains of each specimen"}, GRANUM_MEMBER(study.grains),
                    {.low = 40,
                     .high = 1e7,
                     .reason = "the cell must be wider than four diameters, and its "
@@ -304,16 +308,17 @@ std::vector<SceneKey> study_keys() {
                     "specimens computed at the same time; 0: one for each core; results do not depend on it"},
                    GRANUM_MEMBER(study.threads),
                    {.low = 0, .high = 1024, .reason = "more threads bring no gain"}),
-      pressures({"study.pressures", "of the isotropic compression: at least 3, increasing"},
+      pressures({"study.pressures", "pressures of the isotropic compression: at least 3, increasing"},
                 GRANUM_MEMBER(study.pressures), stresses),
-      pressures({"study.probe_pressures", "pressures at which the specimen is also sheared; [] for none",
-                 all_but_trade},
+      pressures({"study.probe_pressures",
+                 "pressures at which G is also measured by small cyclic shear; [] for none", all_but_trade},
                 GRANUM_MEMBER(study.probe_pressures), stresses)};
 }
 
 std::vector<SceneKey> specimen_keys() {
   using enum Dimension;
-  return {boundary_key({"specimen.boundary", "periodic, or walls: six rigid ones", reproduce_alone}),
+  return {boundary_key(
+              {"specimen.boundary", "periodic: a periodic cell; walls: six rigid walls", reproduce_alone}),
           quantity({"specimen.wall_friction", "friction coefficient between grains and walls",
                     reproduce_alone, needs_walls},
                    GRANUM_MEMBER(specimen.wall_friction), dimensionless,
@@ -353,7 +358,8 @@ std::vector<SceneKey> shear_keys() {
       names({"shear.paths", "any of TXC, RTXC, RTXE, TXE", reproduce_alone}, GRANUM_MEMBER(shear.paths),
             std::vector<ShearPath>{stress::all_shear_paths.begin(), stress::all_shear_paths.end()}),
       quantity(steps("shear.inertial_number",
-                     "axial strain rate (or twice the horizontal one) times d sqrt(density/p')"),
+                     "axial strain rate (or twice the horizontal one) times d sqrt(density/p'), d: mean "
+                     "diameter"),
                GRANUM_MEMBER(shear.inertial_number), dimensionless,
                {.low = 1e-9,
                 .high = 0.1,
@@ -362,7 +368,7 @@ std::vector<SceneKey> shear_keys() {
                           "quasi-static"}),
       quantity(
           steps("shear.eta_step",
-                "at each multiple of this q/p' the specimen is frozen, measured and solved as a network"),
+                "at each multiple of this q/p' a state is frozen (no contact slides) and its network solved"),
           GRANUM_MEMBER(shear.eta_step), dimensionless,
           {.low = 1e-5, .high = 10, .reason = "limits the number of states"}),
       quantity(steps("shear.strain_step", "the same at each multiple of this axial strain"),

@@ -160,7 +160,7 @@ Verdict dense_verdict(const ExponentRow& row) {
   const double expected = row.local ? row.closed_form->value : row.contact_law;
   const double excess = row.network->value - expected;
   return {"dense " + std::string(name(row.contact)) + ": s is " +
-              (row.local ? "that of uniform strain" : "the contact law's 1/(1+alpha)") +
+              (row.local ? "the exponent of uniform strain" : "the contact law's 1/(1+alpha)") +
               ", within -0.01 to +0.05",
           excess >= -0.01 && excess <= 0.05,
           detail::formatted("s = %.3f +- %.3f against %.3f", row.network->value, row.network->standard_error,
@@ -184,7 +184,8 @@ void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& 
       continue;
     const double gap = row.network->value - dense->network->value;
     const double error = std::hypot(row.network->standard_error, dense->network->standard_error);
-    out.push_back({"loose " + std::string(name(row.contact)) + ": s is larger than dense by 0.12 or more",
+    out.push_back({"loose " + std::string(name(row.contact)) +
+                       ": s is larger than s of the dense packing by 0.12 or more",
                    gap >= 0.12, detail::formatted("by %.3f +- %.3f", gap, error), true});
   }
 }
@@ -263,7 +264,7 @@ std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResu
                });
   if (const std::optional<RelaxationCurve> curve = relaxation_curve(of_one_exponent))
     out.push_back(
-        {"G/G(uniform strain) lies on one curve of z*, rms 0.03 or less", curve->rms <= 0.03,
+        {"G/G(uniform strain) lies on one curve of z*, rms deviation 0.03 or less", curve->rms <= 0.03,
          detail::formatted("rms %.4f", curve->rms) + ", " + std::to_string(curve->states) + " states"});
   judge_worst(out, "K(uniform stress, refined) <= K <= K(uniform strain)",
               worst_of(specimens,

@@ -67,8 +67,9 @@ void add_exponent_figure(std::vector<Figure>& to, const Experiment& experiment) 
       .name = "Fig. 15",
       .title = "Exponents s by contact geometry and density",
       .caption =
-          "s of G ~ p^s, from the fit of Eq. (1) to all states with |\u03b7| \u2264 0.6, with its standard "
-          "error; hollow markers: values of the paper. The line is the exponent of the single contact. "
+          "s of G ~ p^s, from the fit of the paper's Eq. (1) to all states with |\u03b7| \u2264 0.6, with "
+          "its standard error; hollow markers: values of the paper. The line is the exponent of the single "
+          "contact. "
           "Markers of G_hh are drawn slightly to the left, those of G_hv to the right.",
       .panels = {}};
   const std::vector<TableRow> table = table_5(experiment);

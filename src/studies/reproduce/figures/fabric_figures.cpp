@@ -108,11 +108,13 @@ void add_direction_figure(std::vector<Figure>& to, const Experiment& experiment)
       .name = "Fig. 16",
       .title = "Directions of the contacts",
       .caption =
-          "Contact normals per solid angle around the vertical: markers count them, with \u221an as error, "
-          "in as "
-          "many bins of the angle as leave 25 for the one around the vertical; lines are the density "
-          "E(\u03b3; a) = 3(1 + a cos 2\u03b3)/(4\u03c0(3 - a)) with the a of the same contacts. Isotropic "
-          "contacts have 1/(4\u03c0) = 0.080 everywhere, a circle." +
+          "Contact normals per solid angle, by their angle \u03b3 from the vertical. Markers: counts n in "
+          "bins of \u03b3, with \u221an as error; the number of bins leaves 25 contacts in the bin around "
+          "the "
+          "vertical. Lines: the density E(\u03b3; a) = 3(1 + a cos 2\u03b3)/(4\u03c0(3 - a)) with the "
+          "anisotropy a of the same contacts. Isotropic contacts have E = 1/(4\u03c0) = 0.080 at every "
+          "angle, "
+          "a circle." +
           seeds_note(experiment),
       .panels = {}};
   for (const Kind& kind : kinds(experiment))
@@ -131,10 +133,11 @@ void add_microstructure_figures(std::vector<Figure>& to, const Experiment& exper
         .name = printed ? "Fig. " + std::to_string(number) : "Beyond the paper",
         .title = "Contacts and their directions: " + std::string(name(contact)),
         .caption =
-            "C_n is the mean number of contacts of a grain, z* that of grains which carry load, a the "
+            "C_n is the mean number of contacts of a grain, z* the same for the grains that carry load, a "
+            "the "
             "anisotropy of the contacts' directions (positive: more near the vertical). Lines up to the "
-            "peak, small dots past it; error bars on every fifth state: the scatter of the grains' "
-            "numbers of contacts, and that of directions drawn independently." +
+            "peak, small dots past it. Error bars on every fifth state: for C_n from the scatter of the "
+            "grains' numbers of contacts, for a from that of independent directions." +
             seeds_note(experiment),
         .panels = {}};
     for (const Kind& kind : all)

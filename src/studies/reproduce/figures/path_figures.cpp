@@ -61,14 +61,15 @@ Figure stress_paths(const Experiment& experiment) {
 
 /// Fig. 8: a panel for each eta, because their stresses differ.
 Figure shear_loops(const Experiment& experiment) {
-  Figure out{.name = "Fig. 8",
-             .title = "Cycles of horizontal shear with friction",
-             .caption =
-                 "Frozen states of TXC, sheared to one side, the other, and the first again at constant "
-                 "normal stresses, at rest at every point. Contacts may slide: an open loop, or one that "
-                 "does not close, dissipates energy by friction. G_hh is the slope at its start." +
-                 seeds_note(experiment),
-             .panels = {}};
+  Figure out{
+      .name = "Fig. 8",
+      .title = "Cycles of horizontal shear with friction",
+      .caption =
+          "Frozen states of TXC, sheared to one side, to the other, and to the first again at constant "
+          "normal stresses, at rest at every point. Contacts may slide: a loop that encloses an area, "
+          "or does not close, dissipates energy by friction. G_hh is the slope at its start." +
+          seeds_note(experiment),
+      .panels = {}};
   for (const Kind& kind : kinds(experiment))
     for (const PathRun& run : kind.specimen->runs)
       for (std::size_t k = 0; k < run.loops.size(); ++k) {
