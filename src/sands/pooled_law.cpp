@@ -100,7 +100,7 @@ std::string formula(const Sand& sand) {
   switch (form_of(sand)) {
   case PooledForm::own_tests:
     return pretty(sand.tests->level, Dimension::pressure) + " ((2.17-e)^2/(1+e))^" +
-           short_text(sand.tests->power) + " (p'/p_a)^s, fitted to its own tests";
+           short_text(sand.tests->power) + " (p'/p_a)^s, fitted to the tests of this sand";
   case PooledForm::density_and_limits:
     return "92.7 MPa 10^(0.294 D_r - 0.287 e_min) (p'/p_a)^s";
   case PooledForm::grading:

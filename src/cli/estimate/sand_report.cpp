@@ -166,7 +166,7 @@ std::vector<std::string> sand_notes(const AnswerCase& c, const AnswerOptions& op
   if (options.sand != nullptr)
     notes.push_back(fmt::format("{} [{}]{}", options.sand->name, options.sand->source,
                                 options.sand->tests
-                                    ? fmt::format(": {} tests of its own", options.sand->tests->count)
+                                    ? fmt::format(": {} tests of this sand", options.sand->tests->count)
                                     : ": no tests of this sand are included"));
   if (answer_of_sand(c) == nullptr)
     return notes;

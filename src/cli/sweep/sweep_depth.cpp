@@ -91,7 +91,7 @@ std::string ground_text(const GroundCase& c, double top) {
 std::string rest_text(const stress::Ground& ground) {
   std::string text = fmt::format("K_0 = {}", short_text(ground.earth_pressure_at_rest));
   if (ground.surcharge > 0)
-    text += fmt::format(", under {}", pretty(ground.surcharge, Dimension::pressure));
+    text += fmt::format(", loaded by {}", pretty(ground.surcharge, Dimension::pressure));
   return text;
 }
 
@@ -175,8 +175,9 @@ std::string table_of(const std::vector<Layer>& layers, const std::vector<DepthSt
   text += line_of([](const ShownDepth& column) { return std::string(column.unit); });
   for (const DepthState& at : states)
     text += line_of([&](const ShownDepth& column) { return column.text(at); });
-  text += fmt::format("\n  s total stress, s' effective stress, p' its mean, u pore pressure; ranges in\n"
-                      "  brackets; G in a vertical plane, V_s and V_p of vertical waves; at {} m:",
+  text += fmt::format("\n  s total stress, s' effective stress, p' its mean, u pore pressure; S_r degree\n"
+                      "  of saturation, K_0 = s'_h/s'_v at rest; (low-high): range of the answer; G in a\n"
+                      "  vertical plane, V_s and V_p of vertical waves; at {} m:",
                       short_text(states.back().point.depth)) +
           range_text(last) + "\n";
   for (const std::string& remark : remarks)
@@ -273,7 +274,7 @@ std::vector<std::string> depth_remarks(const std::vector<Layer>& layers,
   });
   if (unequal && sand)
     remarks.emplace_back(
-        "G in a vertical plane grows as sigma_v^n sigma_h^m, with n + m the exponent of equal stresses");
+        "G in a vertical plane grows as sigma_v^n sigma_h^m; n + m is the exponent s under equal stresses");
   if (unequal && spheres)
     remarks.emplace_back(
         "unequal stresses act on each contact by its direction (rung 2, relaxed); they do not "

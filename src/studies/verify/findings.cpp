@@ -85,7 +85,8 @@ void judge_worst(std::vector<Verdict>& out, const std::string& claim, const Wors
                  const char* format) {
   if (worst.states > 0)
     out.push_back({claim, worst.value <= limit,
-                   detail::formatted(format, worst.value) + ", " + std::to_string(worst.states) + " states"});
+                   detail::formatted(format, worst.value) + ", " + std::to_string(worst.states) +
+                       (worst.states == 1 ? " state" : " states")});
 }
 
 double relative_difference(double a, double b) { return std::abs(a / b - 1); }
