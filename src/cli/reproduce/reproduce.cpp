@@ -136,9 +136,9 @@ void write_results(const fs::path& folder, const studies::Experiment& experiment
 /// Tables 2, 4 and 5 with the paper's values, and the verdicts, as text.
 std::string report_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
                       const studies::RunTime& time) {
-  std::string out = "granum: result of this run +- its standard error, where it is known; paper: Chung et\n"
-                    "al. 2014; within: whether the difference is within the tolerance, undecided if\n"
-                    "the standard error exceeds the tolerance\n\n";
+  std::string out = "granum: result of this run +- its standard error, where it is known; paper:\n"
+                    "Chung et al. 2014; within: whether the difference is within the tolerance,\n"
+                    "undecided if the standard error exceeds the tolerance\n\n";
   out += studies::table_text("Table 2: start of isotropic compression (C_n: contacts per grain, e: void\n"
                              "ratio)",
                              studies::table_2(experiment)) +

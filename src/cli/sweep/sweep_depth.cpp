@@ -176,8 +176,8 @@ std::string table_of(const std::vector<Layer>& layers, const std::vector<DepthSt
   for (const DepthState& at : states)
     text += line_of([&](const ShownDepth& column) { return column.text(at); });
   text += fmt::format("\n  s total stress, s' effective stress, p' its mean, u pore pressure; S_r degree\n"
-                      "  of saturation, K_0 = s'_h/s'_v at rest; (low-high): range of the answer; G in a\n"
-                      "  vertical plane, V_s and V_p of vertical waves; at {} m:",
+                      "  of saturation, K_0 = s'_h/s'_v at rest; (low-high): range of the answer; G in\n"
+                      "  a vertical plane, V_s and V_p of vertical waves; at {} m:",
                       short_text(states.back().point.depth)) +
           range_text(last) + "\n";
   for (const std::string& remark : remarks)
