@@ -10,7 +10,7 @@ Inside YADE, at the end of a script or in its console:
 
 Reading them: granum::io::read_yade. YADE's own text exports print six digits, too few for overlaps.
 Forces act on the second body of a pair, and normals point from the first body to the second. kn and ks are the tangent
-stiffnesses at this state [N/m], kr and ktw the stiffnesses against rolling and twisting [N m], 0 where the law has none.
+stiffnesses at this state [N/m], kr and ktw the stiffnesses against rolling and twisting [N m], 0 if the law has none.
 clumpId is -1 for single spheres. A contact of a sphere with a wall, a facet or a box lists the sphere first, and second
 -1 minus the id of the other body. Contacts with other bodies are counted and not written.
 """
