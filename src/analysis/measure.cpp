@@ -292,14 +292,27 @@ class Measuring {
     out_.notes.push_back(
         "the forces are linear in the overlaps: springs of k_n = " + short_text(*spring, 6) +
         " N/m, taken as they are (--contact flat); k_t/k_n = " + short_text(tangential_ratio()) +
-        (given_.tangential_ratio ? "" : " is assumed, LAMMPS' gran/hooke has 2/7 (--tangential-ratio)"));
+        (given_.tangential_ratio ? ""
+         : stiffness_of_files()  ? " by the files"
+                                 : " is assumed, LAMMPS' gran/hooke has 2/7 (--tangential-ratio)"));
     return true;
   }
 
+  /// k_t/k_n of the closed forms: given, or that of the network where the files contain stiffnesses (uniform strain
+  /// adds up k_n and k_t, so the ratio of their sums), or Mindlin's.
   [[nodiscard]] double tangential_ratio() const {
-    return given_.tangential_ratio ? contact::given_stiffness_ratio(*given_.tangential_ratio)
-                                   : contact::mindlin_stiffness_ratio(
-                                         out_.grain ? out_.grain->poisson_ratio : given_.grain_poisson_ratio);
+    if (given_.tangential_ratio)
+      return contact::given_stiffness_ratio(*given_.tangential_ratio);
+    if (stiffness_of_files()) {
+      double k_n = 0, k_t = 0;
+      for (const packing::Contact& c : assembly_.contacts) {
+        k_n += c.normal_stiffness;
+        k_t += c.tangential_stiffness;
+      }
+      return k_t / k_n;
+    }
+    return contact::mindlin_stiffness_ratio(out_.grain ? out_.grain->poisson_ratio
+                                                       : given_.grain_poisson_ratio);
   }
 
   /// Input of the closed forms, or a note about missing data.
@@ -332,16 +345,20 @@ class Measuring {
     }
   }
 
-  [[nodiscard]] bool contacts_have_stiffness() const {
-    return std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(),
+  /// Whether the network has k_n and k_t of the files.
+  [[nodiscard]] bool stiffness_of_files() const {
+    return !given_.stiffness_from &&
+           std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(),
                        [](const packing::Contact& c) { return c.normal_stiffness > 0; });
   }
 
   void solve_network() {
-    const bool stated = !given_.stiffness_from && contacts_have_stiffness();
-    if (stated) {
+    if (stiffness_of_files()) {
       if (!given_.law)
-        out_.notes.emplace_back("k_n and k_t of the network are those of the files");
+        out_.notes.push_back("k_n and k_t of the network are those of the files" +
+                             (given_.tangential_ratio
+                                  ? std::string()
+                                  : "; closed forms: their k_t/k_n, " + short_text(tangential_ratio())));
       solve_network(assembly_);
     } else if (given_.stiffness_from.value_or(stiffness_of_ratio_ ? packing::StiffnessFrom::ratio
                                                                   : packing::StiffnessFrom::overlap) ==

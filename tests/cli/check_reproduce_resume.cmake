@@ -59,6 +59,18 @@ if(NOT code EQUAL 3 OR NOT err MATCHES "exists already and is kept; --force repl
   fail("existing results must be kept")
 endif()
 
+# A folder that is no run keeps its files, though it has a scene.
+set(foreign "${FOLDER}/foreign")
+file(REMOVE_RECURSE "${foreign}")
+file(COPY "${FOLDER}/whole/scene.toml" DESTINATION "${foreign}")
+file(WRITE "${foreign}/states.csv" "mine")
+execute_process(COMMAND "${PROGRAM}" reproduce --resume "${foreign}" RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+file(READ "${foreign}/states.csv" kept)
+file(GLOB left RELATIVE "${foreign}" "${foreign}/*")
+if(NOT code EQUAL 3 OR NOT err MATCHES "foreign/checkpoints: " OR NOT kept STREQUAL "mine" OR NOT left STREQUAL "scene.toml;states.csv")
+  fail("a folder that is no run must stay as it is")
+endif()
+
 # A checkpoint that was damaged is named, not run on.
 file(APPEND "${resumed}/checkpoints/sphere-dense-1-txc.checkpoint" "x")
 execute_process(COMMAND "${PROGRAM}" reproduce --resume "${resumed}" RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)

@@ -26,7 +26,8 @@ struct Given {
   double grain_poisson_ratio = 0.15;              ///< nu_g [1]
   bool law_assumed = false; ///< law_family is a default: linear springs are used if the forces show them
   std::vector<contact::GrainMaterial> materials = {}; ///< of each grain, where there are several; spheres
-  std::optional<double> tangential_ratio = {}; ///< k_t/k_n [1]; without it contact::mindlin_stiffness_ratio
+  /// k_t/k_n [1]; without it that of the stiffnesses in the assembly, or contact::mindlin_stiffness_ratio
+  std::optional<double> tangential_ratio = {};
   std::optional<packing::TurningSpring> rolling = {};  ///< of all contacts; without it as they have it
   std::optional<packing::TurningSpring> twisting = {}; ///< likewise
   std::optional<double> friction_coefficient = {};     ///< [1]; without it estimate_friction

@@ -213,16 +213,22 @@ Place new_place(const ReproduceOptions& options, const studies::Scene& scene) {
   suggest_resume(options.results);
   place.folder = results_folder(options.results.out, "reproduce", names, options.results.force);
   studies::remove_checkpoints(place.folder / checkpoints_name); // present only with --force
+  fs::create_directories(place.folder / checkpoints_name);      // before the scene: both together are a run
   io::write_file(place.folder / scene_of_run, studies::toml_of(place.scene), options.results.existing());
   return place;
 }
 
-/// Reads a stopped run, or a finished one whose tables and pictures are to be written again.
+/// Reads a stopped run, or a finished one whose tables and pictures are to be written again. Any other folder may hold
+/// files of the same names, which would be lost.
+/// \throws   FileError
 Place old_place(const ReproduceOptions& options) {
   const StudyOptions& study = options.study;
   const fs::path folder = options.resume;
   Place place{.scene = read_scene((folder / scene_of_run).string(), studies::SceneCommand::reproduce),
               .folder = folder};
+  if (!fs::is_directory(folder / checkpoints_name))
+    throw FileError((folder / checkpoints_name).string(), 0,
+                    "does not exist: --resume needs the folder of an earlier granum reproduce");
   if (study.threads) {
     place.scene.study.threads = *study.threads;
     studies::require_valid(place.scene);
@@ -240,7 +246,6 @@ ExitCode run(const ReproduceOptions& options) {
   const Place place = anew ? new_place(options, scene) : old_place(options);
   say_cost_of_sizes(place.scene);
   const fs::path checkpoints = place.folder / checkpoints_name;
-  fs::create_directories(checkpoints);
   studies::Experiment experiment;
   {
     ProgressLine line(options.results.quiet);

@@ -52,7 +52,7 @@ constexpr const char* introduction =
 #
 # Copy what you want to change; a key that is left out keeps its default, an unknown one is refused with its
 # line. Quantities with a dimension are texts with a unit. `--set grain.radius=0.4mm` overrides a key of the
-# file. A key that a command does not take may stand at its default; another value would be ignored and is
+# file. A key that a command does not take may be given at its default; another value would be ignored and is
 # refused.
 )";
 
