@@ -298,8 +298,8 @@ class Measuring {
     return true;
   }
 
-  /// k_t/k_n of the closed forms: given, or that of the network where the files contain stiffnesses (uniform strain
-  /// adds up k_n and k_t, so the ratio of their sums), or Mindlin's.
+  /// k_t/k_n of the closed forms: given, or that of the network where the files contain stiffnesses (uniform
+  /// strain adds up k_n and k_t, so the ratio of their sums), or Mindlin's.
   [[nodiscard]] double tangential_ratio() const {
     if (given_.tangential_ratio)
       return contact::given_stiffness_ratio(*given_.tangential_ratio);

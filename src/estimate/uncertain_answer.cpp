@@ -10,7 +10,7 @@ namespace granum::estimate {
 
 namespace {
 
-constexpr int most_halvings = 5;
+constexpr int most_halvings = 60;
 
 Spread whole(const UncertainInput& input) {
   return {.input = input.input,
@@ -19,17 +19,23 @@ Spread whole(const UncertainInput& input) {
           .more = input.moved(input.deviation)};
 }
 
-/// The question with a change as large as possible; unchanged if even 1/32 of the change has no answer.
+/// The question with the whole change, or with the largest share of it that has an answer, to 1e-18: a
+/// larger uncertainty must not give a narrower range. Assumes that all smaller shares have answers.
 Question moved_if_possible(const Question& question, const UncertainInput& input, double change) {
-  for (int halvings = 0; halvings <= most_halvings; ++halvings, change /= 2) {
+  Question farthest = question;
+  double possible = 0, impossible = 2; // the first share tried is 1
+  for (int halvings = 0; halvings <= most_halvings && possible < 1; ++halvings) {
+    const double share = (possible + impossible) / 2;
     try {
-      Question moved = input.moved(change);
+      Question moved = input.moved(share * change);
       (void)answer(moved);
-      return moved;
-    } catch (const InvalidArgument&) { // no such packing is possible; try half of the change
+      farthest = moved;
+      possible = share;
+    } catch (const InvalidArgument&) { // no such packing is possible
+      impossible = share;
     }
   }
-  return question;
+  return farthest;
 }
 
 } // namespace

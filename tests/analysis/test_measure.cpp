@@ -188,7 +188,7 @@ TEST_CASE("the closed forms use measured inputs, or those given by the caller") 
   CHECK(other.state->void_ratio == 0.7);
   CHECK(other.state->stress_v == 2e5);
   CHECK(other.state->stress_h == 1e5);
-  // Without a ratio that of the network, where the contacts have stiffnesses; Mindlin's where the law gives them.
+  // Without a ratio that of the network, where contacts have stiffnesses; Mindlin's where the law gives them.
   Given unasked = own;
   unasked.tangential_ratio.reset();
   CHECK(measure(cubic(), unasked, {.closed_forms = true}).state->tangential_ratio ==

@@ -148,6 +148,12 @@ granum_cli_test("people: of a path" EXIT 0 STDERR "warning: 2 of 2 states [^\n]*
   ARGS sweep --void-ratio 0.6 --radius 0.5m --from 10kPa --to 100kPa --points 2)
 granum_cli_test("people: over depth" EXIT 0 STDERR "warning: 2 of 2 states [^\n]*1 m: --d50 200 mm: [^\n]*did you mean 200 um" STDOUT "s'_v"
   ARGS sweep --void-ratio 0.6 --d50 0.2m --depth 1m..2m --points 2)
+granum_cli_test("people: a depth of 5 mm is no mistyped stress" EXIT 0 STDOUT "s'_v"
+  ARGS sweep --void-ratio 0.6 --depth 0m..5mm --points 2 --strict)
+granum_cli_test("people: the ends of a path" EXIT 4 STDERR "^granum: error: --from 10 Pa [^\n]*\n$" STDOUT "p_Pa"
+  ARGS sweep --void-ratio 0.6 --from 10Pa --to 100kPa --points 3 --strict)
+granum_cli_test("people: a picture with an uncertain pressure" EXIT 0 STDOUT "shear modulus"
+  ARGS estimate --void-ratio 0.6 --pressure 100kPa --uncertainty pressure=5% --force --picture "${CMAKE_CURRENT_BINARY_DIR}/pressure.svg")
 # rows of a table: each kind of slip once, with its first row and how many there are
 set(slips "2 of 4 states have a likely mistake, see notes; line 3: --void-ratio 60: is it per cent, 60%")
 granum_cli_test("people: of the rows of a table, counted" EXIT 0 STDERR "${slips}" ARGS sweep --table sweep_slips.csv

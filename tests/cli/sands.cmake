@@ -32,6 +32,10 @@ granum_cli_test("sands: cement" EXIT 0 JSON "cemented/porosity=^0\\.391764" "cem
 granum_cli_test("sands: more cement than pores" EXIT 2 STDERR "--cement = 0\\.5 is outside" ARGS estimate ${at} --cement 50%)
 granum_cli_test("sands: cement in wet pores" EXIT 2 STDERR "dry pores" ARGS estimate ${at} --cement 2% --saturation 100%)
 granum_cli_test("sands: K_0" EXIT 0 JSON "inputs/stress_h=^50000" ARGS estimate --void-ratio 0.7 --stress-v 100kPa --k0 0.5 --json)
+granum_cli_test("sands: limits of the model of spheres are none of a sand" EXIT 0 STDOUT "measured laws"
+  ARGS estimate --void-ratio 0.6 --stress-v 100kPa --k0 0.4 --grain-shape sand --uniformity 3 --strict)
+granum_cli_test("sands: but of its bounds" EXIT 4 STDERR "2\\.5 " STDOUT "uniform stress"
+  ARGS estimate --void-ratio 0.6 --stress-v 100kPa --k0 0.4 --grain-shape sand --uniformity 3 --bounds --strict)
 granum_cli_test("sands: K_0 with both stresses" EXIT 2 STDERR "give one of the two" ARGS estimate --void-ratio 0.7 --stress-v 100kPa
   --stress-h 50kPa --k0 0.5)
 

@@ -183,6 +183,13 @@ TEST_CASE("the recipe takes over every value of the scene") {
   CHECK(specimen.material.law.force(1e-7) == law(scene, Shape::sphere).force(1e-7));
   // 2(1-nu)/(2-nu) at nu = 0.15
   CHECK(specimen.material.tangential_ratio == relative(34.0 / 37.0, 1e-15));
+  scene.grain.friction_angle = 0; // the network must not resist what the engine lets slide
+  CHECK(recipe(scene, Shape::sphere, 9).material.tangential_ratio == 0);
+  scene.specimen.walls = true;
+  scene.specimen.wall_friction = 0.1;
+  CHECK(recipe(scene, Shape::sphere, 9).material.tangential_ratio > 0);
+  scene.specimen.walls = false;
+  scene.grain.friction_angle = 0.3;
   scene.contact.tangential_ratio = 0;
   CHECK(recipe(scene, Shape::sphere, 9).material.tangential_ratio == 0);
 }

@@ -17,7 +17,8 @@ PackingOptions at_stress(PackingOptions packing, const stress::AxialStress& stre
   for (const auto& [number, value] :
        {std::pair{&packing.stress_v, stress.v}, {&packing.stress_h, stress.h}}) {
     number->value = value;
-    number->in_table = true;
+    number->typed = number->in_table = false;
+    number->preset = true;
   }
   return packing;
 }
@@ -103,6 +104,14 @@ plot::Chart over_strain(const PackingOptions& packing, AnswerOptions options,
   return chart;
 }
 
+/// The given stresses stay the given ones, for they may be uncertain.
+PackingOptions with_stresses_times(double factor, PackingOptions packing) {
+  for (Number* stress : {&packing.pressure, &packing.stress_v, &packing.stress_h})
+    if (stress->given())
+      stress->value *= factor;
+  return packing;
+}
+
 plot::Chart over_stress(const PackingOptions& packing, const AnswerOptions& options,
                         const std::vector<std::string>& uncertainties, const AnswerCase& here) {
   const auto& s = here.question.state;
@@ -110,7 +119,7 @@ plot::Chart over_stress(const PackingOptions& packing, const AnswerOptions& opti
   Band answers, of_sand;
   for (const double factor : spread(0.1, 10, points_of_a_curve, true)) {
     const AnswerCase there =
-        bare_answer(at_stress(packing, {factor * s.stress_v, factor * s.stress_h}), options, uncertainties);
+        bare_answer(with_stresses_times(factor, packing), options, uncertainties);
     answers.at.push_back(factor * s.mean_stress());
     answers.ranges.push_back(there.answer[Field::shear_modulus]);
     if (there.sand_answer) {

@@ -68,7 +68,8 @@ ExitCode run(Options o) {
   table += notes_text(answer.assumptions, o.bounds ? bounds.assumptions : std::vector<std::string>{});
   ordered_json json = estimate_json(packing, bounds, answer);
   Validity validity = slips_of(o, state);
-  validity.merge(bounds.validity);
+  if (o.bounds || answer.question.grain_shape == estimate::GrainShape::sphere) // a sand has measured laws
+    validity.merge(bounds.validity);
   validity.merge(answer.answer.validity());
   if (answer.sand_answer)
     for (const std::string& note : answer.sand_answer->validity().notes)

@@ -25,7 +25,7 @@ Validity likely_mistakes(const PackingOptions& o, const effective::State& state)
   if (z.given() && !o.sizes)
     judge_contacts(typed(z), by_z, state, validity);
   for (const Number* stress : {&o.pressure, &o.stress_v, &o.stress_h})
-    if (stress->given())
+    if (stress->given() && !stress->preset) // a stress that follows from others was not mistyped
       judge_stress(typed(*stress), validity);
   for (const Number* length : {&o.radius, &o.d50})
     if (length->given())
@@ -35,10 +35,12 @@ Validity likely_mistakes(const PackingOptions& o, const effective::State& state)
   return validity;
 }
 
-Validity likely_mistakes(const Number& grain_density) {
+Validity likely_mistakes(const Number& density_or_stress) {
   Validity validity;
-  if (grain_density.given())
-    judge_density(typed(grain_density), validity);
+  if (density_or_stress.given()) {
+    const auto judge = density_or_stress.dimension == Dimension::density ? judge_density : judge_stress;
+    judge(typed(density_or_stress), validity);
+  }
   return validity;
 }
 

@@ -16,8 +16,8 @@ namespace granum::cli {
 /// \throws   InvalidArgument as effective::contact_prior
 [[nodiscard]] Validity likely_mistakes(const PackingOptions& options, const effective::State& state);
 
-/// The same for the density of the grain mineral.
-[[nodiscard]] Validity likely_mistakes(const Number& grain_density);
+/// The same for the density of the grain mineral, or for a stress.
+[[nodiscard]] Validity likely_mistakes(const Number& density_or_stress);
 
 /// The same for the grains and pressures of a scene, with the names of its keys.
 [[nodiscard]] Validity likely_mistakes(const studies::Scene& scene);

@@ -218,8 +218,8 @@ Place new_place(const ReproduceOptions& options, const studies::Scene& scene) {
   return place;
 }
 
-/// Reads a stopped run, or a finished one whose tables and pictures are to be written again. Any other folder may hold
-/// files of the same names, which would be lost.
+/// Reads a stopped run, or a finished one whose tables and pictures are to be written again. Any other folder
+/// may hold files of the same names, which would be lost.
 /// \throws   FileError
 Place old_place(const ReproduceOptions& options) {
   const StudyOptions& study = options.study;

@@ -10,6 +10,7 @@
 #include <granum/stress/shear_path.hpp>
 
 #include "cli/frame/json_members.hpp"
+#include "cli/options/likely_mistakes.hpp"
 #include "sweep.hpp"
 
 namespace granum::cli {
@@ -175,9 +176,12 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
   }
   const std::vector<std::string> remarks = remarks_on(o, first.assumptions);
   const ordered_json packing = packing_json(o.packing, first.question.state);
+  Validity validity = tally.validity();
+  for (const Number* end : {&o.from, &o.to})
+    validity.merge(likely_mistakes(*end));
   const ExitCode code =
       deliver_sweep(o, "", output.csv({{"inputs", json_text(packing, -1)}, {"path", path.text}}, remarks),
-                    output.json({{"inputs", packing}, {"path", path.text}}, remarks), tally.validity(),
+                    output.json({{"inputs", packing}, {"path", path.text}}, remarks), validity,
                     {chart_of(o, path, states, rungs)});
   return tally.conclude(code);
 }

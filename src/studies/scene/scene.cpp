@@ -27,6 +27,8 @@ std::size_t thread_count(std::size_t asked) {
 std::size_t thread_count(const Scene& scene) { return thread_count(scene.study.threads); }
 
 double tangential_ratio(const Scene& scene) {
+  if (scene.grain.friction_angle == 0 && !(scene.specimen.walls && scene.specimen.wall_friction > 0))
+    return 0; // no contact carries a tangential force
   return scene.contact.tangential_ratio ? contact::given_stiffness_ratio(*scene.contact.tangential_ratio)
                                         : contact::mindlin_stiffness_ratio(scene.grain.poisson_ratio);
 }

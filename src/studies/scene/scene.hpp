@@ -94,7 +94,7 @@ void require_periodic_cell(const Scene& scene);
 /// The same of scene.study.threads.
 [[nodiscard]] std::size_t thread_count(const Scene& scene);
 
-/// k_t/k_n of the scene, or Mindlin's value for its grains [1].
+/// k_t/k_n of the scene, or Mindlin's value for its grains [1]; 0 where no contact has friction.
 [[nodiscard]] double tangential_ratio(const Scene& scene);
 [[nodiscard]] contact::NormalLaw law(const Scene& scene, contact::Shape shape);
 [[nodiscard]] triaxial::SpecimenRecipe recipe(const Scene& scene, contact::Shape shape, std::uint64_t seed);
