@@ -124,8 +124,8 @@ granum_estimate_refuses("porosity 38" "--porosity = 38 is outside \\(0, 1\\); wr
   --porosity 38 --pressure 100kPa)
 granum_estimate_refuses("solid fraction 1" "--solid-fraction = 1 is outside \\(0, 1\\)\n"
   --solid-fraction 1 --pressure 100kPa)
-granum_estimate_refuses("void ratio 0" "void_ratio = 0 is outside \\(0, inf\\)" --void-ratio 0 --pressure 100kPa)
-granum_estimate_refuses("negative void ratio" "void_ratio = -0\\.5 is outside" --void-ratio -0.5 --pressure 100kPa)
+granum_estimate_refuses("void ratio 0" "--void-ratio = 0 is outside \\[1e-06, 1e\\+06\\]" --void-ratio 0 --pressure 100kPa)
+granum_estimate_refuses("negative void ratio" "--void-ratio = -0\\.5 is outside" --void-ratio -0.5 --pressure 100kPa)
 granum_estimate_refuses("void ratio NaN" "--void-ratio = 'nan' is not a pure number"
   --void-ratio nan --pressure 100kPa)
 granum_estimate_refuses("pressure NaN" "--pressure = 'nanPa' is not a pressure" --void-ratio 0.6 --pressure nanPa)

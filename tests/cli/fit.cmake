@@ -58,7 +58,7 @@ granum_cli_test("fit: output to a file" EXIT 0 ARGS fit isotropic.csv --sum-only
 
 # Tables as people write them: one mean stress, a modulus by its usual name, units in brackets.
 granum_cli_test("fit: p and G_max with units in brackets" EXIT 0
-  STDOUT "G_max = C p_a f\\(e\\) \\(p/p_a\\)\\^s.*  s +0\\.3490.*1/\\(1\\+alpha\\) +0\\.5000 .*cone.*1/\\(1\\+alpha\\) +0\\.3333 .*sphere.*s.between.1/3.and.1/2.*alpha.*1\\.87.*p\\*[^;]*695 Pa"
+  STDOUT "G_max = C p_a f\\(e\\) \\(p/p_a\\)\\^s.*  s +0\\.3490.*1/\\(1\\+alpha\\) +0\\.5000 .*cone.*1/\\(1\\+alpha\\) +0\\.3333 .*sphere.*s.between.1/3.and.1/2.*alpha.*1\\.87.*p\\*[^;]*695.+Pa"
   ARGS fit isotropic_by_hand.csv)
 granum_cli_test("fit: p and G_max, json" EXIT 0 JSON
     "s=^0\\.3(49$|490000|489999)" "alpha=^1\\.8653" "one_over_one_plus_alpha/sphere=^0\\.33333333"

@@ -125,7 +125,7 @@ granum_sweep_refuses("unknown rung" "--rungs: 7 not in {0,1,2,3,uniform-stress}"
 granum_sweep_refuses("unknown path" "--path: iss not in" ${packing} --path iss --from 1kPa --to 2kPa)
 granum_sweep_refuses("stress of a path" "--pressure goes with --table; the stress of a path begins at --from"
   ${packing} --from 1kPa --to 2kPa --pressure 1kPa)
-granum_sweep_refuses("an impossible packing once" "void_ratio = -1 is outside[^\n]*\n$" --void-ratio -1 --from 1kPa --to 2kPa)
+granum_sweep_refuses("an impossible packing once" "--void-ratio = -1 is outside[^\n]*\n$" --void-ratio -1 --from 1kPa --to 2kPa)
 granum_sweep_refuses("no density" "the density is missing" --from 1kPa --to 2kPa)
 granum_sweep_refuses("path and table" "--from excludes --table" --table isotropic.csv --from 1kPa)
 granum_sweep_refuses("option and column" "--void-ratio is given as an option and by the column 'e'"

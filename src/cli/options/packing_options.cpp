@@ -100,12 +100,15 @@ contact::NormalLaw resolve_law(const PackingOptions& o) {
 
 namespace {
 
+/// Beyond these limits no formula of a void ratio means anything, and some overflow.
+constexpr double least_void_ratio = 1e-6, largest_void_ratio = 1e6;
+
 /// A share of the volume, 0 < value < 1; per cent without sign is the usual mistake.
 double require_open_share(const Number& number) {
   const double value = number.value;
   if (!(value > 0 && value < 1))
     number.refuse_share("(0, 1)", 1);
-  return value;
+  return require_closed(number.name, value, least_void_ratio, 1 - least_void_ratio);
 }
 
 double resolve_void_ratio(const PackingOptions& o) {
@@ -122,7 +125,7 @@ double resolve_void_ratio(const PackingOptions& o) {
     const double solid_fraction = require_open_share(o.solid_fraction);
     return (1 - solid_fraction) / solid_fraction;
   }
-  return o.void_ratio.value;
+  return require_closed(o.void_ratio.name, o.void_ratio.value, least_void_ratio, largest_void_ratio);
 }
 
 } // namespace
