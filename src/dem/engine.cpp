@@ -14,7 +14,6 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
-#include "dem/sweep/unequal_grains.hpp"
 #include "engine_data.hpp"
 
 namespace granum::dem {

@@ -17,7 +17,6 @@
 #include "dem/sweep/fire_mixing.hpp"
 #include "dem/sweep/grain_motion.hpp"
 #include "dem/sweep/grain_order.hpp"
-#include "dem/sweep/unequal_grains.hpp"
 #include "dem/sweep/verlet_list.hpp"
 #include "dem/sweep/wall_contacts.hpp"
 

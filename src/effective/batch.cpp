@@ -12,7 +12,6 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
-#include "core/vector/cube_root.hpp"
 #include "core/vector/power.hpp"
 #include "core/vector/stream.hpp"
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/vector/types.hpp"
+#include "core/vector/level.hpp"
 
 namespace granum::network {
 

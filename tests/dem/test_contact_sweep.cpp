@@ -8,7 +8,6 @@
 #include <granum/dem/neighbours.hpp>
 
 #include "dem/sweep/normal_forces.hpp"
-#include "dem/sweep/unequal_grains.hpp"
 #include "lattice_state.hpp"
 #include "relative.hpp"
 

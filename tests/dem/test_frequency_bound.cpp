@@ -15,7 +15,6 @@
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/walls.hpp>
 
-#include "dem/sweep/unequal_grains.hpp"
 #include "dem/sweep/verlet_list.hpp"
 #include "lattice_state.hpp"
 #include "relative.hpp"

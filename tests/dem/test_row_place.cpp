@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/sweep/row_place.hpp"
+#include "dem/sweep/partition.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include <doctest/doctest.h>
-
-#include "dem/sweep/partition.hpp"
 
 using namespace granum;
 using namespace granum::dem;

@@ -11,7 +11,7 @@
 #include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 
-#include "core/vector/cube_root.hpp"
+#include "core/vector/power.hpp"
 #include "relative.hpp"
 #include "support.hpp"
 #include "vector_levels.hpp"

@@ -7,7 +7,6 @@
 #include <type_traits>
 
 #include "level.hpp"
-#include "types.hpp"
 
 namespace granum {
 

@@ -12,7 +12,6 @@
 #include "core/vector/rows.hpp"
 #include "fetch_ahead.hpp"
 #include "normal_forces.hpp"
-#include "pair_sizes.hpp"
 
 namespace granum::dem {
 

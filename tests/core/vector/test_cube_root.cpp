@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/vector/cube_root.hpp"
+#include "core/vector/power.hpp"
 
 #include <algorithm>
 #include <cmath>

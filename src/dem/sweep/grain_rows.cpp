@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unequal_grains.hpp"
+#include "grain_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
