@@ -9,7 +9,7 @@
 
 #include <granum/elastic/eigen_system.hpp>
 
-#include "network/block_algebra.hpp"
+#include "network/block_cg.hpp"
 #include "network/contact_operator.hpp"
 
 namespace granum::bench {

@@ -22,7 +22,7 @@
 #include "../meter.hpp"
 #include "../stored_packing.hpp"
 #include "methods.hpp"
-#include "network/block_algebra.hpp"
+#include "network/block_cg.hpp"
 #include "network/contact_operator.hpp"
 
 using namespace granum;

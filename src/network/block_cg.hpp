@@ -3,9 +3,10 @@
 #pragma once
 
 #include "backbone.hpp"
-#include "force_energies.hpp"
+#include "contact_operator.hpp"
 #include "lanes.hpp"
 #include "preconditioner.hpp"
+#include "workers.hpp"
 
 namespace granum::network {
 
@@ -21,5 +22,22 @@ struct Solution {
 template <int Dof>
 [[nodiscard]] Solution relax(const Backbone& backbone, const Preconditioner<Dof>& preconditioner,
                              const ResponseOptions& options, const Workers& workers);
+
+// Sums and products of fields, in blocks of rows whose results are added in order.
+
+/// x^T y
+template <int Dof>
+[[nodiscard]] elastic::Matrix6 products(const Workers& workers, const Field<Dof>& x, const Field<Dof>& y);
+
+/// One step along p with H p = s: q += p a, w += s b. Returns w^T w.
+template <int Dof>
+[[nodiscard]] elastic::Matrix6 advance(const Workers& workers, const Field<Dof>& p, const elastic::Matrix6& a,
+                                       Field<Dof>& q, const Field<Dof>& s, const elastic::Matrix6& b,
+                                       Field<Dof>& w);
+
+/// New directions: w = w t, p = z t + p c.
+template <int Dof>
+void turn(const Workers& workers, const elastic::Matrix6& t, Field<Dof>& w, const Field<Dof>& z,
+          const elastic::Matrix6& c, Field<Dof>& p);
 
 } // namespace granum::network

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/network. The stiffness matrix H of a backbone, never assembled as a whole.
+// Private to src/network. The stiffness matrix H of a backbone, never assembled as a whole, and
+// energies of its contacts.
 #pragma once
 
 #include <vector>
@@ -45,5 +46,15 @@ template <int Dof>
 /// The diagonal of H: the block of each grain with itself.
 template <int Dof>
 [[nodiscard]] std::vector<Block<Dof>> diagonal_blocks(const Backbone& backbone);
+
+/// The two parts of ForceTerms, dimensionless.
+struct ForceEnergies {
+  elastic::Matrix6 geometric = elastic::Matrix6::Zero();
+  elastic::Matrix6 shedding = elastic::Matrix6::Zero();
+};
+
+/// Contribution of the contact forces to the energies of the motions q under unit uniform strains.
+template <int Dof>
+[[nodiscard]] ForceEnergies force_energies(const Backbone& backbone, const Field<Dof>& q);
 
 } // namespace granum::network

@@ -12,7 +12,7 @@
 #include "block_cg.hpp"
 #include "contact_operator.hpp"
 #include "network/factor/factor_rule.hpp"
-#include "network/factor/soft_first.hpp"
+#include "network/factor/incomplete_factor.hpp"
 #include "preconditioner.hpp"
 
 namespace granum::network {

@@ -103,7 +103,7 @@ planted(src/studies/utils/p.cpp "" "lies in no room of studies of a known floor"
 planted(src/studies/p.cpp "" "lies in no room of studies of a known floor")
 planted_circle(src/cli/frame/p.cpp "#include \"cli/options/scene_file.hpp\"" "cli/frame>cli/options")
 planted_circle(include/granum/io/text/p.hpp "#include <granum/io/vtk/xml.hpp>" "io/text>io/vtk")
-planted_circle(src/network/numbering/p.cpp "#include \"network/factor/soft_first.hpp\"" "network/numbering>network/factor")
+planted_circle(src/network/numbering/p.cpp "#include \"network/factor/incomplete_factor.hpp\"" "network/numbering>network/factor")
 
 # One public name, one meaning, in all headers. Names are looked up in the order of the files.
 set(root "${whole}")

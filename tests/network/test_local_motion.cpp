@@ -8,7 +8,7 @@
 #include <granum/network/linear_response.hpp>
 
 #include "large_networks.hpp"
-#include "network/block_algebra.hpp"
+#include "network/block_cg.hpp"
 #include "network/contact_operator.hpp"
 #include "network/factor/local_motion.hpp"
 

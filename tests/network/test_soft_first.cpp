@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Large diluted lattices in which the factor loses pivots.
-#include "network/factor/soft_first.hpp"
+#include "network/factor/incomplete_factor.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "factor_rule.hpp"
-#include "fill_pattern.hpp"
 #include "network/backbone.hpp"
 #include "network/lanes.hpp"
 #include "network/workers.hpp"

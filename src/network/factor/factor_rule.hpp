@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/network.
+// Private to src/network. What an incomplete factor keeps, and how it treats soft pivots.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "network/backbone.hpp"
@@ -41,5 +43,22 @@ struct FactorRule {
 /// Factor rules in the order to try: the one chosen for this network, then fallbacks. Dropped fill makes any
 /// rule fail in some networks.
 [[nodiscard]] std::vector<FactorRule> factor_rules(const Backbone& backbone);
+
+/// Positions of the strictly lower blocks of an incomplete factor, by rows.
+struct FillPattern {
+  std::vector<std::uint32_t> row_start;
+  std::vector<std::uint32_t> column; ///< ascending in each row
+
+  [[nodiscard]] std::size_t size() const { return column.size(); }
+};
+
+/// Blocks up to a level of fill. A contact has level 0. Two grains that share an earlier grain have the sum
+/// of the levels of their couplings with it plus 1; the least value over all such grains counts.
+[[nodiscard]] FillPattern fill_pattern(const Backbone& backbone, int most_level);
+
+/// With the highest level up to `highest_level` that keeps the factor within `most_blocks` a grain; level 1
+/// in any case.
+[[nodiscard]] FillPattern fill_pattern_within(const Backbone& backbone, int highest_level,
+                                              double most_blocks);
 
 } // namespace granum::network

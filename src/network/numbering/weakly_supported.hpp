@@ -15,7 +15,7 @@ using Neighbours = std::vector<std::vector<std::uint32_t>>;
 /// motions, but a contact with a bar only one. A grain with at most seven resistances (it has six motions)
 /// may move freely: with two contacts and a bar it can rotate about the axis through the two contacts if the
 /// line of the bar meets this axis, and equilibrium of the three forces makes it do so. Contacts with walls
-/// do not count. Other soft motions are found by their energy (network/factor/soft_first.hpp).
+/// do not count. Other soft motions are found by their energy (network/factor/incomplete_factor.hpp).
 class WeaklySupported {
  public:
   /// \param    soft   for each grain: count it as weakly supported in any case; or empty
