@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <granum/core/error.hpp>
 #include <granum/io/imported_packing.hpp>
 
 #include "periodic_cell.hpp"
@@ -179,5 +180,14 @@ class PackingBuilder {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Vec3>> taken_;
   std::size_t through_faces_ = 0, open_ = 0, neighbours_ = 0, duplicated_ = 0, one_sided_ = 0;
 };
+
+/// The message of PackingBuilder, which names a line of a file, with the name of an array's element in its
+/// place.
+[[nodiscard]] inline InvalidArgument in_arrays(const FileError& error) {
+  const bool numbered = error.line() > 0;
+  const std::string place = error.path() + (numbered ? ":" + std::to_string(error.line()) : "") + ": ";
+  const std::string element = numbered ? "[" + std::to_string(error.line() - 1) + "]" : "";
+  return InvalidArgument(error.path() + element + ": " + std::string(error.what()).substr(place.size()));
+}
 
 } // namespace granum::io

@@ -7,7 +7,6 @@
 
 #include <granum/core/error.hpp>
 
-#include "io/array_errors.hpp"
 #include "io/packing_builder.hpp"
 
 namespace granum::io {

@@ -5,7 +5,6 @@
 
 #include "contact_rows.hpp"
 #include "dump_file.hpp"
-#include "io/array_errors.hpp"
 #include "io/packing_builder.hpp"
 
 namespace granum::io {

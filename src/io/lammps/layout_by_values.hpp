@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "column_group.hpp"
 #include "contact_layout.hpp"
 
 namespace granum::io {

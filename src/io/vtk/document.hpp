@@ -11,10 +11,16 @@
 
 #include <granum/io/text/source.hpp>
 
-#include "encoding.hpp"
 #include "io/packing_builder.hpp"
 
 namespace granum::io {
+
+/// How the arrays of a file are packed where they are not text, from its first element.
+struct VtkEncoding {
+  bool big_endian = false;
+  std::size_t header_size = 4; ///< bytes of a number in front of the data: 4 or 8
+  std::string compressor;      ///< empty for none
+};
 
 /// The numbers of one array, in their order.
 struct VtkNumbers {
