@@ -383,8 +383,7 @@ TEST_CASE("answer: an input is changed as far as a packing is possible") {
           moved.state.void_ratio += change;
           return moved;
         }};
-    const Range range =
-        estimate::answer(counted, std::span(&void_ratio, 1))[Field::horizontal_shear_modulus];
+    const Range range = estimate::answer(counted, std::span(&void_ratio, 1))[Field::horizontal_shear_modulus];
     CHECK(std::isfinite(range.low));
     CHECK(range.low <= narrower.low);
     CHECK(range.high >= narrower.high * (1 - 1e-5)); // of 1e3, the limit is found to 1e-9

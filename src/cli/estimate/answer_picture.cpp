@@ -118,8 +118,7 @@ plot::Chart over_stress(const PackingOptions& packing, const AnswerOptions& opti
   plot::Chart chart = chart_of("shear modulus over stress", {.title = "p' [kPa]", .unit = 1e3});
   Band answers, of_sand;
   for (const double factor : spread(0.1, 10, points_of_a_curve, true)) {
-    const AnswerCase there =
-        bare_answer(with_stresses_times(factor, packing), options, uncertainties);
+    const AnswerCase there = bare_answer(with_stresses_times(factor, packing), options, uncertainties);
     answers.at.push_back(factor * s.mean_stress());
     answers.ranges.push_back(there.answer[Field::shear_modulus]);
     if (there.sand_answer) {
