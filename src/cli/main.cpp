@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include <granum/core/error.hpp>
 
@@ -23,6 +26,21 @@ std::string asked_for(int argc, char** argv) {
   return words;
 }
 
+/// The message of an error; the name of a number that the library refused is as typed: "--stress-h" for
+/// "stress_h".
+std::string as_typed(const InvalidArgument& error, int argc, char** argv) {
+  const std::string text = error.what();
+  if (!error.refused() || !text.starts_with(error.refused()->name))
+    return text;
+  const std::string name = error.refused()->name;
+  std::string option = name == "fabric_anisotropy" ? "--fabric" : "--" + name;
+  std::replace(option.begin(), option.end(), '_', '-');
+  for (const std::string_view word : std::span(argv, static_cast<std::size_t>(argc)))
+    if (word == option || word.starts_with(option + "="))
+      return option + text.substr(name.size());
+  return text;
+}
+
 } // namespace
 
 /// Converts errors to messages and exit codes.
@@ -33,7 +51,7 @@ int main(int argc, char** argv) {
   try {
     code = parse_and_run(argc, argv);
   } catch (const InvalidArgument& error) {
-    code = fail(ExitCode::usage, error.what());
+    code = fail(ExitCode::usage, as_typed(error, argc, argv));
   } catch (const FileError& error) {
     code = fail(ExitCode::file, error.what());
   } catch (const std::filesystem::filesystem_error& error) { // such as a name that is too long

@@ -118,7 +118,7 @@ function(granum_estimate_refuses what message)
   granum_cli_test("estimate: ${what}" EXIT 2 STDERR "^granum: error: ${message}" ARGS estimate ${ARGN})
 endfunction()
 set(state --void-ratio 0.6 --pressure 100kPa)
-granum_estimate_refuses("nu = 0.6" "grain_poisson_ratio = 0\\.6 is outside \\(-1, 0\\.5\\]"
+granum_estimate_refuses("nu = 0.6" "--grain-poisson-ratio = 0\\.6 is outside \\(-1, 0\\.5\\]"
   ${state} --grain-poisson-ratio 0.6)
 granum_estimate_refuses("porosity 38" "--porosity = 38 is outside \\(0, 1\\); write 38% for per cent"
   --porosity 38 --pressure 100kPa)
@@ -131,12 +131,12 @@ granum_estimate_refuses("void ratio NaN" "--void-ratio = 'nan' is not a pure num
 granum_estimate_refuses("pressure NaN" "--pressure = 'nanPa' is not a pressure" --void-ratio 0.6 --pressure nanPa)
 granum_estimate_refuses("no density" "the density is missing: give one of --void-ratio" --pressure 100kPa)
 granum_estimate_refuses("density twice" "the density is given more than once" ${state} --porosity 0.38)
-granum_estimate_refuses("negative C_n" "coordination_number = -1 is outside" ${state} --coordination-number -1)
-granum_estimate_refuses("fabric too large" "fabric_anisotropy = 1\\.5 is outside" ${state} --fabric 1.5)
-granum_estimate_refuses("negative k_t" "tangential_ratio = -1 is outside" ${state} --tangential-ratio -1)
+granum_estimate_refuses("negative C_n" "--coordination-number = -1 is outside" ${state} --coordination-number -1)
+granum_estimate_refuses("fabric too large" "--fabric = 1\\.5 is outside" ${state} --fabric 1.5)
+granum_estimate_refuses("negative k_t" "--tangential-ratio = -1 is outside" ${state} --tangential-ratio -1)
 granum_estimate_refuses("negative pressure" "--pressure = -5000 Pa is outside \\[0, inf\\)"
   --void-ratio 0.6 --pressure -5kPa)
-granum_estimate_refuses("negative stress" "stress_h = -5000 Pa is outside"
+granum_estimate_refuses("negative stress" "--stress-h = -5000 Pa is outside"
   --void-ratio 0.6 --stress-v 5kPa --stress-h -5kPa)
 granum_estimate_refuses("stress without unit" "--stress-v = 100 has no unit; write 100Pa, 100kPa"
   --void-ratio 0.6 --stress-v 100 --stress-h 100kPa)
@@ -147,9 +147,9 @@ granum_estimate_refuses("only stress-v" "--stress-h is missing: --stress-v and -
   --void-ratio 0.6 --stress-v 100kPa)
 granum_estimate_refuses("only stress-h" "--stress-v is missing" --void-ratio 0.6 --stress-h 100kPa)
 granum_estimate_refuses("pressure and stress" "--pressure sets both stresses" ${state} --stress-h 100kPa)
-granum_estimate_refuses("one stress zero" "stress_h = 0 Pa is outside \\(0, inf\\)"
+granum_estimate_refuses("one stress zero" "--stress-h = 0 Pa is outside \\(0, inf\\)"
   --void-ratio 0.6 --stress-v 100kPa --stress-h 0kPa)
-granum_estimate_refuses("alpha < 0" "alpha = -0\\.5 is outside \\(0, inf\\)"
+granum_estimate_refuses("alpha < 0" "--alpha = -0\\.5 is outside \\(0, inf\\)"
   ${state} --contact power-law --alpha=-0.5 --profile-constant 180)
 granum_estimate_refuses("power law without constant" "--contact power-law needs --alpha and --profile-constant"
   ${state} --contact power-law --alpha 1.5)
@@ -162,7 +162,7 @@ granum_estimate_refuses("constant of a sphere" "--profile-constant goes with --c
   ${state} --profile-constant 180)
 granum_estimate_refuses("unknown contact" "--contact: egg not in {cone,sphere,flat,power-law,rough}" ${state} --contact egg)
 granum_estimate_refuses("unknown option" "[^\n]*--pressur" ${state} --pressur 5kPa)
-granum_estimate_refuses("huge k_t" "tangential_ratio = 1e\\+20 is outside \\[0, 100\\]" ${state} --tangential-ratio 1e20)
+granum_estimate_refuses("huge k_t" "--tangential-ratio = 1e\\+20 is outside \\[0, 100\\]" ${state} --tangential-ratio 1e20)
 granum_estimate_refuses("overflow" "the moduli exceed the range of a double" ${state}
   --contact flat --punch-radius 1m --radius 1nm --grain-shear-modulus 1e300Pa)
 
@@ -231,7 +231,7 @@ granum_cli_test("estimate: the error of uncounted contacts" EXIT 4 STDERR "10 % 
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --tolerance 10% --strict --json)
 granum_cli_test("estimate: below the isostatic point the error is unknown" EXIT 0 JSON "ladder/rungs/0/relative_error=^$"
   STDERR "may not be rigid" ARGS estimate ${dense} --mechanical-coordination-number 3.5 --tolerance 5% --json)
-granum_estimate_refuses("tolerance 0" "tolerance = 0 is outside \\(0, inf\\)" ${dense} --tolerance 0)
+granum_estimate_refuses("tolerance 0" "--tolerance = 0 is outside \\(0, inf\\)" ${dense} --tolerance 0)
 granum_estimate_refuses("tolerance NaN" "--tolerance = 'nan' is not a pure number" ${dense} --tolerance nan)
 granum_estimate_refuses("tolerance with a unit" "--tolerance = '5kPa' must be a pure number" ${dense} --tolerance 5kPa)
 

@@ -40,7 +40,7 @@ granum_cli_test("fit: pressure without unit" EXIT 2
   STDERR "^granum: error: --atmospheric-pressure = 100 has no unit; write 100Pa, 100kPa"
   ARGS fit isotropic.csv --atmospheric-pressure 100)
 granum_cli_test("fit: negative pressure" EXIT 2
-  STDERR "atmospheric_pressure = -5000 Pa is outside \\(0, inf\\)"
+  STDERR "--atmospheric-pressure = -5000 Pa is outside \\(0, inf\\)"
   ARGS fit isotropic.csv --atmospheric-pressure -5kPa)
 granum_cli_test("fit: length for pressure" EXIT 2 STDERR "must be a pressure, not a length"
   ARGS fit isotropic.csv --atmospheric-pressure 5mm)

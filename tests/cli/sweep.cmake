@@ -111,7 +111,7 @@ granum_sweep_refuses("eta and angle" "give one of --eta and --friction-angle"
   ${packing} --path txc --from 10kPa --eta 0.5 --friction-angle 20deg)
 granum_sweep_refuses("eta of the isotropic path" "--eta goes with --path txc" ${packing} --from 1kPa --to 2kPa --eta 0.5)
 granum_sweep_refuses("end of a shear path as stress" "--to goes with --path iso" ${packing} --path txe --from 1kPa --to 2kPa)
-granum_sweep_refuses("eta of the wrong sign" "eta = 0\\.5 is outside .-1\\.5, 0. of TXE"
+granum_sweep_refuses("eta of the wrong sign" "--eta = 0\\.5 is outside .-1\\.5, 0. of TXE"
   ${packing} --path txe --from 10kPa --eta 0.5)
 granum_sweep_refuses("angle without unit" "--friction-angle = 26 has no unit" ${packing} --path txc --from 1kPa
   --friction-angle 26)

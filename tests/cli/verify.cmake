@@ -50,7 +50,7 @@ granum_cli_test("plan: unequal grains" EXIT 0 STDERR "${wide}"
   STDOUT "packings +1 +of 300 grains.*dense\n.*\n +grains +294 +for 50 % of G"
   ARGS plan ${few_states} --grains 300 --set grain.sizes=lognormal:0.35 --error 50%)
 granum_cli_test("plan: too few grains for their sizes" EXIT 2
-  STDERR "^granum: error: grains = 120 is outside \\[294, 1e7\\]: the cell must be wider than four of the largest grains"
+  STDERR "^granum: error: --grains = 120 is outside \\[294, 1e7\\]: the cell must be wider than four of the largest grains"
   ARGS plan ${small} --set grain.sizes=lognormal:0.35)
 granum_cli_test("plan: sizes of 1:5 have no note" EXIT 0 STDOUT "packings +1 +of 230 grains"
   ARGS plan ${few_states} --grains 230 --set grain.sizes=power-law:3:5)
