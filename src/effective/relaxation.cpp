@@ -195,7 +195,7 @@ void note_sizes(const State& s, Validity& validity) {
   if (deviation > largest_branch_deviation)
     validity.add(detail::formatted(
         "the lengths of branches scatter by %.2g of their mean: the relaxation factors are calibrated up to "
-        "0.51, a C_u of about 4",
+        "0.51, counted in packings with C_u = 4; estimated from sizes alone, C_u = 3 has as much",
         deviation));
 }
 

@@ -113,7 +113,8 @@ struct RelaxedEstimate {
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]
 /// \return   zero stiffness where the factor of G is 0 (the packing is not rigid); notes where sqrt(v)
-///           exceeds 0.51, a C_u of about 4, and where w exceeds 0.055
+///           exceeds 0.51 (counted in packings with C_u = 4; estimated from sizes with C_u = 3), and where w
+///           exceeds 0.055
 /// \throws   InvalidArgument as require_valid(State) and relaxation
 /// Accuracy  see relaxation; C33/C11 2 % rms for stress ratios from 0.5 to 2.1 and a from 0 to 0.3. Overlaps
 ///           of 1.1 to 5.6 %, seeds never fitted: G 1.9 %, K 1.1 % rms.
