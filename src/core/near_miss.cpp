@@ -11,7 +11,7 @@ namespace {
 std::string plain(std::string_view word) {
   std::string text(word);
   for (char& c : text)
-    c = c == '_' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    c = c == '_' || c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
 
@@ -44,6 +44,8 @@ std::size_t slips_between(std::string_view a, std::string_view b) {
   }
   return last[b.size()];
 }
+
+bool same_word(std::string_view a, std::string_view b) { return plain(a) == plain(b); }
 
 std::vector<std::string> near_misses(std::string_view word, std::span<const std::string> known) {
   const std::string typed = plain(word);

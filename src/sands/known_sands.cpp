@@ -80,7 +80,7 @@ std::span<const KnownSand> known_sands() { return table; }
 const KnownSand& known_sand(std::string_view key) {
   std::vector<std::string> known;
   for (const KnownSand& sand : table) {
-    if (key == sand.key)
+    if (same_word(key, sand.key))
       return sand;
     known.emplace_back(sand.key);
   }

@@ -34,6 +34,9 @@ TEST_CASE("the word that was meant is found, and none where none is near") {
   const std::vector<std::string> options{"void-ratio", "stress-v", "stress-h", "d50", "fabric", "from"};
   using Words = std::vector<std::string>;
   CHECK(near_misses("Void_Ratio", options) == Words{"void-ratio"});
+  CHECK(near_misses("void ratio", options) == Words{"void-ratio"});
+  CHECK(same_word("Ottawa 20-30", "ottawa-20_30"));
+  CHECK_FALSE(same_word("Ottawa 20-30", "ottawa"));
   CHECK(near_misses("void", options) == Words{"void-ratio"});
   CHECK(near_misses("viod-ratoi", options) == Words{"void-ratio"});
   CHECK(near_misses("stress", options) == Words{"stress-v", "stress-h"});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include <doctest/doctest.h>
 #include <granum/contact/minerals.hpp>
@@ -25,6 +26,12 @@ TEST_CASE("known sands: keys are unique, numbers possible, minerals known") {
       CHECK((*sand.d50 > 0.05e-3 && *sand.d50 < 2e-3));
   }
   CHECK_THROWS_WITH_AS((void)known_sand("sahara"), doctest::Contains("toyoura, ottawa"), InvalidArgument);
+}
+
+TEST_CASE("known sands: a name is found as it is spelt on a bag") {
+  for (const char* name : {"Ottawa 20-30", "ottawa_20-30", "ottawa-20-30"})
+    CHECK(std::string_view(known_sand(name).key) == "ottawa-20-30");
+  CHECK_THROWS_AS((void)known_sand("Ottawa 20"), InvalidArgument);
 }
 
 TEST_CASE("known sands: void ratios of Ottawa F-65 are those of its densities") {

@@ -13,8 +13,11 @@ namespace granum {
 /// such slips that make `a` of `b` (optimal string alignment).
 [[nodiscard]] std::size_t slips_between(std::string_view a, std::string_view b);
 
+/// Whether two words differ at most in case, and in a blank, _ or - between their parts.
+[[nodiscard]] bool same_word(std::string_view a, std::string_view b);
+
 /// The known words that `word` may have been meant for, in their order. The first of these rules that finds
-/// any: the same but for case and for _ written as -; of three letters or more, those that begin with it,
+/// any: the same word; of three letters or more, those that begin with it,
 /// those that it begins with, those of which it is the last part behind a point or hyphen; those with the
 /// fewest slips, one for two to five letters and one more for every four.
 [[nodiscard]] std::vector<std::string> near_misses(std::string_view word, std::span<const std::string> known);
