@@ -106,12 +106,22 @@ std::vector<Unit> units_of(Dimension dimension) {
   return found;
 }
 
-/// "100Pa, 100kPa, 100MPa, 100GPa"; without `number` the symbols alone.
+/// "100Pa, 100kPa, 100MPa, 100GPa"
 std::string choices(Dimension dimension, std::string_view number) {
   std::string text;
   for (const Unit& unit : units_of(dimension))
     if (!unit.symbol.empty())
       text += (text.empty() ? "" : ", ") + std::string(number) + std::string(unit.symbol);
+  return text;
+}
+
+/// All units of a dimension that are read, in ASCII: "Pa, kPa, ..., ksi".
+std::string all_symbols(Dimension dimension) {
+  std::string text;
+  for (const Row& row : rows)
+    if (const std::string_view symbol = row.unit.symbol;
+        row.unit.dimension == dimension && !symbol.empty() && static_cast<unsigned char>(symbol[0]) < 0x80)
+      text += (text.empty() ? "" : ", ") + std::string(symbol);
   return text;
 }
 
@@ -150,7 +160,7 @@ std::string near_symbol(std::string_view symbol, Dimension dimension) {
   const auto near = unit_but_for_case(symbol, true);
   if (near && near->dimension == dimension)
     return "did you mean " + std::string(near->symbol) + "?";
-  return "known for " + std::string(description(dimension)) + ": " + choices(dimension, "");
+  return "known for " + std::string(description(dimension)) + ": " + all_symbols(dimension);
 }
 
 /// Possible meanings of a number with a comma: "0.6" for "0,6", "1.500kPa or 1500kPa" for "1,500kPa".
