@@ -231,6 +231,13 @@ std::string field_text(const CsvCell& cell, CsvManner manner) {
 CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(name)) {
   if (text.find('\0') != std::string_view::npos)
     throw FileError(name_, 0, "is not a text file; expected comma-separated values");
+  std::string lines; // of a text that CR ends
+  if (text.substr(0, text.size() - 1).find('\n') == std::string_view::npos &&
+      text.find('\r') < text.size() - 1) {
+    lines = text;
+    std::replace(lines.begin(), lines.end(), '\r', '\n');
+    text = lines;
+  }
   Cursor cursor(name_, text);
   if (!cursor.seek_record())
     throw FileError(name_, 0, "is empty; expected a heading line such as G_MPa,sigma_v_kPa,sigma_h_kPa,e");

@@ -62,6 +62,15 @@ TEST_CASE("quotes, byte order mark and lines inside quotes") {
   CHECK(table_refusal("G_Pa\n\"1\"2\n") == "a.csv:2: expected a comma after the closing quote");
 }
 
+TEST_CASE("lines may end as on an old Macintosh") {
+  const CsvTable table("t.csv", "# by hand\rp_kPa,e\r100,0.6\r\r200,0.7\r");
+  REQUIRE(table.row_count() == 2);
+  CHECK(table.numbers("p", Dimension::pressure) == std::vector{1e5, 2e5});
+  CHECK(table.numbers("e", Dimension::dimensionless) == std::vector{0.6, 0.7});
+  CHECK(table.line(1) == 5);
+  CHECK(CsvTable("t.csv", "e,p_kPa\r0.6,100\r0.7,200\n").row_count() == 2); // as TextSource ends it
+}
+
 TEST_CASE("a bad file is refused with path, line and expectation") {
   CHECK(table_refusal("").starts_with("a.csv: is empty; expected a heading line"));
   CHECK(table_refusal("# only a comment\n\n").starts_with("a.csv: is empty"));

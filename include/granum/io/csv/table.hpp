@@ -17,7 +17,7 @@
 /// decimal comma; so do tabs if the headings are not separated by commas or semicolons. A text that a
 /// spreadsheet would read as a formula, because it begins with = + - or @ and is not a number, is written
 /// after an apostrophe, which is dropped again when it is read. A byte order mark, lines that begin with '#'
-/// and blank lines are skipped.
+/// and blank lines are skipped. Lines end with LF, CR LF, or all with CR.
 /// Checked by tests/io/csv/test_table.cpp
 namespace granum::io {
 
