@@ -132,6 +132,35 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a list may stand in brackets, and [] is the empty one, for every key that is a list") {
+  std::size_t lists = 0;
+  for (const SceneKey& key : scene_keys()) {
+    CAPTURE(key.name);
+    Scene scene;
+    const KeyValue by_default = key.get(scene);
+    const auto* numbers = std::get_if<std::vector<double>>(&by_default);
+    const auto* words = std::get_if<std::vector<std::string>>(&by_default);
+    if (numbers == nullptr && words == nullptr)
+      continue;
+    ++lists;
+    key.set(scene, "[]");
+    const KeyValue emptied = key.get(scene);
+    CHECK((numbers != nullptr ? std::get<std::vector<double>>(emptied).empty()
+                              : std::get<std::vector<std::string>>(emptied).empty()));
+  }
+  CHECK(lists >= 5);
+  Scene scene;
+  scene_key("study.pressures").set(scene, " [10kPa, 20kPa] ");
+  CHECK(scene.study.pressures == std::vector{1e4, 2e4});
+}
+
+TEST_CASE("a whole number below zero is refused with its range") {
+  Scene scene;
+  const SceneKey& key = scene_key("study.first_seed");
+  for (const char* seed : {"-1", "1.5"})
+    CHECK(refusal([&] { key.set(scene, seed); }).find(text(key.range, key.dimension)) != std::string::npos);
+}
+
 TEST_CASE("each command takes the keys that it uses") {
   const auto takes = [](SceneCommand command, const char* key) { return scene_key(key).taken_by(command); };
   for (const SceneCommand command : all_scene_commands) {

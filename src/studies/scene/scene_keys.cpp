@@ -120,10 +120,11 @@ template <class Member>
 SceneKey whole_number(const Head& head, Member member, const KeyRange& range) {
   SceneKey key = key_of(head);
   key.range = range;
-  key.set = [member, name = key.name](Scene& scene, const std::string& text) {
+  key.set = [member, range, name = key.name](Scene& scene, const std::string& text) {
     const double value = parse_quantity(name, text, Dimension::dimensionless);
     if (!(value >= 0 && value <= 9e15) || value != std::floor(value))
-      throw InvalidArgument(name + " = " + text + " is not a whole number");
+      throw InvalidArgument(name + " = " + text + " is not a whole number in " +
+                            studies::text(range, Dimension::dimensionless));
     auto& target = member(scene);
     target = static_cast<std::remove_reference_t<decltype(target)>>(value);
   };
@@ -132,9 +133,13 @@ SceneKey whole_number(const Head& head, Member member, const KeyRange& range) {
   return key;
 }
 
+/// The items of "dense,loose", or of the same list in brackets; none of "[]".
 std::vector<std::string> items_of(const std::string& text) {
+  std::string list(trimmed(text));
+  if (list.starts_with('[') && list.ends_with(']'))
+    list = trimmed(std::string_view(list).substr(1, list.size() - 2));
   std::vector<std::string> items;
-  std::istringstream stream(text);
+  std::istringstream stream(list);
   for (std::string item; std::getline(stream, item, ',');)
     items.emplace_back(trimmed(item));
   return items;
