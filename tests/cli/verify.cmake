@@ -79,7 +79,11 @@ granum_cli_test("verify: --strict fails if a result differs, and reports it" EXI
   STDOUT "\"finding\": true" STDERR "^granum: error: differs from the paper: [^\n]*sphere: s is " ARGS verify ${small} --json --strict)
 granum_cli_test("verify: --report and another scene" EXIT 2 STDERR "^granum: error: --report uses the earlier run"
   ARGS verify --report x --grains 100)
-granum_cli_test("verify: --report of nothing" EXIT 3 STDERR "^granum: error: none/scene\\.toml: " ARGS verify --report none)
+granum_cli_test("verify: --report of nothing" EXIT 3 STDERR "^granum: error: none/" ARGS verify --report none)
+set(reproduced "${CMAKE_CURRENT_BINARY_DIR}/reproduced")
+file(WRITE "${reproduced}/manifest.json" "{\"command\": \"reproduce\"}")
+granum_cli_test("verify: --report of another command's run" EXIT 3 STDERR "/reproduced: [^\n{}]*reproduce[^\n{}]*verify\n$"
+  ARGS verify --report "${reproduced}")
 
 # runs that write, in folders of their own
 foreach(what files stop)

@@ -232,13 +232,17 @@ void write_results(const fs::path& folder, const StudyOutcome& outcome, const or
 }
 
 void rewrite_report(const fs::path& folder) {
-  const studies::Scene scene = read_scene((folder / scene_name).string(), studies::SceneCommand::verify);
   const fs::path file = folder / manifest_name;
   std::ifstream in(file, std::ios::binary);
   if (!in)
     throw FileError(file.string(), 0, "could not be opened");
   try {
-    write_report(folder, scene, ordered_json::parse(in), io::Existing::replace);
+    const ordered_json manifest = ordered_json::parse(in);
+    if (const std::string command = manifest.at("command").get<std::string>(); command != "verify")
+      throw FileError(folder.string(), 0,
+                      fmt::format("holds results of granum {}, none of granum verify", command));
+    const studies::Scene scene = read_scene((folder / scene_name).string(), studies::SceneCommand::verify);
+    write_report(folder, scene, manifest, io::Existing::replace);
   } catch (const nlohmann::json::exception& error) {
     throw FileError(file.string(), 0, std::string("is not a manifest of granum verify: ") + error.what());
   } catch (const std::bad_optional_access&) {
