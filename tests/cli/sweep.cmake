@@ -113,6 +113,8 @@ granum_sweep_refuses("eta of the isotropic path" "--eta goes with --path txc" ${
 granum_sweep_refuses("end of a shear path as stress" "--to goes with --path iso" ${packing} --path txe --from 1kPa --to 2kPa)
 granum_sweep_refuses("eta of the wrong sign" "--eta = 0\\.5 is outside .-1\\.5, 0. of TXE"
   ${packing} --path txe --from 10kPa --eta 0.5)
+granum_sweep_refuses("angle that no material has" "--friction-angle = 90 deg [^\n]*\\(0, 90\\)" ${packing} --path txc --from 1kPa
+  --friction-angle 90deg)
 granum_sweep_refuses("angle without unit" "--friction-angle = 26 has no unit" ${packing} --path txc --from 1kPa
   --friction-angle 26)
 granum_sweep_refuses("log spacing from zero" "--from = 0 has no logarithm; use --spacing linear"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/core.h>
 #include <granum/core/check.hpp>
@@ -77,6 +78,8 @@ Path path_to_ratio(const SweepOptions& o) {
   if (!o.eta.given() && !o.friction_angle.given())
     throw InvalidArgument("give one of --eta and --friction-angle: the end of the path");
   const ShearPath kind = shear_path(o.path);
+  if (o.friction_angle.given())
+    require_open(o.friction_angle.name, o.friction_angle.value * 180 / std::numbers::pi, 0, 90, "deg");
   const double end = o.eta.given() ? o.eta.value : stress::failure_ratio(kind, o.friction_angle.value);
   (void)stress::stress_on_path(kind, o.from.value, end); // reports the end itself, not a point before it
   Path path{.text = fmt::format("{} from {} to eta = {}", stress::name(kind),
