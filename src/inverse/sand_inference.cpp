@@ -128,6 +128,12 @@ void require_wave_of_sand(Quantity quantity, const Question& known) {
         "a compression wave in wet pores travels in the water and does not depend on the sand");
 }
 
+bool at_one_stress(std::span<const Observation> all) {
+  return std::all_of(all.begin(), all.end(), [&](const Observation& one) {
+    return one.state.mean_stress() == all.front().state.mean_stress();
+  });
+}
+
 void require_observations(std::span<const Observation> all, const Question& known, SandGrowth growth) {
   if (all.empty())
     throw InvalidArgument("no measurement is given");
@@ -138,10 +144,7 @@ void require_observations(std::span<const Observation> all, const Question& know
       throw InvalidArgument("grain_density is not given [kg/m3]: wave speeds need it");
     require_wave_of_sand(one.quantity, known);
   }
-  const bool one_stress = std::all_of(all.begin(), all.end(), [&](const Observation& one) {
-    return one.state.mean_stress() == all.front().state.mean_stress();
-  });
-  if (growth == SandGrowth::fitted && one_stress)
+  if (growth == SandGrowth::fitted && at_one_stress(all))
     throw InvalidArgument("growth fitted needs measurements at two pressures");
 }
 
@@ -235,7 +238,9 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
         "the measurements contradict each other if all are of one sand: chi^2 " +
         short_text(found.chi_square_, 3) + " at " + std::to_string(found.degrees_of_freedom_) +
         " degrees of freedom; errors are enlarged " + short_text(found.widening_, 2) + " times" +
-        (growth == SandGrowth::measured ? "; a fitted exponent, --growth fitted, may agree" : ""));
+        (growth == SandGrowth::measured && !at_one_stress(all)
+             ? "; a fitted exponent, --growth fitted, may agree"
+             : ""));
   constexpr double stiffest_contacts = 2; // conforming grains of dry sands have up to 1.6
   if (const std::string remark = sands::level_remark(level); !remark.empty())
     found.validity_.add(remark);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/inverse/sand_inference.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <granum/contact/minerals.hpp>
@@ -124,6 +127,15 @@ TEST_CASE("a contradiction enlarges the errors and is reported") {
   CHECK(bad.widening() > 3);
   CHECK(bad.probability() < 0.01);
   CHECK_FALSE(bad.validity().ok());
+  // the growth is fitted where that is possible: not at one pressure
+  const std::vector far{apart[0], measured(Quantity::G_vh, 900e6, 0.02, 2e5)};
+  const auto names_fitted = [](const SandInference& sand) {
+    const std::vector<std::string> notes = sand.validity().notes;
+    return std::any_of(notes.begin(), notes.end(),
+                       [](const std::string& note) { return note.find("fitted") != std::string::npos; });
+  };
+  CHECK_FALSE(names_fitted(bad));
+  CHECK(names_fitted(infer_sand(far, quartz())));
   CHECK(bad.level().standard_error / bad.level().value >
         3 * good.level().standard_error / good.level().value);
 }
