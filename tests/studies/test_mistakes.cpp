@@ -92,7 +92,7 @@ TEST_CASE("mistakes: rows of contacts that are missing") {
 }
 
 TEST_CASE("mistakes: lengths in mm taken for m") {
-  CHECK(warns_of_mistake(rescaled(1e3, 1), "lengths in mm taken for m? That makes 30 kPa of 30 GPa"));
+  CHECK(warns_of_mistake(rescaled(1e3, 1), "30 GPa is shown as 30 kPa"));
   // where the law does not tell G_g, the size of the grains does
   io::ImportedPacking large = rescaled(1e3, 1);
   for (packing::Contact& c : large.assembly.contacts)

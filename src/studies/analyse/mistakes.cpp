@@ -148,10 +148,11 @@ void judge_modulus(const MeasuredFrame& frame, std::vector<std::string>& out) {
   out.push_back("G_g of the grains is " + pretty(G, Dimension::pressure) +
                 (G > hardest ? ", more than diamond has" : ", softer than rubber") + ": is its unit right" +
                 (in_mm && frame.packing.law_check
-                     ? ", or are lengths in mm taken for m? That makes " + pretty(G, Dimension::pressure) +
-                           " of " + pretty(G * millimetres, Dimension::pressure)
-                     : "") +
-                "? Quartz has 30 to 45 GPa");
+                     ? ", or are lengths in mm taken for m? Then " +
+                           pretty(G * millimetres, Dimension::pressure) + " is shown as " +
+                           pretty(G, Dimension::pressure) + ". "
+                     : "? ") +
+                "Quartz has 30 to 45 GPa");
 }
 
 void judge_lengths(const io::ImportedPacking& packing, const MeasuredFrame& frame,
