@@ -66,6 +66,7 @@ foreach(command
     "sweep|--void-ratio|0.6|--depth|0m..30m|--water-table|2m" "sweep|--void-ratio|0.6|--depth|0m..3000m"
     "infer|--void-ratio|0.6|--pressure|100kPa|--vs|280m/s+-2%|--predict-pressure|50kPa,400kPa"
     "infer|--void-ratio|0.6|--stress-v|200kPa|--stress-h|100kPa|--vs|280m/s"
+    "export|lammps|--grains|60|--start|scattered|--seeds|4|--set|study.contacts=sphere|--out|export"
     "fit|hv_dense_cone.csv" "fit|isotropic_by_hand.csv" "plan|--grains|200" "plan|--error|2%"
     "verify|${small}|--out|verify"
     "trade|--quick|--grains|60|--set|study.densities=dense|--set|study.pressures=20kPa,40kPa,80kPa|--out|trade"
