@@ -106,3 +106,13 @@ granum_cli_test("infer: roughness" EXIT 0 STDOUT "inferred contact law: rough.*r
   ARGS infer --table sand_speeds.csv ${quartz} --contacts rough)
 granum_cli_test("infer: contacts that are both given and inferred" EXIT 2 STDERR "--contacts rough"
   ARGS infer ${packing} --vs 280m/s --contact cone --contacts rough)
+
+# The growth of sands and that of spheres each belong to their kind of grains.
+set(speed infer --void-ratio 0.6 --pressure 100kPa --vs 250m/s)
+foreach(case "--grain-shape sand --growth fixed" "--sand toyoura --growth packings" "--grain-shape sphere --growth sand" "--grain glass --growth sand"
+    "--contact cone --growth sand --grain quartz" "--uniformity 2 --growth packings" "--rattler-fraction 2% --growth sand")
+  separate_arguments(words UNIX_COMMAND "${case}")
+  list(GET words 0 shape)
+  granum_cli_test("infer: ${case}" EXIT 2 STDERR "^granum: error: --growth [^\n]*${shape} " ARGS ${speed} ${words})
+endforeach()
+granum_cli_test("infer: the growth of the same kind" EXIT 0 JSON "grain_shape=^sand$" ARGS ${speed} --sand toyoura --growth sand --json)

@@ -304,6 +304,32 @@ namespace {
 
 const std::string fitted_growth(name(inverse::GrowthRule::fitted));
 
+/// The option, or the column, that tells the kind of grains; as told_shape.
+std::string teller_of_shape(const PackingOptions& packing, const AnswerOptions& o) {
+  if (o.grain_shape)
+    return fmt::format("--grain-shape {}", name(*o.grain_shape));
+  if (o.sand != nullptr)
+    return fmt::format("--sand {}", o.sand->key);
+  AnswerOptions unnamed = o;
+  unnamed.mineral = nullptr;
+  if (told_shape(packing, unnamed) != told_shape(packing, o))
+    return fmt::format("--grain {}", o.mineral->key);
+  const bool sand = told_shape(packing, o) == estimate::GrainShape::sand;
+  const std::vector<const Number*> tellers =
+      sand ? std::vector{&o.relative_density, &o.least_void_ratio, &o.largest_void_ratio}
+           : std::vector{&packing.coordination_number, &packing.mechanical_coordination_number,
+                         &packing.rattler_fraction, &packing.tangential_ratio};
+  for (const Number* number : tellers)
+    if (number->given())
+      return number->name;
+  return sand ? (packing.uniformity ? "--uniformity" : "--sieve")
+              : fmt::format("--contact {}", name(packing.contact));
+}
+
+const char* plural(estimate::GrainShape shape) {
+  return shape == estimate::GrainShape::sand ? "sands" : "spheres";
+}
+
 bool of_spheres_alone(const std::string& growth) {
   return growth == name(inverse::GrowthRule::packings) || growth == name(inverse::GrowthRule::fixed);
 }
@@ -312,10 +338,15 @@ bool of_spheres_alone(const std::string& growth) {
 void resolve_shape(const InferOptions& o, const PackingOptions& packing, InferCase& question) {
   using estimate::GrainShape;
   std::optional<GrainShape> shape = told_shape(packing, o.grains);
-  if (o.growth == sand_growth_name)
-    shape = GrainShape::sand;
-  else if (of_spheres_alone(o.growth))
-    shape = GrainShape::sphere;
+  const std::optional<GrainShape> of_growth = o.growth == sand_growth_name ? std::optional(GrainShape::sand)
+                                              : of_spheres_alone(o.growth) ? std::optional(GrainShape::sphere)
+                                                                           : std::nullopt;
+  if (shape && of_growth && shape != of_growth)
+    throw InvalidArgument(fmt::format("--growth {} applies to {}, and {} to {}: leave one of them out",
+                                      o.growth, plural(*of_growth), teller_of_shape(packing, o.grains),
+                                      plural(*shape)));
+  if (of_growth)
+    shape = of_growth;
   question.of_spheres = shape != GrainShape::sand;
   if (shape == GrainShape::sphere)
     return;
