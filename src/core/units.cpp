@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <granum/core/error.hpp>
@@ -203,12 +204,31 @@ std::optional<double> factor_between(Dimension from, Dimension to) {
   return std::nullopt;
 }
 
+/// What a heading has behind the quantity; empty if it begins otherwise. A prime is an apostrophe, and the
+/// Greek letter is its name.
+std::optional<std::string_view> behind(std::string_view heading, std::string_view quantity) {
+  constexpr std::pair<std::string_view, std::string_view> same[] = {
+      {"\u2032", "'"}, {"\u2019", "'"}, {"\u03c3", "sigma"}};
+  while (!quantity.empty()) {
+    const auto* const sign = std::find_if(std::begin(same), std::end(same), [&](const auto& pair) {
+      return heading.starts_with(pair.first) && quantity.starts_with(pair.second);
+    });
+    const bool found = sign != std::end(same);
+    if (!found && (heading.empty() || heading[0] != quantity[0]))
+      return std::nullopt;
+    heading.remove_prefix(found ? sign->first.size() : 1);
+    quantity.remove_prefix(found ? sign->second.size() : 1);
+  }
+  return heading;
+}
+
 /// The unit that the heading of a column names behind the quantity, "" for none; empty if the heading is
 /// that of something else.
 std::optional<std::string_view> symbol_in_heading(std::string_view heading, std::string_view quantity) {
-  if (!heading.starts_with(quantity))
+  const std::optional<std::string_view> rest = behind(heading, quantity);
+  if (!rest)
     return std::nullopt;
-  std::string_view suffix = heading.substr(quantity.size());
+  std::string_view suffix = *rest;
   if (trimmed(suffix).empty())
     return "";
   const bool joined = suffix[0] == '_';

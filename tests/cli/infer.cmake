@@ -116,3 +116,8 @@ foreach(case "--grain-shape sand --growth fixed" "--sand toyoura --growth packin
   granum_cli_test("infer: ${case}" EXIT 2 STDERR "^granum: error: --growth [^\n]*${shape} " ARGS ${speed} ${words})
 endforeach()
 granum_cli_test("infer: the growth of the same kind" EXIT 0 JSON "grain_shape=^sand$" ARGS ${speed} --sand toyoura --growth sand --json)
+
+add_test(NAME "cli: infer, fit and sweep read the same columns"
+  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/columns"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_columns.cmake")
+set_tests_properties("cli: infer, fit and sweep read the same columns" PROPERTIES LABELS cli)

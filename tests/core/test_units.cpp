@@ -187,3 +187,15 @@ TEST_CASE("tables show the fitting prefix") {
   CHECK(pretty(1587.25, Dimension::speed) == "1587 m/s");
   CHECK(pretty(0.123456, Dimension::dimensionless) == "0.1235");
 }
+
+TEST_CASE("primes and the Greek letter in headings are those of the quantity") {
+  for (const char* heading : {"sigma'v (kPa)", "\u03c3\u2032v [kPa]", "\u03c3\u2019v_kPa", "\u03c3'v kPa"}) {
+    CAPTURE(heading);
+    CHECK(is_column_of(heading, "sigma'v"));
+    CHECK_FALSE(is_column_of(heading, "sigma'h"));
+    CHECK(column_factor(heading, "sigma'v", Dimension::pressure) == 1e3);
+  }
+  CHECK(is_column_of("p\u2032_kPa", "p'"));
+  CHECK_FALSE(is_column_of("p\u2032_kPa", "p"));
+  CHECK_FALSE(is_column_of("\u03c3", "sigma_v"));
+}

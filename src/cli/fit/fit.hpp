@@ -27,7 +27,8 @@ struct FitQuestion {
   double middle_stress = 0;            ///< geometric mean of those of all rows [Pa]
   bool sum_only = false;
   bool void_ratio_function_given = false, void_ratio_column_given = false;
-  Validity remarks; ///< rows left out, likely mistakes, substitutes for missing columns
+  bool by_porosity = false; ///< the column of the void ratio is one of porosity
+  Validity remarks;         ///< rows left out, likely mistakes, substitutes for missing columns
   std::string picture;
   OutputOptions output;
 };

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <optional>
+#include <sstream>
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/io/csv/table.hpp>
 
+#include "cli/options/column_names.hpp"
+#include "cli/options/packing_rows.hpp"
 #include "fit.hpp"
 
 namespace granum::cli {
@@ -15,15 +18,32 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Usual names of a column; the first is used in errors.
-const Names modulus_names = {"G", "G_max", "Gmax", "G_0", "G0", "G_hv", "G_vh", "G_hh", "Ghv", "Gvh", "Ghh"};
-const Names vertical_names = {"sigma_v", "sigma'_v", "sigma_v'", "sigma'v", "sigmav",
-                              "s'_v",    "sigma_1",  "sigma1",   "sigma_a", "sigma_z"};
-const Names horizontal_names = {"sigma_h", "sigma'_h", "sigma_h'", "sigma'h", "sigmah",
-                                "s'_h",    "sigma_3",  "sigma3",   "sigma_r", "sigma_x"};
-const Names mean_names = {"p",       "p'",      "p0",      "p_0",    "p'_0",  "p0'",    "sigma_0", "sigma0",
-                          "sigma_c", "sigma_m", "sigma_3", "sigma3", "sigma", "sigma'", "stress"};
-const Names void_ratio_names = {"e", "void_ratio", "void ratio", "Void ratio", "e_0", "e0"};
+/// The names of a list, and others that only fit reads.
+Names with(Names names, std::string_view others) {
+  std::istringstream words{std::string(others)};
+  for (std::string word; words >> word;)
+    names.push_back(word);
+  return names;
+}
+
+/// Usual names of columns; the first is used in errors.
+struct KnownNames {
+  Names modulus = with(with({}, column_names::shear_modulus), column_names::shear_modulus_hh);
+  Names vertical =
+      with(names_of_column(column_names::vertical_stress, "stress_v"), "sigma_1 sigma1 sigma_a sigma_z");
+  Names horizontal =
+      with(names_of_column(column_names::horizontal_stress, "stress_h"), "sigma_3 sigma3 sigma_r sigma_x");
+  Names mean = with(names_of_column(column_names::mean_stress, "pressure"),
+                    "p0 p_0 p'_0 p0' sigma_0 sigma0 sigma_c sigma_m "
+                    "sigma_3 sigma3 sigma sigma' stress");
+  Names void_ratio = with(names_of_column(column_names::void_ratio, "void_ratio"), "e_0 e0");
+  Names porosity = names_of_column("", "porosity");
+};
+
+const KnownNames& known_names() {
+  static const KnownNames names;
+  return names;
+}
 
 /// The first of the names with a column in the table; empty if none.
 std::string found_in(const io::CsvTable& table, const Names& names) {
@@ -72,15 +92,19 @@ void fill_in_columns(const io::CsvTable& table, FitQuestion& question) {
     if (column.empty())
       column = names.front();
   };
-  fill(question.modulus_column, modulus_names);
-  fill(question.void_ratio_column, void_ratio_names);
+  const KnownNames& known = known_names();
+  fill(question.modulus_column, known.modulus);
+  if (!question.void_ratio_column_given && found_in(table, known.void_ratio).empty())
+    question.void_ratio_column = found_in(table, known.porosity);
+  question.by_porosity = !question.void_ratio_column_given && !question.void_ratio_column.empty();
+  fill(question.void_ratio_column, known.void_ratio);
   const bool no_stress_named = question.stress_i_column.empty() && question.stress_j_column.empty();
-  const bool no_pair = found_in(table, vertical_names).empty() || found_in(table, horizontal_names).empty();
-  if (const std::string mean = found_in(table, mean_names); no_stress_named && no_pair && !mean.empty()) {
+  const bool no_pair = found_in(table, known.vertical).empty() || found_in(table, known.horizontal).empty();
+  if (const std::string mean = found_in(table, known.mean); no_stress_named && no_pair && !mean.empty()) {
     question.stress_i_column = question.stress_j_column = mean;
     question.sum_only = true;
   }
-  const auto names_of = [](char direction) { return direction == 'v' ? vertical_names : horizontal_names; };
+  const auto names_of = [&](char direction) { return direction == 'v' ? known.vertical : known.horizontal; };
   fill(question.stress_i_column, names_of(direction_of(question.modulus_column, 0)));
   fill(question.stress_j_column, names_of(direction_of(question.modulus_column, 1)));
 }
@@ -102,10 +126,24 @@ std::vector<std::optional<double>> numbers_in(const io::CsvTable& table, const s
   return out;
 }
 
+double void_ratio_of_porosity(const io::CsvTable& table, std::size_t row, double porosity) {
+  if (!(porosity > 0 && porosity < 1))
+    throw FileError(table.name(), table.line(row),
+                    fmt::format("porosity {} is outside (0, 1); write per cent as 38%, or in the heading",
+                                short_text(porosity)));
+  return porosity / (1 - porosity);
+}
+
 /// 1 in every row if the table has no void ratio: f(e) = 1.
 std::vector<std::optional<double>> void_ratios(const io::CsvTable& table, FitQuestion& question) {
-  if (table.has(question.void_ratio_column))
-    return numbers_in(table, question.void_ratio_column, Dimension::dimensionless);
+  if (table.has(question.void_ratio_column)) {
+    auto numbers = numbers_in(table, question.void_ratio_column, Dimension::dimensionless);
+    if (question.by_porosity)
+      for (std::size_t row = 0; row < numbers.size(); ++row)
+        if (std::optional<double>& number = numbers[row])
+          *number = void_ratio_of_porosity(table, row, *number);
+    return numbers;
+  }
   const bool none = question.void_ratio_function == "none";
   if (!none && (question.void_ratio_function_given || question.void_ratio_column_given))
     throw FileError(

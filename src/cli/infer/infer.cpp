@@ -9,6 +9,7 @@
 
 #include "cli/frame/help.hpp"
 #include "cli/frame/messages.hpp"
+#include "cli/options/column_names.hpp"
 #include "cli/options/likely_mistakes.hpp"
 
 namespace granum::cli {
@@ -18,28 +19,20 @@ namespace {
 using inverse::Quantity;
 
 constexpr MeasuredOption options_table[] = {
-    {Quantity::G_vh,
-     "--shear-modulus",
-     {"G", "G_vh"},
+    {Quantity::G_vh, "--shear-modulus", column_names::shear_modulus,
      "Shear modulus G of a vertical plane, or of an isotropic packing",
      "G g Gg gg mug modulus grainmodulus shearmodulus G0 g0 Gmax gmax"},
-    {Quantity::G_hh, "--shear-modulus-hh", {"G_hh", "G_hh"}, "Shear modulus G_hh of the horizontal plane"},
-    {Quantity::K, "--bulk-modulus", {"K", "K"}, "Bulk modulus K", "K k bulk"},
-    {Quantity::V_s,
-     "--shear-wave-speed,--vs",
-     {"V_s", "Vs"},
-     "Shear wave with vertical propagation or polarisation",
-     "v_s vs Vs shearwave"},
-    {Quantity::V_s_hh,
-     "--shear-wave-speed-hh",
-     {"V_s_hh", "Vs_hh"},
+    {Quantity::G_hh, "--shear-modulus-hh", column_names::shear_modulus_hh,
+     "Shear modulus G_hh of the horizontal plane"},
+    {Quantity::K, "--bulk-modulus", column_names::bulk_modulus, "Bulk modulus K", "K k bulk"},
+    {Quantity::V_s, "--shear-wave-speed,--vs", column_names::shear_wave_speed,
+     "Shear wave with vertical propagation or polarisation", "v_s vs Vs shearwave"},
+    {Quantity::V_s_hh, "--shear-wave-speed-hh", column_names::shear_wave_speed_hh,
      "Shear wave with horizontal propagation and polarisation"},
-    {Quantity::V_p,
-     "--compression-wave-speed,--vp",
-     {"V_p", "Vp"},
-     "Compression wave, vertical",
-     "v_p vp Vp pwave"},
-    {Quantity::V_p_h, "--compression-wave-speed-h", {"V_p_h", "Vp_h"}, "Compression wave, horizontal"}};
+    {Quantity::V_p, "--compression-wave-speed,--vp", column_names::compression_wave_speed,
+     "Compression wave, vertical", "v_p vp Vp pwave"},
+    {Quantity::V_p_h, "--compression-wave-speed-h", column_names::compression_wave_speed_h,
+     "Compression wave, horizontal"}};
 
 void add_measured_options(Command& command, InferOptions& o) {
   constexpr const char* group = "Measured";

@@ -24,8 +24,8 @@ namespace granum::cli {
 /// A quantity as an option and as a column of a table.
 struct MeasuredOption {
   inverse::Quantity quantity;
-  const char* option;                 ///< "--shear-wave-speed,--vs"
-  std::array<const char*, 2> columns; ///< names of the column, without the unit
+  const char* option;       ///< "--shear-wave-speed,--vs"
+  std::string_view columns; ///< names of the column, without the unit, separated by blanks
   const char* help;
   const char* synonyms = "";
   [[nodiscard]] Dimension dimension() const;
@@ -79,6 +79,17 @@ struct InferCase {
 /// \throws   InvalidArgument
 [[nodiscard]] Measured parse_measured(const std::string& name, const std::string& text, Dimension dimension,
                                       double relative_error);
+
+/// The relative error of a measurement without an error of its own.
+[[nodiscard]] double share_of(const Number& error, Dimension dimension);
+/// The assumption for measurements without an error, noted once.
+void note_assumed_error(const InferOptions& options, InferCase& question, bool stated);
+
+/// Fills in the measurements of the table, and in the options what it says of all of them: the material and
+/// the water.
+/// \return   the packing of the first row, without its contacts
+/// \throws   FileError, also for a material that is not the same in all rows
+[[nodiscard]] PackingOptions read_table(InferOptions& options, InferCase& question);
 
 /// Whether the quantity can be used and predicted: compression waves in wet pores cannot.
 [[nodiscard]] bool is_told(const InferCase& question, const inverse::QuantityRow& row);

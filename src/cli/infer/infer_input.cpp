@@ -8,10 +8,8 @@
 #include <granum/core/number.hpp>
 #include <granum/elastic/saturation.hpp>
 #include <granum/estimate/answer.hpp>
-#include <granum/io/csv/table.hpp>
 
 #include "cli/options/likely_mistakes.hpp"
-#include "cli/options/packing_rows.hpp"
 #include "infer.hpp"
 
 namespace granum::cli {
@@ -20,12 +18,6 @@ namespace {
 
 using effective::State;
 using inverse::Observation;
-
-/// The packing without its contacts, which are to be inferred.
-PackingOptions without_contacts(PackingOptions o) {
-  o.rattler_fraction.in_table = false;
-  return o;
-}
 
 /// Errors of measurements without an error: speeds from arrival times, and moduli from speeds.
 constexpr double assumed_speed_error = 0.02, assumed_modulus_error = 0.04;
@@ -36,20 +28,6 @@ const std::string error_signs[] = {"+-", "\u00b1"};
 bool states_error(const std::string& text) {
   return std::any_of(std::begin(error_signs), std::end(error_signs),
                      [&](const std::string& sign) { return text.find(sign) != std::string::npos; });
-}
-
-double share_of(const Number& number, Dimension dimension) {
-  if (number.given())
-    return require_non_negative(number.name, number.value);
-  return dimension == Dimension::speed ? assumed_speed_error : assumed_modulus_error;
-}
-
-/// The assumption for measurements without an error.
-void note_assumed_error(const InferOptions& o, InferCase& question, bool stated) {
-  const std::string note = "assumed --measurement-error 2 % of speeds, 4 % of moduli, where none is given";
-  if (!stated && !o.measurement_error.given() &&
-      std::find(question.assumptions.begin(), question.assumptions.end(), note) == question.assumptions.end())
-    question.assumptions.push_back(note);
 }
 
 // ---- measurements
@@ -73,97 +51,6 @@ std::vector<Observation> measurements_of_options(const InferOptions& o, InferCas
     throw InvalidArgument(
         "no measurement is given: use --shear-modulus, --vs, --vp, --bulk-modulus, or --table");
   return all;
-}
-
-/// A measured quantity of a table, and its error if that has a column.
-struct MeasuredColumn {
-  inverse::Quantity quantity;
-  io::CsvTable::Place value;
-  std::optional<io::CsvTable::Place> error;
-};
-
-std::vector<MeasuredColumn> measured_columns(const io::CsvTable& table, PackingRows& rows) {
-  std::vector<MeasuredColumn> found;
-  for (const MeasuredOption& option : measured_options())
-    for (const std::string name : option.columns) {
-      const bool again = !found.empty() && found.back().quantity == option.quantity;
-      if (!table.has(name) || again)
-        continue;
-      MeasuredColumn column{option.quantity, table.column(name, option.dimension()), std::nullopt};
-      if (table.has(name + "_error"))
-        column.error = table.column(name + "_error", option.dimension());
-      rows.columns().mark_as_read(column.value.index);
-      if (column.error)
-        rows.columns().mark_as_read(column.error->index);
-      found.push_back(column);
-    }
-  if (found.empty())
-    throw FileError(table.name(), 0,
-                    "has no column of a measured quantity: G_MPa, K_MPa, V_s_m/s, V_p_m/s, ...");
-  return found;
-}
-
-/// The number in a field, SI; empty if the field is empty.
-std::optional<double> number_in(const io::CsvTable& table, std::size_t row,
-                                const io::CsvTable::Place& column) {
-  const std::string& field = table.fields(row)[column.index];
-  if (trimmed(field).empty())
-    return std::nullopt;
-  const auto value = parse_number(field);
-  if (!value)
-    throw InvalidArgument(
-        fmt::format("expected a number in column '{}', found '{}'", table.headings()[column.index], field));
-  return *value * column.factor;
-}
-
-/// A column of contacts is the result of another program, not an input of this one.
-std::vector<std::string> table_remarks(const PackingRows& rows, const PackingOptions& row) {
-  std::vector<std::string> remarks;
-  if (row.coordination_number.in_table || row.mechanical_coordination_number.in_table ||
-      row.rattler_fraction.in_table)
-    remarks.emplace_back("C_n, z* and rattlers in the table are not used, because they are inferred");
-  if (const std::vector<std::string> unread = rows.columns().unread(); !unread.empty())
-    remarks.push_back(fmt::format("unused columns: {}", fmt::join(unread, ", ")));
-  return remarks;
-}
-
-/// Fills in the measurements; returns the packing of the first row.
-PackingOptions read_table(const InferOptions& o, InferCase& question) {
-  for (const std::string& text : o.measured)
-    if (!text.empty())
-      throw InvalidArgument("measurements are given both by --table and by options: use one of the two");
-  const io::CsvTable table = io::read_csv(o.table);
-  question.manner = table.manner();
-  PackingRows rows(table, o.packing);
-  const std::vector<MeasuredColumn> columns = measured_columns(table, rows);
-  std::optional<PackingOptions> first;
-  for (std::size_t k = 0; k < table.row_count(); ++k) {
-    try {
-      const PackingOptions& row = rows.packing(k);
-      if (!first)
-        question.assumptions = table_remarks(rows, row);
-      const PackingOptions packing = without_contacts(row);
-      first = first ? first : std::optional(packing);
-      for (const MeasuredColumn& column : columns) {
-        const auto value = number_in(table, k, column.value);
-        if (!value)
-          continue;
-        const auto error = column.error ? number_in(table, k, *column.error) : std::nullopt;
-        note_assumed_error(o, question, error.has_value());
-        const Dimension unit =
-            inverse::row_of(column.quantity).speed ? Dimension::speed : Dimension::pressure;
-        question.measurements.push_back(
-            {column.quantity,
-             {*value, error.value_or(share_of(o.measurement_error, unit) * *value)},
-             resolve_state(packing, resolve_stresses(packing))});
-      }
-    } catch (const InvalidArgument& error) {
-      throw FileError(o.table, table.line(k), error.what());
-    }
-  }
-  if (question.measurements.empty())
-    throw FileError(o.table, 0, "contains no measured value: the columns of measured quantities are empty");
-  return *first;
 }
 
 // ---- uncertain inputs
@@ -384,6 +271,19 @@ void require_options_of_sand(const InferOptions& o) {
 
 } // namespace
 
+double share_of(const Number& error, Dimension dimension) {
+  if (error.given())
+    return require_non_negative(error.name, error.value);
+  return dimension == Dimension::speed ? assumed_speed_error : assumed_modulus_error;
+}
+
+void note_assumed_error(const InferOptions& o, InferCase& question, bool stated) {
+  const std::string note = "assumed --measurement-error 2 % of speeds, 4 % of moduli, where none is given";
+  if (!stated && !o.measurement_error.given() &&
+      std::find(question.assumptions.begin(), question.assumptions.end(), note) == question.assumptions.end())
+    question.assumptions.push_back(note);
+}
+
 Measured parse_measured(const std::string& name, const std::string& text, Dimension dimension,
                         double relative_error) {
   for (const std::string& sign : error_signs) {
@@ -428,11 +328,12 @@ Validity complete_predictions(InferCase& question, const inverse::Inference& fit
 
 InferCase infer_case(const InferOptions& given) {
   InferOptions o = given;
-  apply_presets(o.packing, o.grains);
   InferCase question;
-  const PackingOptions packing = o.table.empty() ? o.packing : read_table(o, question);
-  if (o.table.empty())
+  if (o.table.empty()) {
+    apply_presets(o.packing, o.grains);
     question.measurements = measurements_of_options(o, question);
+  }
+  const PackingOptions packing = o.table.empty() ? o.packing : read_table(o, question);
   const State& first = question.measurements.front().state;
   resolve_shape(o, packing, question);
   if (question.of_spheres)

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/frame/option_row.hpp"
+#include "column_names.hpp"
 
 /// The options for a packing and its stress, for every command that computes closed forms.
 namespace granum::cli {
@@ -50,16 +51,16 @@ struct PackingOptions {
   bool graded = false;                           ///< sizes are given as for a soil, by a sieve curve or C_u
   std::optional<double> uniformity = {};         ///< C_u if the sizes were given by it, exactly
   Number tangential_ratio;
-  Number void_ratio{0, Dimension::dimensionless, "e"};
+  Number void_ratio{0, Dimension::dimensionless, column_names::void_ratio};
   Number porosity;
   Number solid_fraction;
   Number coordination_number{0, Dimension::dimensionless, "C_n Cn"};
   Number mechanical_coordination_number{0, Dimension::dimensionless, "z_star z*"};
   Number rattler_fraction;
   Number fabric{0, Dimension::dimensionless, "a"};
-  Number pressure{0, Dimension::pressure, "p p'"};
-  Number stress_v{0, Dimension::pressure, "sigma_v sigma'_v \u03c3_v \u03c3'_v"};
-  Number stress_h{0, Dimension::pressure, "sigma_h sigma'_h \u03c3_h \u03c3'_h"};
+  Number pressure{0, Dimension::pressure, column_names::mean_stress};
+  Number stress_v{0, Dimension::pressure, column_names::vertical_stress};
+  Number stress_h{0, Dimension::pressure, column_names::horizontal_stress};
 
   [[nodiscard]] bool contact_given() const { return contact_typed || contact_in_table; }
   /// The number of that key in the table of laws.

@@ -38,15 +38,6 @@ std::vector<std::string> written_forms(const std::string& name) {
   return forms;
 }
 
-std::vector<std::string> names_of(const Number& number) {
-  std::vector<std::string> names = written_forms(heading_of(number));
-  std::istringstream symbols{std::string(number.symbols)};
-  for (std::string symbol; symbols >> symbol;)
-    if (std::find(names.begin(), names.end(), symbol) == names.end())
-      names.push_back(symbol);
-  return names;
-}
-
 void refuse_twice(bool option_given, const std::string& option, const std::string& heading) {
   if (option_given)
     throw InvalidArgument(fmt::format("{} is given as an option and by the column '{}'", option, heading));
@@ -54,17 +45,28 @@ void refuse_twice(bool option_given, const std::string& option, const std::strin
 
 } // namespace
 
+std::vector<std::string> names_of_column(std::string_view symbols, const std::string& option) {
+  std::vector<std::string> names;
+  std::istringstream words{std::string(symbols)};
+  for (std::string symbol; words >> symbol;)
+    names.push_back(symbol);
+  for (std::string& name : written_forms(option))
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(std::move(name));
+  return names;
+}
+
 NumberColumns::NumberColumns(const io::CsvTable& table)
-    : table_(table), read_(table.headings().size(), false) {}
+    : table_(table), read_(table.headings().size(), false), options_(table.headings().size()) {}
 
 bool NumberColumns::bind(Number& number) {
   const auto& headings = table_.headings();
   std::optional<io::CsvTable::Place> found;
-  for (const std::string& name : names_of(number)) {
+  for (const std::string& name : names_of_column(number.symbols, heading_of(number))) {
     if (!table_.has(name))
       continue;
     const io::CsvTable::Place column = table_.column(name, number.dimension);
-    if (found)
+    if (found && found->index != column.index)
       throw FileError(table_.name(), table_.heading_line(),
                       fmt::format("columns {} and {}, '{}' and '{}', both contain {}", found->index + 1,
                                   column.index + 1, headings[found->index], headings[column.index],
@@ -76,7 +78,7 @@ bool NumberColumns::bind(Number& number) {
   refuse_twice(number.given(), number.name, headings[found->index]);
   number.per_cent = number.dimension == Dimension::dimensionless && found->factor != 1;
   inputs_.push_back({&number, *found, number.value});
-  read_[found->index] = true;
+  read(found->index, number.name);
   return true;
 }
 
@@ -88,9 +90,11 @@ std::optional<std::size_t> NumberColumns::text(const std::string& heading, bool 
   });
   if (found == headings.end())
     return std::nullopt;
-  refuse_twice(option_given, "--" + heading, *found);
+  std::string option = "--" + heading;
+  std::replace(option.begin(), option.end(), '_', '-');
+  refuse_twice(option_given, option, *found);
   const auto index = static_cast<std::size_t>(found - headings.begin());
-  read_[index] = true;
+  read(index, option);
   return index;
 }
 
@@ -117,6 +121,18 @@ void NumberColumns::take(std::size_t row) const {
                                         table_.headings()[column.index], field));
     number->value = *value * column.factor;
   }
+}
+
+void NumberColumns::read(std::size_t column, const std::string& option) {
+  read_[column] = true;
+  options_[column] = option;
+}
+
+std::optional<std::string> NumberColumns::heading(std::string_view option) const {
+  const auto found = std::find(options_.begin(), options_.end(), option);
+  if (found == options_.end())
+    return std::nullopt;
+  return table_.headings()[static_cast<std::size_t>(found - options_.begin())];
 }
 
 std::vector<std::string> NumberColumns::unread() const {

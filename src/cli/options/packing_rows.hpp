@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <granum/io/csv/table.hpp>
@@ -13,6 +14,10 @@
 /// Columns of a table for values that may also be options, and packings from its rows, completed by the
 /// options of a command.
 namespace granum::cli {
+
+/// The names of a column, without the unit: symbols, which blanks separate, then the usual spellings of the
+/// option without its hyphens, void_ratio.
+[[nodiscard]] std::vector<std::string> names_of_column(std::string_view symbols, const std::string& option);
 
 /// Numbers bound to their columns, by the names of their options (void_ratio, "void ratio") or
 /// by symbol (e), with their unit: p_kPa, "p (kPa)", "p [kPa]".
@@ -34,6 +39,8 @@ class NumberColumns {
   /// Sets the bound numbers to those of a row.
   /// \throws   InvalidArgument for a field that is not a number
   void take(std::size_t row) const;
+  /// The heading of the column that gives an option, such as "--saturation".
+  [[nodiscard]] std::optional<std::string> heading(std::string_view option) const;
   /// Headings of unused columns.
   [[nodiscard]] std::vector<std::string> unread() const;
 
@@ -44,9 +51,12 @@ class NumberColumns {
     double by_default;
   };
 
+  void read(std::size_t column, const std::string& option);
+
   const io::CsvTable& table_;
   std::vector<Input> inputs_;
   std::vector<bool> read_;
+  std::vector<std::string> options_; ///< of each column; empty without one
 };
 
 /// The inputs in a table: numbers, contact, sizes; and the packing of each of its rows.

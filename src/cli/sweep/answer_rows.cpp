@@ -11,12 +11,12 @@
 namespace granum::cli {
 
 AnswerRows::AnswerRows(const io::CsvTable& table, const SweepOptions& options, RowsOf rows)
-    : table_(table), packings_(table, options.packing), answer_(options.answer), ground_(options.ground) {
+    : table_(table), packings_(table, options.packing), answer_(options.answer), ground_(options.ground),
+      material_(table, packings_.columns(), answer_) {
   NumberColumns& columns = packings_.columns();
   const bool layers = rows == RowsOf::layers;
   answer_.ground = layers || (!packings_.tells_stress() && columns.bind(ground_.row_depth));
-  std::vector<Number*> all{&answer_.relative_density, &answer_.least_void_ratio, &answer_.largest_void_ratio,
-                           &answer_.grain_density,    &answer_.saturation,       &answer_.strain};
+  std::vector<Number*> all{&answer_.strain};
   Number* const of_ground[] = {&ground_.unit_weight, &ground_.saturated_unit_weight,
                                &ground_.earth_pressure_at_rest};
   if (answer_.ground)
@@ -39,28 +39,16 @@ AnswerRows::AnswerRows(const io::CsvTable& table, const SweepOptions& options, R
       throw InvalidArgument(number->name +
                             " goes with --depth, or with a table that has a column depth_m and no stress");
   preparation_ = columns.text("preparation", answer_.preparation != effective::Preparation{});
-  grain_ = columns.text("grain", answer_.mineral != nullptr);
-  sand_ = columns.text("sand", answer_.sand != nullptr);
-  grain_shape_ = columns.text("grain_shape", answer_.grain_shape.has_value());
 }
 
 AnswerRow AnswerRows::row(std::size_t row) {
   const PackingOptions& packing = packings_.packing(row);
-  const auto& fields = table_.fields(row);
-  const auto text = [&](const std::optional<std::size_t>& column) {
-    return column ? std::string(trimmed(fields[*column])) : std::string();
-  };
   AnswerRow both{packing, answer_, ground_};
   if (shear_wave_speed_.given())
     both.shear_wave_speed = require_positive("V_s", shear_wave_speed_.value, "m/s");
-  if (const std::string name = text(preparation_); !name.empty())
+  if (const std::string name(preparation_ ? trimmed(table_.fields(row)[*preparation_]) : ""); !name.empty())
     both.answer.preparation = effective::preparation_of(name);
-  if (const std::string name = text(grain_); !name.empty())
-    both.answer.mineral = &contact::mineral(name);
-  if (const std::string name = text(sand_); !name.empty())
-    both.answer.sand = &sands::known_sand(name);
-  if (const std::string name = text(grain_shape_); !name.empty())
-    both.answer.grain_shape = estimate::grain_shape_of(name);
+  material_.take_names(row, both.answer);
   apply_presets(both.packing, both.answer);
   return both;
 }

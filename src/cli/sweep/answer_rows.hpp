@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "cli/estimate/answer_options.hpp"
+#include "cli/options/column_names.hpp"
 #include "cli/options/packing_rows.hpp"
+#include "cli/table/answer_columns.hpp"
 #include "sweep.hpp"
 
 /// Questions from the rows of a table.
@@ -49,9 +51,10 @@ class AnswerRows {
   PackingRows packings_;
   AnswerOptions answer_;
   GroundOptions ground_;
-  Number shear_wave_speed_{0, Dimension::speed, "V_s Vs vs", "--shear-wave-speed"};
+  AnswerColumns material_;
+  Number shear_wave_speed_{0, Dimension::speed, column_names::shear_wave_speed, "--shear-wave-speed"};
   bool has_speed_ = false;
-  std::optional<std::size_t> preparation_, grain_, sand_, grain_shape_;
+  std::optional<std::size_t> preparation_;
 };
 
 /// "unused columns: borehole, date".
