@@ -138,6 +138,7 @@ class SweepOutput {
   Rungs rungs_;
   io::Columns<estimate::Answer> columns_, sand_columns_; ///< the latter if the kind of grains is not given
   std::vector<std::string> headings_;
+  std::optional<std::size_t> shape_cell_; ///< of the kind of grains, if the table has its column
   io::CsvManner manner_;
   std::string rows_;
   nlohmann::ordered_json states_ = nlohmann::ordered_json::array();

@@ -28,6 +28,8 @@ std::optional<double> exponent(const RungAnswer& answer, double (*of)(const Stre
 }
 
 /// For G_hv the direction i is h and j is v.
+constexpr const char* shape_heading = "grain_shape";
+
 constexpr SweptQuantity quantities[] = {
     {"G_hh", Dimension::pressure, Field::horizontal_shear_modulus,
      [](const RungAnswer& a) { return std::optional(a.stiffness.G_hh()); }},
@@ -160,7 +162,11 @@ SweepOutput::SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<s
       sand_columns_(told_shape(options.packing, options.answer)
                         ? io::Columns<estimate::Answer>{}
                         : answer_columns(options.all_columns, "sand_")),
-      headings_(std::move(headings)), manner_(manner) {}
+      headings_(std::move(headings)), manner_(manner) {
+  if (const auto found = std::find(headings_.begin(), headings_.end(), shape_heading);
+      found != headings_.end())
+    shape_cell_ = static_cast<std::size_t>(found - headings_.begin());
+}
 
 std::vector<std::string> SweepOutput::result_headings() const {
   std::vector<std::string> all;
@@ -171,7 +177,8 @@ std::vector<std::string> SweepOutput::result_headings() const {
       all.push_back(heading(quantity, *rung));
   all.emplace_back("notes");
   all.emplace_back("error");
-  all.emplace_back("grain_shape");
+  if (!shape_cell_)
+    all.emplace_back(shape_heading);
   for (const io::Column<estimate::Answer>& column : sand_columns_)
     all.push_back(column.heading);
   if (options_.law_columns)
@@ -210,7 +217,11 @@ void SweepOutput::add(std::vector<io::CsvCell> cells, ordered_json place, const 
 
 /// The kind of grains, the answer for a sand, and published laws.
 void SweepOutput::add_sand_cells(std::vector<io::CsvCell>& cells, const SweptState& state) const {
-  cells.emplace_back(state.answer ? std::string(name(state.answer->question.grain_shape)) : "");
+  const std::string shape(state.answer ? name(state.answer->question.grain_shape) : "");
+  if (!shape_cell_)
+    cells.emplace_back(shape);
+  else if (state.answer)
+    cells[*shape_cell_] = shape;
   const estimate::Answer* of_sand = state.answer ? answer_of_sand(*state.answer) : nullptr;
   if (of_sand != nullptr)
     io::add_cells(cells, sand_columns_, *of_sand);
