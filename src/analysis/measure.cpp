@@ -311,8 +311,8 @@ class Measuring {
       }
       return k_t / k_n;
     }
-    return contact::mindlin_stiffness_ratio(out_.grain ? out_.grain->poisson_ratio
-                                                       : given_.grain_poisson_ratio);
+    const double nu = out_.grain ? out_.grain->poisson_ratio : given_.grain_poisson_ratio;
+    return contact::mindlin_stiffness_ratio(nu);
   }
 
   /// Input of the closed forms, or a note about missing data.
@@ -345,20 +345,17 @@ class Measuring {
     }
   }
 
-  /// Whether the network has k_n and k_t of the files.
   [[nodiscard]] bool stiffness_of_files() const {
-    return !given_.stiffness_from &&
-           std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(),
-                       [](const packing::Contact& c) { return c.normal_stiffness > 0; });
+    const auto stiff = [](const packing::Contact& c) { return c.normal_stiffness > 0; };
+    return !given_.stiffness_from && std::ranges::any_of(assembly_.contacts, stiff);
   }
 
   void solve_network() {
     if (stiffness_of_files()) {
       if (!given_.law)
-        out_.notes.push_back("k_n and k_t of the network are those of the files" +
-                             (given_.tangential_ratio
-                                  ? std::string()
-                                  : "; closed forms: their k_t/k_n, " + short_text(tangential_ratio())));
+        out_.notes.push_back(
+            "k_n and k_t of the network are those of the files" +
+            (given_.tangential_ratio ? "" : "; closed forms: k_t/k_n = " + short_text(tangential_ratio())));
       solve_network(assembly_);
     } else if (given_.stiffness_from.value_or(stiffness_of_ratio_ ? packing::StiffnessFrom::ratio
                                                                   : packing::StiffnessFrom::overlap) ==

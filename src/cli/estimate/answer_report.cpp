@@ -63,13 +63,13 @@ bool is_shown(const FieldRow& row, bool by_direction) {
 
 std::string moduli_text(const AnswerCase& c, const Answer& answer) {
   const bool wet = c.question.saturation > 0, by_direction = anisotropic(c.question);
-  std::string text = fmt::format("  {:<7}{:>11}{:>12}{:>12}\n", "", "answer", "low", "high");
+  std::string text = fmt::format("  {:<7}{:>11} {:>11} {:>11}\n", "", "answer", "low", "high");
   for (const FieldRow& row : estimate::fields()) {
     const std::optional<Range>& range = answer.find(row.field);
     if (!range || !is_shown(row, by_direction))
       continue;
     text +=
-        fmt::format("  {:<7}{:>11}{:>12}{:>12}  {}{}\n", by_direction ? row.directed_symbol : row.symbol,
+        fmt::format("  {:<7}{:>11} {:>11} {:>11}  {}{}\n", by_direction ? row.directed_symbol : row.symbol,
                     field_text(row, range->value), field_text(row, range->low), field_text(row, range->high),
                     by_direction ? row.directed_meaning : row.meaning, wet ? row.in_water : "");
   }
