@@ -347,7 +347,7 @@ class Measuring {
 
   [[nodiscard]] bool stiffness_of_files() const {
     const auto stiff = [](const packing::Contact& c) { return c.normal_stiffness > 0; };
-    return !given_.stiffness_from && std::ranges::any_of(assembly_.contacts, stiff);
+    return !given_.stiffness_from && std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(), stiff);
   }
 
   void solve_network() {
