@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -11,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/frame/messages.hpp"
+#include "cli/frame/option_row.hpp"
 #include "cli/frame/stop_signal.hpp"
 
 namespace {
@@ -33,8 +33,7 @@ std::string as_typed(const InvalidArgument& error, int argc, char** argv) {
   if (!error.refused() || !text.starts_with(error.refused()->name))
     return text;
   const std::string name = error.refused()->name;
-  std::string option = name == "fabric_anisotropy" ? "--fabric" : "--" + name;
-  std::replace(option.begin(), option.end(), '_', '-');
+  const std::string option = name == "fabric_anisotropy" ? "--fabric" : option_of(name);
   for (const std::string_view word : std::span(argv, static_cast<std::size_t>(argc)))
     if (word == option || word.starts_with(option + "="))
       return option + text.substr(name.size());

@@ -132,7 +132,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a list may stand in brackets, and [] is the empty one, for every key that is a list") {
+TEST_CASE("a list may be in brackets, and [] is the empty one, for every key that is a list") {
   std::size_t lists = 0;
   for (const SceneKey& key : scene_keys()) {
     CAPTURE(key.name);

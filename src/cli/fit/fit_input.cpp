@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iterator>
 #include <optional>
-#include <sstream>
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
@@ -20,9 +20,7 @@ using Names = std::vector<std::string>;
 
 /// The names of a list, and others that only fit reads.
 Names with(Names names, std::string_view others) {
-  std::istringstream words{std::string(others)};
-  for (std::string word; words >> word;)
-    names.push_back(word);
+  std::ranges::move(words_of(others), std::back_inserter(names));
   return names;
 }
 

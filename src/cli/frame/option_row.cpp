@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include <fmt/core.h>
@@ -100,6 +102,16 @@ bool is_named(const OptionRow& row, std::string_view option) {
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return false;
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::string option_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return "--" + name;
 }
 
 std::vector<std::string> split_at(std::string_view text, char separator) {

@@ -135,6 +135,10 @@ struct Command {
 [[nodiscard]] bool is_named(const OptionRow& row, std::string_view option);
 /// The parts of a text between separators.
 [[nodiscard]] std::vector<std::string> split_at(std::string_view text, char separator);
+/// The words of a text that blanks separate.
+[[nodiscard]] std::vector<std::string> words_of(std::string_view text);
+/// "--stress-h" for "stress_h".
+[[nodiscard]] std::string option_of(std::string name);
 /// Splits words at blanks.
 [[nodiscard]] bool has_word(std::string_view list, std::string_view word);
 

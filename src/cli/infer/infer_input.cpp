@@ -191,8 +191,8 @@ namespace {
 
 const std::string fitted_growth(name(inverse::GrowthRule::fitted));
 
-/// The option, or the column, that tells the kind of grains; as told_shape.
-std::string teller_of_shape(const PackingOptions& packing, const AnswerOptions& o) {
+/// The option, or the column, that gives the kind of grains; as told_shape.
+std::string source_of_shape(const PackingOptions& packing, const AnswerOptions& o) {
   if (o.grain_shape)
     return fmt::format("--grain-shape {}", name(*o.grain_shape));
   if (o.sand != nullptr)
@@ -202,11 +202,11 @@ std::string teller_of_shape(const PackingOptions& packing, const AnswerOptions& 
   if (told_shape(packing, unnamed) != told_shape(packing, o))
     return fmt::format("--grain {}", o.mineral->key);
   const bool sand = told_shape(packing, o) == estimate::GrainShape::sand;
-  const std::vector<const Number*> tellers =
+  const std::vector<const Number*> sources =
       sand ? std::vector{&o.relative_density, &o.least_void_ratio, &o.largest_void_ratio}
            : std::vector{&packing.coordination_number, &packing.mechanical_coordination_number,
                          &packing.rattler_fraction, &packing.tangential_ratio};
-  for (const Number* number : tellers)
+  for (const Number* number : sources)
     if (number->given())
       return number->name;
   return sand ? (packing.uniformity ? "--uniformity" : "--sieve")
@@ -230,7 +230,7 @@ void resolve_shape(const InferOptions& o, const PackingOptions& packing, InferCa
                                                                            : std::nullopt;
   if (shape && of_growth && shape != of_growth)
     throw InvalidArgument(fmt::format("--growth {} applies to {}, and {} to {}: leave one of them out",
-                                      o.growth, plural(*of_growth), teller_of_shape(packing, o.grains),
+                                      o.growth, plural(*of_growth), source_of_shape(packing, o.grains),
                                       plural(*shape)));
   if (of_growth)
     shape = of_growth;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
@@ -28,8 +27,7 @@ struct MeasuredColumn {
 };
 
 std::optional<MeasuredColumn> measured_column(const io::CsvTable& table, const MeasuredOption& option) {
-  std::istringstream names{std::string(option.columns)};
-  for (std::string name; names >> name;) {
+  for (const std::string& name : words_of(option.columns)) {
     if (!table.has(name))
       continue;
     MeasuredColumn column{option.quantity, table.column(name, option.dimension()), std::nullopt};

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <sstream>
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
@@ -46,10 +45,7 @@ void refuse_twice(bool option_given, const std::string& option, const std::strin
 } // namespace
 
 std::vector<std::string> names_of_column(std::string_view symbols, const std::string& option) {
-  std::vector<std::string> names;
-  std::istringstream words{std::string(symbols)};
-  for (std::string symbol; words >> symbol;)
-    names.push_back(symbol);
+  std::vector<std::string> names = words_of(symbols);
   for (std::string& name : written_forms(option))
     if (std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(std::move(name));
@@ -90,8 +86,7 @@ std::optional<std::size_t> NumberColumns::text(const std::string& heading, bool 
   });
   if (found == headings.end())
     return std::nullopt;
-  std::string option = "--" + heading;
-  std::replace(option.begin(), option.end(), '_', '-');
+  const std::string option = option_of(heading);
   refuse_twice(option_given, option, *found);
   const auto index = static_cast<std::size_t>(found - headings.begin());
   read(index, option);
