@@ -118,7 +118,14 @@ function(granum_tests module)
   endif()
   # Several in one go: no two of them give one name two meanings.
   granum_unity_build(test_${module} 4)
-  doctest_discover_tests(test_${module} TEST_PREFIX "${module}: " PROPERTIES LABELS unit)
+  # A ctest whose name matches no case would pass.
+  doctest_discover_tests(test_${module} TEST_PREFIX "${module}: "
+    PROPERTIES LABELS unit FAIL_REGULAR_EXPRESSION "test cases: +0 ")
+  add_test(NAME "${module}: all test cases of the sources are run"
+    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:test_${module}>" "-DSOURCES=${sources}"
+            "-DCTESTS=${CMAKE_CURRENT_BINARY_DIR}/test_${module}_tests*.cmake"
+            -P "${PROJECT_SOURCE_DIR}/tests/count_cases.cmake")
+  set_tests_properties("${module}: all test cases of the sources are run" PROPERTIES LABELS unit)
 endfunction()
 
 # granum_program(<name> <source>...): an example or validation program.

@@ -141,6 +141,7 @@ class Measuring {
     }
     if (wanted_.network && out_.counts.mechanical.contact_count > 0)
       solve_network();
+    keep_within_bounds(out_);
     return std::move(out_);
   }
 
@@ -481,19 +482,6 @@ Forces measure_forces(const packing::Assembly& assembly, const Given& given, std
     out.sliding_fraction = sliding_fraction(pressing, *given.friction_coefficient);
   else if (out.friction)
     out.sliding_fraction = sliding_fraction(pressing, out.friction->coefficient);
-  return out;
-}
-
-std::vector<ClosedForm> closed_forms(const effective::State& packing) {
-  std::vector<ClosedForm> out;
-  for (const effective::Rung& rung : effective::closed_forms()) {
-    out.push_back({.rung = &rung});
-    try {
-      out.back().answer = effective::answer(rung, packing);
-    } catch (const InvalidArgument& error) {
-      out.back().refusal = error.what();
-    }
-  }
   return out;
 }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/analysis/measurement.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 #include <granum/elastic/projection.hpp>
 
 namespace granum::analysis {
@@ -61,6 +65,39 @@ const Network& Measurement::solved_network() const {
   if (!network)
     throw NotConverged("no grain of the packing carries load: it has no network");
   return *network;
+}
+
+std::vector<ClosedForm> closed_forms(const effective::State& packing) {
+  std::vector<ClosedForm> out;
+  for (const effective::Rung& rung : effective::closed_forms()) {
+    out.push_back({.rung = &rung});
+    try {
+      out.back().answer = effective::answer(rung, packing);
+    } catch (const InvalidArgument& error) {
+      out.back().refusal = error.what();
+    }
+  }
+  return out;
+}
+
+void keep_within_bounds(Measurement& m) {
+  if (!m.network || m.interior) // bounds of the whole cell are none of its interior
+    return;
+  const packing::BulkModulusBounds& bounds = m.network->bulk_bounds;
+  for (ClosedForm& form : m.closed_forms) {
+    if (!form.answer || form.rung->name != effective::RungName::relaxed || !(bounds.upper > 0))
+      continue;
+    elastic::TransverselyIsotropic& c = form.answer->stiffness;
+    const double K = c.bulk_modulus(), kept = std::min(std::max(K, bounds.lower), bounds.upper);
+    constexpr double rounding = 1e-9;
+    if (std::abs(kept - K) <= rounding * kept)
+      continue;
+    for (double* entry : {&c.C11, &c.C33, &c.C12, &c.C13}) // shear moduli stay
+      *entry += kept - K;
+    m.notes.push_back(std::string("K of rung 3 is the ") + (kept > K ? "lower" : "upper") +
+                      " bound of this packing, which its formula leaves by " +
+                      percent_text(std::abs(kept / K - 1)));
+  }
 }
 
 } // namespace granum::analysis

@@ -128,7 +128,7 @@ LawRow rough() {
                      .dimension = Dimension::length,
                      .value = 20e-9,
                      .low = 0,
-                     .high = 1e-5,
+                     .high = RoughSphere::largest_roughness,
                      .reason = "beyond, few asperities touch",
                      .within_grain = true}};
   row.make = [](const GrainMaterial& grain, double radius, Numbers x) {

@@ -157,7 +157,8 @@ RoughStiffness rough_stiffness(double X) {
 }
 
 RoughSphere::RoughSphere(const GrainMaterial& grain, double radius, double roughness)
-    : RoughSphere(PowerLaw::sphere(grain, radius), require_non_negative("roughness", roughness, "m")) {}
+    : RoughSphere(PowerLaw::sphere(grain, radius),
+                  require_closed("roughness", roughness, 0, std::min(largest_roughness, radius), "m")) {}
 
 RoughSphere::RoughSphere(const PowerLaw& smooth, double roughness)
     : smooth_(smooth), roughness_(roughness),
@@ -168,7 +169,7 @@ RoughSphere RoughSphere::of_numbers(const GrainMaterial& grain, const std::array
   if (numbers[0] != 2)
     throw InvalidArgument("alpha of a rough sphere", numbers[0], "", "2");
   return {PowerLaw::of_numbers(grain, {numbers[0], numbers[1]}),
-          require_non_negative("roughness", numbers[2], "m")};
+          require_closed("roughness", numbers[2], 0, largest_roughness, "m")};
 }
 
 RoughSphere RoughSphere::of_grain(const GrainMaterial& grain) const {

@@ -3,6 +3,7 @@
 
 #include <granum/core/error.hpp>
 
+#include "checked_state.hpp"
 #include "stress_derivatives.hpp"
 
 namespace granum::effective {
@@ -48,7 +49,7 @@ StressExponents at_mean_force(const State& state, const Model& model, Modulus wh
 Estimate uniform_field(const State& state, const Model& model) {
   if (model.forces == ContactForces::by_direction)
     return by_direction(state, model.hypothesis);
-  Estimate estimate{.stiffness = {}, .validity = require_valid(state)};
+  Estimate estimate{.stiffness = {}, .validity = kernel::checked(state).validity};
   if (*state.coordination_number > 0)
     estimate.stiffness = of_contacts(uniform_contacts(state), model.hypothesis);
   return estimate;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/transition_pressure.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -37,8 +38,9 @@ double transition_pressure_of(double exponent, double mean_stress) {
 
 double roughness_of(State state, double transition) {
   require_positive("transition_pressure", transition, "Pa");
-  state.law = contact::RoughSphere(state.law.grain(), state.radius, state.radius);
-  return state.radius * std::pow(transition / *transition_pressure(state), 2.0 / 3);
+  const double some = std::min(state.radius, contact::RoughSphere::largest_roughness);
+  state.law = contact::RoughSphere(state.law.grain(), state.radius, some);
+  return some * std::pow(transition / *transition_pressure(state), 2.0 / 3);
 }
 
 } // namespace granum::effective

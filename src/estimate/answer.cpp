@@ -15,6 +15,7 @@
 
 #include "contacts.hpp"
 #include "effective/relaxation_kernel.hpp"
+#include "possible.hpp"
 #include "ranges.hpp"
 #include "sand_answer.hpp"
 
@@ -177,22 +178,6 @@ void add_calibration(std::vector<Effect>& effects, const Question& q, const Cont
   add(low, high);
 }
 
-void require_valid_question(const Question& q) {
-  require_closed("saturation", q.saturation, 0, 1);
-  if (q.grain_density)
-    require_positive("grain_density", *q.grain_density, "kg/m3");
-  if (q.grain_shape == GrainShape::sand) {
-    effective::require_valid(q.state);
-    return;
-  }
-  if (q.shear_strain)
-    throw InvalidArgument(
-        "shear_strain: the laws of strain are measured on sands; for spheres only small strain is available");
-  if (q.sand.uniformity.value_or(1) > sphere_uniformity_limit)
-    throw InvalidArgument("uniformity", *q.sand.uniformity, "",
-                          "[1, 4] for spheres, the validated range; use grain shape sand");
-}
-
 /// Whether both have the same contacts: all inputs of the prior and of the counts agree.
 bool same_contacts(const Question& a, const Question& b) {
   return a.state.law == b.state.law && a.state.radius == b.state.radius &&
@@ -212,7 +197,12 @@ bool same_packing(const Question& a, const Question& b) {
 } // namespace
 
 Answer answer(const Question& question, std::span<const Spread> spreads) {
-  require_valid_question(question);
+  require_valid(question);
+  return possible_answer(question, spreads);
+}
+
+Answer possible_answer(const Question& question, std::span<const Spread> spreads) {
+  require_possible(question);
   if (question.grain_shape == GrainShape::sand)
     return sand_answer(question, spreads);
   const KnownContacts contacts = contacts_of(question);
@@ -236,7 +226,7 @@ Answer answer(const Question& question, std::span<const Spread> spreads) {
                                    counted(contacts.more, growth.more)));
   // Numbers that do not depend on the input are not computed again.
   const auto moved = [&](const Question& q) {
-    require_valid_question(q);
+    require_possible(q);
     const ContactCounts counts = same_contacts(q, question) ? contacts.middle : contacts_of(q).middle;
     Values values = same_packing(q, question) ? values_of(q, counts, middle.estimate.stiffness)
                                               : solution(q, counts).values;
@@ -258,6 +248,7 @@ Answer answer(const Question& question, std::span<const Spread> spreads) {
   }
   all.validity_ = contacts.validity;
   all.validity_.merge(middle.estimate.validity);
+  note_strength(question, all.validity_);
   all.validity_.keep_each_once();
   return all;
 }

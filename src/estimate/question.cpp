@@ -2,8 +2,14 @@
 #include <granum/estimate/question.hpp>
 
 #include <cmath>
+#include <numbers>
 
+#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/stress/axial_stress.hpp>
+
+#include "possible.hpp"
 
 namespace granum::estimate {
 
@@ -14,6 +20,51 @@ GrainShape grain_shape_of(std::string_view text) {
     if (name(shape) == text)
       return shape;
   throw InvalidArgument("grain_shape is sphere or sand, not '" + std::string(text) + "'");
+}
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// Friction angle without which the stresses are not possible; 0 without stress.
+double mobilised_friction_angle(const Question& q) {
+  return q.state.stress_v > 0 ? stress::mobilised_friction_angle({q.state.stress_v, q.state.stress_h}) : 0;
+}
+
+} // namespace
+
+void require_possible(const Question& q) {
+  require_closed("saturation", q.saturation, 0, 1);
+  if (q.grain_density)
+    require_positive("grain_density", *q.grain_density, "kg/m3");
+  if (q.grain_shape == GrainShape::sand) {
+    effective::require_valid(q.state);
+    return;
+  }
+  if (q.shear_strain)
+    throw InvalidArgument(
+        "shear_strain: the laws of strain are measured on sands; for spheres only small strain is available");
+  if (q.sand.uniformity.value_or(1) > sphere_uniformity_limit)
+    throw InvalidArgument("uniformity", *q.sand.uniformity, "",
+                          "[1, 4] for spheres, the validated range; use grain shape sand");
+}
+
+void require_valid(const Question& q) {
+  require_possible(q);
+  sands::require_density(q.sand, q.state.void_ratio);
+  constexpr double highest = 70 * degree;
+  if (mobilised_friction_angle(q) > highest)
+    throw InvalidArgument(
+        "k0", q.state.stress_h / q.state.stress_v, "",
+        "[0.0311, 32.2], the ratios stress_h/stress_v that a friction angle of 70 degrees holds");
+}
+
+void note_strength(const Question& q, Validity& validity) {
+  constexpr double strongest_soil = 50 * degree;
+  if (const double angle = mobilised_friction_angle(q); angle > strongest_soil)
+    validity.add("stress_h is " + short_text(q.state.stress_h / q.state.stress_v) +
+                 " stress_v (K_0): only a friction angle of " + short_text(angle / degree, 2) +
+                 " degrees holds that, and soils have at most 50");
 }
 
 double assumed_fabric_deviation(double stress_v, double stress_h) {

@@ -12,6 +12,7 @@
 #include <granum/sands/strain.hpp>
 
 #include "contacts.hpp"
+#include "possible.hpp"
 #include "ranges.hpp"
 
 namespace granum::estimate {
@@ -113,7 +114,7 @@ Values sand_values(const Question& q, const Moved& moved = {}) {
   Values all{};
   const effective::State& s = q.state;
   const auto G = [&](double stress) {
-    return moved.shear_factor * sands::pooled_shear_modulus(q.sand, s.void_ratio, stress);
+    return moved.shear_factor * sands::extrapolated_shear_modulus(q.sand, s.void_ratio, stress);
   };
   const double nu = poisson_ratio(q, moved), by_young = 2 * (1 + nu);
   const double G_vh = G(shear_stress_equivalent(s)), mean = G(s.mean_stress());
@@ -215,6 +216,7 @@ Answer sand_answer(const Question& q, std::span<const Spread> spreads) {
   for (const FieldRow& row : fields())
     if (has(row, q))
       all.ranges_[static_cast<std::size_t>(row.field)] = range_of(row, all.middle_, all.effects_);
+  note_strength(q, all.validity_);
   all.validity_.merge(sands::outside_of_tests(q.sand, q.state.void_ratio, p));
   all.validity_.keep_each_once();
   return all;

@@ -6,6 +6,8 @@
 #include <granum/core/error.hpp>
 #include <granum/estimate/answer.hpp>
 
+#include "possible.hpp"
+
 namespace granum::estimate {
 
 namespace {
@@ -28,7 +30,7 @@ Question moved_if_possible(const Question& question, const UncertainInput& input
     const double share = (possible + impossible) / 2;
     try {
       Question moved = input.moved(share * change);
-      (void)answer(moved);
+      (void)possible_answer(moved);
       farthest = moved;
       possible = share;
     } catch (const InvalidArgument&) { // no such packing is possible

@@ -12,6 +12,7 @@
 #include <granum/estimate/answer.hpp>
 
 #include "contact_model.hpp"
+#include "possible.hpp"
 
 namespace granum::inverse {
 
@@ -147,6 +148,7 @@ Validity Inference::doubts(const effective::State& at, AskedPacking specimen) co
 
 InferenceAnswer infer(std::span<const Observation> measurements, const InferenceOptions& options) {
   const auto model = std::make_shared<const detail::ContactModel>(measurements, options);
+  detail::require_possible_together(measurements, options.grain_density);
   InferenceOptions one_alone = options;
   one_alone.growth = GrowthRule::fixed;
   one_alone.contacts = {};
@@ -172,6 +174,9 @@ InferenceAnswer infer(std::span<const Observation> measurements, const Inference
   if (!start)
     return answer;
   answer.together = solve_together(model, *start, measurements, answer.alone);
+  constexpr double largest_error = 0.5; // of g, that of the exponent of G is half of it
+  if (options.growth == GrowthRule::fitted)
+    detail::require_determined_growth(*answer.together->growth_exponent(), largest_error);
   note_states(*answer.together, measurements, answer.validity);
   note_density(*answer.together, answer.together->state(measurements.front().state), answer.validity);
   answer.validity.keep_each_once();

@@ -13,6 +13,7 @@
 #include <granum/core/number.hpp>
 
 #include "core/gamma.hpp"
+#include "possible.hpp"
 
 namespace granum::inverse {
 
@@ -144,6 +145,7 @@ void require_observations(std::span<const Observation> all, const Question& know
       throw InvalidArgument("grain_density is not given [kg/m3]: wave speeds need it");
     require_wave_of_sand(one.quantity, known);
   }
+  detail::require_possible_together(all, known.grain_density);
   if (growth == SandGrowth::fitted && at_one_stress(all))
     throw InvalidArgument("growth fitted needs measurements at two pressures");
 }
@@ -229,6 +231,9 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
   constexpr double above_knee = 100e3;
   found.exponent_ = {sands::growth_exponent(found.known_.sand, above_knee).value,
                      std::sqrt(covariance(1, 1))};
+  constexpr double largest_error = 0.25; // five times the scatter from sand to sand
+  if (growth == SandGrowth::fitted)
+    detail::require_determined_growth(found.exponent_, largest_error);
   found.poisson_ratio_ = {sands::poisson_ratio(found.known_.sand, p).value, std::sqrt(covariance(2, 2))};
   found.tells_contacts_ = std::sqrt(fit.covariance(2, 2)) < 0.7 * nu_deviation;
 

@@ -8,6 +8,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/near_miss.hpp>
+#include <granum/core/number.hpp>
 
 #include "constants.hpp"
 
@@ -88,8 +89,13 @@ const KnownSand& known_sand(std::string_view key) {
 }
 
 void require_void_ratio_limits(double least, double largest) {
-  require_positive("least_void_ratio", least);
-  require_closed("largest_void_ratio - least_void_ratio", largest - least, 1e-3, 100);
+  constexpr double densest = 0.1, loosest = 5, least_distance = 0.05;
+  require_closed("least_void_ratio", least, densest, loosest - least_distance);
+  if (!(largest >= least + least_distance && largest <= loosest))
+    throw InvalidArgument("largest_void_ratio", largest, "",
+                          "[" + short_text(least + least_distance) + ", " + short_text(loosest) +
+                              "]: e_max is larger than e_min, " + short_text(least) + ", by " +
+                              short_text(least_distance) + " at least");
 }
 
 double void_ratio_of_relative_density(double relative_density, double least, double largest) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
 #include <granum/sands/known_sands.hpp>
@@ -30,6 +31,8 @@ double largest(double a, double b, double c) { return std::max({a, b, c}); }
 /// Distance of a number outside of [low, high], of logarithms or differences; 0 inside.
 double beyond(double value, double low, double high) { return largest(low - value, value - high, 0); }
 
+bool has_limits(const Sand& sand) { return sand.least_void_ratio && sand.largest_void_ratio; }
+
 void require_valid(const Sand& sand, double void_ratio, double mean_stress) {
   require_positive("void_ratio", void_ratio);
   require_non_negative("mean_stress", mean_stress, "Pa");
@@ -41,14 +44,9 @@ void require_valid(const Sand& sand, double void_ratio, double mean_stress) {
   require_finite("exponent_shift", sand.exponent_shift);
   require_finite("poisson_shift", sand.poisson_shift);
   if (sand.relative_density)
-    require_closed("relative_density", *sand.relative_density, 0, 1.2);
-  if (sand.least_void_ratio && sand.largest_void_ratio)
+    require_finite("relative_density", *sand.relative_density);
+  if (has_limits(sand))
     require_void_ratio_limits(*sand.least_void_ratio, *sand.largest_void_ratio);
-}
-
-/// D_r of a void ratio between its limits.
-double density_between(const Sand& sand, double e) {
-  return (*sand.largest_void_ratio - e) / (*sand.largest_void_ratio - *sand.least_void_ratio);
 }
 
 /// G at 100 kPa [Pa].
@@ -57,7 +55,7 @@ double level(const Sand& sand, double e) {
   case PooledForm::own_tests:
     return sand.tests->level * std::pow(hardin_richart_factor(2.17, e), sand.tests->power);
   case PooledForm::density_and_limits:
-    return 92.7 * MPa * std::pow(10, 0.294 * density_between(sand, e) - 0.287 * *sand.least_void_ratio);
+    return 92.7 * MPa * std::pow(10, 0.294 * *relative_density_of(sand, e) - 0.287 * *sand.least_void_ratio);
   case PooledForm::grading:
     return 39.4 * MPa * hardin_richart_factor(2.97, e) * std::pow(*sand.uniformity, -0.252);
   case PooledForm::relative_density:
@@ -86,10 +84,31 @@ Sand sand_of(const KnownSand& known) {
           .quartz = std::string_view(known.mineral) == "quartz"};
 }
 
+std::optional<double> relative_density_of(const Sand& sand, double void_ratio) {
+  return has_limits(sand)
+             ? (*sand.largest_void_ratio - void_ratio) / (*sand.largest_void_ratio - *sand.least_void_ratio)
+             : sand.relative_density;
+}
+
+void require_density(const Sand& sand, double void_ratio) {
+  constexpr double densest = 1.2, rounding = 1e-9;
+  const std::optional<double> D_r = relative_density_of(sand, void_ratio);
+  if (!D_r || (*D_r >= -rounding && *D_r <= densest + rounding))
+    return;
+  if (!has_limits(sand))
+    throw InvalidArgument("relative_density", *D_r, "", "[0, 1.2]");
+  const double least = *sand.least_void_ratio, largest = *sand.largest_void_ratio;
+  require_void_ratio_limits(least, largest);
+  throw InvalidArgument("void_ratio", void_ratio, "",
+                        "[" + short_text(largest - densest * (largest - least)) + ", " + short_text(largest) +
+                            "], a relative density of 0 to 1.2 between e_min " + short_text(least) +
+                            " and e_max " + short_text(largest));
+}
+
 PooledForm form_of(const Sand& sand) {
   if (sand.tests)
     return PooledForm::own_tests;
-  if (sand.least_void_ratio && sand.largest_void_ratio)
+  if (has_limits(sand))
     return PooledForm::density_and_limits;
   if (sand.uniformity)
     return PooledForm::grading;
@@ -135,6 +154,11 @@ double forecast_variance(const Sand& sand, double from, double to) {
 }
 
 double pooled_shear_modulus(const Sand& sand, double void_ratio, double mean_stress) {
+  require_density(sand, void_ratio);
+  return extrapolated_shear_modulus(sand, void_ratio, mean_stress);
+}
+
+double extrapolated_shear_modulus(const Sand& sand, double void_ratio, double mean_stress) {
   require_valid(sand, void_ratio, mean_stress);
   return sand.level_factor * level(sand, void_ratio) * growth_factor(sand, mean_stress);
 }
@@ -153,7 +177,10 @@ double stated_factor(const Sand& sand, double void_ratio, double mean_stress) {
   const double p = std::max(mean_stress, 1.0); // without stress the modulus is zero
   const double by_stress =
       0.3 * beyond(std::log(p), std::log(least_tested_stress), std::log(largest_tested_stress));
-  const double by_density = 3 * beyond(void_ratio, least_e, largest_e);
+  const double limits_apart = has_limits(sand) ? *sand.largest_void_ratio - *sand.least_void_ratio
+                                               : usual_largest_void_ratio - usual_least_void_ratio;
+  const double beyond_limits = limits_apart * beyond(relative_density_of(sand, void_ratio).value_or(0), 0, 1);
+  const double by_density = 3 * std::max(beyond_limits, beyond(void_ratio, least_e, largest_e));
   return std::min(most, std::exp(std::hypot(std::log(within), by_stress, by_density)));
 }
 
@@ -177,6 +204,8 @@ Validity outside_of_tests(const Sand& sand, double void_ratio, double mean_stres
                 " lies outside of the sands tested, " + short_text(low) + " to " + short_text(high) + unit);
   };
   note("a void ratio", void_ratio, least_e, largest_e, "");
+  if (const double D_r = relative_density_of(sand, void_ratio).value_or(0); D_r > 1 + 1e-9)
+    notes.add("a relative density of " + percent_text(D_r) + " is beyond the densest state of its sand");
   if (mean_stress > noted_above)
     notes.add("a mean stress of " + pretty(mean_stress, Dimension::pressure) +
               " lies far outside of the sands tested, 25 to 500 kPa");

@@ -90,7 +90,7 @@ double damping_ratio(double r) { return std::max(0.0, 0.333 * (0.586 * r * r - 1
 StrainAnswer strained(const StrainedSand& s) {
   require_open("strain", s.strain, 0, 0.05 * (1 + 1e-12));
   require_positive("mean_stress", s.mean_stress, "Pa");
-  (void)pooled_shear_modulus(s.sand, s.void_ratio, s.mean_stress); // refuses impossible values
+  (void)extrapolated_shear_modulus(s.sand, s.void_ratio, s.mean_stress); // refuses impossible values
   StrainAnswer out{.ratio = s.sand.uniformity ? wang_stokoe_ratio_e_C_u(s) : wang_stokoe_ratio_e(s),
                    .validity = {}};
   const double r = out.ratio, usual = std::log(1.13);

@@ -63,7 +63,7 @@ TEST_CASE(
   CHECK(counted_part(packing, rough(1e-9)).contacts.size() == packing.contacts.size());
 }
 
-TEST_CASE("contacts that pull do not count between rough grains; where none presses nothing is left out") {
+TEST_CASE("contacts that pull do not count between rough grains, where none presses nothing is left out") {
   packing::Assembly packing = with_light_contacts(-0.01, 1);
   const std::size_t all = packing.contacts.size();
   CHECK(counted_part(packing, rough(1e-8)).contacts.size() == all - (all + 4) / 5);
@@ -72,7 +72,7 @@ TEST_CASE("contacts that pull do not count between rough grains; where none pres
   CHECK(counted_part(packing, rough(1e-8)).contacts.size() == all);
 }
 
-TEST_CASE("measure() counts that part; the contacts that are left out carry almost no stress") {
+TEST_CASE("measure() counts that part, the contacts that are left out carry almost no stress") {
   const contact::NormalLaw law = rough(1e-6);
   const packing::Assembly packing = with_light_contacts(0.03, 1e-3), counted = counted_part(packing, law);
   REQUIRE(counted.contacts.size() < packing.contacts.size());

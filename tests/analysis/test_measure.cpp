@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "packing/sample_packings.hpp"
@@ -122,6 +123,21 @@ TEST_CASE("a cubic lattice has the stiffness, the stress and the bounds of its s
   CHECK(micro.coordination_number == relative(6, 1e-15));
   CHECK(micro.mechanical_coordination_number == relative(6, 1e-15));
   CHECK(std::abs(micro.fabric_anisotropy) < 1e-12);
+}
+
+TEST_CASE("K of rung 3 stays within the bounds of the packing, its shear moduli stay") {
+  const Measurement m = measure(cubic(), own, {.closed_forms = true, .network = network::ResponseOptions{}});
+  const elastic::TransverselyIsotropic formula =
+      effective::relaxed(*m.state, *m.state->mechanical_coordination_number).stiffness;
+  const elastic::TransverselyIsotropic kept = m.closed_form(effective::RungName::relaxed)->stiffness;
+  CHECK(std::abs(formula.bulk_modulus() / (k_n / (3 * edge)) - 1) >
+        0.01); // both bounds of a lattice are its K
+  CHECK(kept.bulk_modulus() == relative(k_n / (3 * edge), 1e-12));
+  CHECK(kept.C44 == formula.C44);
+  CHECK(kept.C66() == relative(formula.C66(), 1e-12));
+  // Without a network no bound is known.
+  const Measurement free = measure(cubic(), own, {.closed_forms = true});
+  CHECK(free.closed_form(effective::RungName::relaxed)->stiffness == formula);
 }
 
 TEST_CASE("both matrices of a lattice are in its axes, with the moduli and waves of its springs") {

@@ -115,7 +115,7 @@ foreach(case "--grain-shape sand --growth fixed" "--sand toyoura --growth packin
   list(GET words 0 shape)
   granum_cli_test("infer: ${case}" EXIT 2 STDERR "^granum: error: --growth [^\n]*${shape} " ARGS ${speed} ${words})
 endforeach()
-granum_cli_test("infer: the growth of the same kind" EXIT 0 JSON "grain_shape=^sand$" ARGS ${speed} --sand toyoura --growth sand --json)
+granum_cli_test("infer: the growth of the same kind" EXIT 0 JSON "grain_shape=^sand$" ARGS ${speed} --sand ottawa-20-30 --growth sand --json)
 
 add_test(NAME "cli: infer, fit and sweep read the same columns"
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/columns"

@@ -169,7 +169,7 @@ TEST_CASE("rough spheres: pairs of unequal grains have their pair radius and the
 }
 
 TEST_CASE("rough spheres: numbers far out of the ordinary end in no NaN") {
-  for (const double roughness : {1e-300, 1e-30, 1e-12, 1e-3, 1e10})
+  for (const double roughness : {1e-300, 1e-30, 1e-12, 1e-8, 10e-6})
     for (const double f : {0.0, 1e-300, 1e-30, 1e-3, 1e3, 1e30, 1e300}) {
       const RoughSphere law(quartz, R, roughness);
       CAPTURE(roughness);
@@ -184,4 +184,7 @@ TEST_CASE("rough spheres: numbers far out of the ordinary end in no NaN") {
     }
   CHECK_THROWS_AS(RoughSphere(quartz, R, -1e-9), InvalidArgument);
   CHECK_THROWS_AS(RoughSphere(quartz, -R, 1e-9), InvalidArgument);
+  CHECK_THROWS_AS(RoughSphere(quartz, R, 10.1e-6), InvalidArgument);
+  CHECK_THROWS_AS(RoughSphere(quartz, 1e-6, 1.1e-6), InvalidArgument);
+  CHECK(RoughSphere(quartz, 1e-6, 1e-6).roughness() == 1e-6);
 }

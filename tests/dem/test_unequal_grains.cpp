@@ -230,7 +230,7 @@ TEST_CASE("unequal grains: any number of threads, and save and load, give the sa
     }
 }
 
-TEST_CASE("sizes are written to the bit; a specimen of equal grains has the bytes that it had without them") {
+TEST_CASE("sizes are written to the bit, a specimen of equal grains has the bytes that it had without them") {
   const auto bytes_of = [](const Specimen& state) {
     ByteWriter bytes;
     save_specimen(bytes, state);

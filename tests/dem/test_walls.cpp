@@ -118,7 +118,7 @@ TEST_CASE("one grain between two walls: the force of a rigid plane in closed for
         relative(cone.law.force(2 * overlap), 1e-11));
 }
 
-TEST_CASE("a servo brings two walls to a stress; the grain's overlap is the law's") {
+TEST_CASE("a servo brings two walls to a stress, the grain's overlap is the law's") {
   const Material material = test::quartz(radius, 0.5);
   Specimen state = squeezed(1e-7, 0.5);
   state.cell(1, 1) = state.cell(2, 2) = 2 * (radius - 1e-7);

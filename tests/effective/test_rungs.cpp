@@ -134,7 +134,7 @@ TEST_CASE("rungs: a vanishing modulus has no exponents, the others have") {
             }
 }
 
-TEST_CASE("rungs: no contacts, no stiffness and no exponents; missing inputs are reported") {
+TEST_CASE("rungs: no contacts, no stiffness and no exponents, missing inputs are reported") {
   State none = packing();
   none.coordination_number = 0;
   for (const Rung& rung : closed_forms()) {

@@ -360,8 +360,7 @@ TEST_CASE("answer: Poisson's ratio of an anisotropic packing may exceed 0.5, and
 }
 
 TEST_CASE("answer: an input is changed as far as a packing is possible") {
-  const Question q =
-      grains_of(2, 0, 9000e5, 1e5); // forces of 9,000 to 1, near the most that a state may have
+  const Question q = grains_of(2, 1.2, 1e5, 1e5); // near 7/5, the most that a fabric may have
   Question counted = q;
   counted.state.coordination_number = 5.5;
   counted.state.mechanical_coordination_number = 5.7;

@@ -128,6 +128,23 @@ TEST_CASE("inference: the growth of z* is fitted on request") {
   CHECK(fixed.together->chi_square() > 1);
   CHECK_FALSE(fixed.together->growth_exponent());
   CHECK_THROWS_AS((void)infer(std::span(all).first(1), options_with(GrowthRule::fitted)), InvalidArgument);
+  // Stresses too close, and a growth that no packing has.
+  const auto second = [&](double p, double z) {
+    return infer(std::vector{all.front(), measurement(Quantity::V_s, beads(p), z, 0.01)},
+                 options_with(GrowthRule::fitted));
+  };
+  CHECK_THROWS_AS((void)second(1.01e6, 4.8), InvalidArgument);
+  CHECK_THROWS_AS((void)second(1.6e6, isostatic + 0.8 * std::pow(1.6, 2.5)), InvalidArgument);
+}
+
+TEST_CASE("inference: a compression wave too slow for its shear wave is refused") {
+  const auto speed = [](Quantity quantity, double value) {
+    return Observation{quantity, {value, 0.01 * value}, beads(1e6)};
+  };
+  for (const Quantity wave : {Quantity::V_p, Quantity::V_p_h})
+    for (const Quantity shear : {Quantity::V_s, Quantity::V_s_hh})
+      CHECK_THROWS_WITH_AS((void)infer(std::vector{speed(shear, 200), speed(wave, 220)}, options_with()),
+                           doctest::Contains(inverse::row_of(wave).key), InvalidArgument);
 }
 
 TEST_CASE("inference: z* grows as in granum's packings, and the void ratio decreases") {

@@ -183,3 +183,40 @@ TEST_CASE("measurements without information are refused") {
   CHECK_THROWS_AS((void)infer_sand(std::vector{measured(Quantity::V_s, 250, 0.02, 1e5)}, light),
                   InvalidArgument);
 }
+
+TEST_CASE("a compression wave too slow for its shear wave is refused") {
+  // sqrt(4/3) = 1.155, and three errors of 1 % in either speed.
+  const auto of = [](double V_p, double error) {
+    return infer_sand(
+        std::vector{measured(Quantity::V_s, 200, error, 1e5), measured(Quantity::V_p, V_p, error, 1e5)},
+        quartz());
+  };
+  CHECK_THROWS_WITH_AS((void)of(220, 0.01), doctest::Contains("V_p"), InvalidArgument);
+  CHECK_NOTHROW((void)of(224, 0.01));
+  CHECK_NOTHROW((void)of(220, 0.02));
+  // A modulus beside a speed, by the density of the packing.
+  const double rho = 2650 / 1.58;
+  const auto beside = [&](Quantity quantity, double modulus) {
+    return infer_sand(std::vector{measured(Quantity::V_p, 300, 0, 1e5), measured(quantity, modulus, 0, 1e5)},
+                      quartz());
+  };
+  CHECK_THROWS_AS((void)beside(Quantity::K, 1.01 * rho * 300 * 300), InvalidArgument);
+  CHECK_NOTHROW((void)beside(Quantity::K, 0.99 * rho * 300 * 300));
+  CHECK_THROWS_AS((void)beside(Quantity::G_hh, 0.76 * rho * 300 * 300), InvalidArgument);
+  // At another stress both may be true.
+  CHECK_NOTHROW((void)infer_sand(
+      std::vector{measured(Quantity::V_s, 300, 0.01, 4e5), measured(Quantity::V_p, 200, 0.01, 1e4)},
+      quartz()));
+}
+
+TEST_CASE("an exponent that fitted measurements do not determine, or that no sand has, makes no forecast") {
+  const auto fitted = [](double G_1, double p_2, double G_2, double error) {
+    return infer_sand(
+        std::vector{measured(Quantity::G_vh, G_1, error, 1e5), measured(Quantity::G_vh, G_2, error, p_2)},
+        quartz(), SandGrowth::fitted);
+  };
+  CHECK_THROWS_AS((void)fitted(90e6, 101e3, 91e6, 0.02), InvalidArgument);
+  CHECK_THROWS_AS((void)fitted(90e6, 4e5, 90e6 * std::pow(4, 1.4), 0.01), InvalidArgument);
+  CHECK_THROWS_AS((void)fitted(90e6, 4e5, 90e6 * std::pow(4, -0.4), 0.01), InvalidArgument);
+  CHECK(fitted(90e6, 4e5, 180e6, 0.02).exponent().standard_error < 0.05);
+}

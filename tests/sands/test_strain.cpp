@@ -64,14 +64,14 @@ TEST_CASE("strain: every law falls with strain and rises with stress, from 1") {
   }
 }
 
-TEST_CASE("strain: damping grows as G falls; small strain keeps 95 % from 50 kPa on") {
+TEST_CASE("strain: damping grows as G falls, small strain keeps 95 % from 50 kPa on") {
   CHECK(damping_ratio(1) == relative(0.333 * 0.039, 1e-13));
   CHECK(damping_ratio(0.5) == relative(0.333 * (0.586 * 0.25 - 1.547 * 0.5 + 1), 1e-14));
   CHECK(strained(sand(1e-3, 100e3)).damping > strained(sand(1e-4, 100e3)).damping);
   CHECK(strained(sand(small_strain, 50e3)).ratio > 0.95);
 }
 
-TEST_CASE("strain: notes if cycles matter or laws end; impossible strains are refused") {
+TEST_CASE("strain: notes if cycles matter or laws end, impossible strains are refused") {
   CHECK(strained(sand(1e-4, 100e3)).validity.ok());
   CHECK(strained(sand(1e-3, 100e3)).validity.notes.size() == 1);
   CHECK(strained(sand(1e-2, 100e3)).validity.notes.size() == 1);

@@ -83,7 +83,7 @@ TEST_CASE("two stated errors of s cover 19 of 20 specimens not used for the scat
   CHECK(within_two >= 0.92 * all);
 }
 
-TEST_CASE("the scatter of s falls with the root of the grains; a power-law contact has that of a flat one") {
+TEST_CASE("the scatter of s falls with the root of the grains, a power-law contact has that of a flat one") {
   const auto at = [](Shape contact, std::size_t count) {
     return exponent_scatter(contact, Density::loose, ExponentRoute::network, count).deviation;
   };

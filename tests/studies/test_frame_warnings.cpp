@@ -201,7 +201,7 @@ TEST_CASE("frame warnings: contacts with walls") {
   CHECK(counts.coordination_number_with_walls == 1.5);
 }
 
-TEST_CASE("frame warnings: directions that no E(gamma; a) has") {
+TEST_CASE("frame warnings: directions that no E(gamma, a) has") {
   // every normal at 45 degrees, evenly round the axis: axisymmetric, but no such density
   io::ContactTable cone;
   for (int k = 0; k < 400; ++k)

@@ -339,7 +339,7 @@ io::ImportedPacking turned_chain() {
 
 } // namespace
 
-TEST_CASE("frame: moments that are left are named, and rung 3 is withheld; packings without them are not") {
+TEST_CASE("frame: moments that are left are named, and rung 3 is withheld, packings without them are not") {
   const MeasuredFrame frame = measure_frame(turned_chain(), known);
   REQUIRE((frame.packing.forces && frame.packing.forces->unbalance));
   CHECK(frame.packing.forces->unbalance->force_ratio < 1e-15);

@@ -268,7 +268,7 @@ TEST_CASE("a study in the periodic cell refuses walls") {
   CHECK(refusal([&] { (void)run_study(scene); }).starts_with("specimen.boundary = walls"));
 }
 
-TEST_CASE("sizes of grains are a text; those that a scene cannot take are refused by name") {
+TEST_CASE("sizes of grains are a text, those that a scene cannot take are refused by name") {
   Scene scene;
   const SceneKey& key = scene_key("grain.sizes");
   CHECK(key.get(scene) == KeyValue(std::string("equal")));

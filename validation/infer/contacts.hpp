@@ -185,20 +185,20 @@ inline void judge(const std::string& path, Claims& claims) {
   Numbers laws = sphere;
   laws.add(power_law);
   print("both as power-law", laws);
-  const auto held = [&](const char* what, const Judged& one, double two = 0.92) {
-    claims.require(one.coverage.one() >= 0.6 && one.coverage.one() <= 0.8 && one.coverage.two() >= two,
-                   std::string(what) + ": 60 to 80 % within one stated error, " +
-                       std::to_string(int(100 * two)) + " % within two");
+  const auto covered = [](const Judged& one) {
+    return one.coverage.one() >= 0.6 && one.coverage.one() <= 0.75 && one.coverage.two() >= 0.92;
   };
-  held("z* of power laws", laws.z);
-  held("k_n of power laws", laws.stiffness);
-  held("alpha", laws.shape, 0.88); // loose spheres gain contacts faster than the law of growth: README.md
-  held("z* of rough spheres", rough.z);
-  held("k_n of rough spheres", rough.stiffness);
-  held("u0", rough.shape);
-  claims.require(laws.z.error.rms() < 0.2 && rough.z.error.rms() < 0.15, "z*: rms 0.20 and 0.15 (rough)");
-  claims.require(laws.stiffness.error.rms() < 0.09 && rough.stiffness.error.rms() < 0.09, "k_n: rms 9 %");
-  claims.require(laws.shape.error.rms() < 0.3, "alpha: rms 0.3");
+  const std::string coverage = ": 60 to 75 % within one stated error, 92 % within two";
+  claims.require(covered(laws.z), "z* of power laws" + coverage);
+  Claims::aim(covered(laws.stiffness), "k_n of power laws" + coverage);
+  Claims::aim(covered(laws.shape), "alpha" + coverage); // loose spheres gain contacts faster than the law
+  claims.require(covered(rough.z), "z* of rough spheres" + coverage);
+  claims.require(covered(rough.stiffness), "k_n of rough spheres" + coverage);
+  claims.require(covered(rough.shape), "u0" + coverage);
+  Claims::aim(laws.z.error.rms() < 0.15, "z* of power laws: rms 0.15"); // dense: K/G hardly depends on z*
+  claims.require(rough.z.error.rms() < 0.15, "z* of rough spheres: rms 0.15");
+  claims.require(laws.stiffness.error.rms() < 0.08 && rough.stiffness.error.rms() < 0.08, "k_n: rms 8 %");
+  Claims::aim(laws.shape.error.rms() < 0.2, "alpha: rms 0.2");
   claims.require(alone.shape.determined == 0, "V_s alone determines no alpha");
   claims.require(laws.refused + rough.refused <= 0.01 * (laws.z.error.count() + rough.z.error.count()),
                  "99 % of the fits converge");

@@ -4,6 +4,7 @@
 
     reduce.py FOLDER OUT             FOLDER of granum reproduce; OUT gets the files
     reduce.py seeds OUT FOLDER...    angles_by_seed.csv of runs that differ in their seeds, OUT's own the first
+    reduce.py guess OUT              prints the rms of the exponents of Table 5 less the printed ones, and that of a guess
 
 Tables as they are; states and curves in six digits, states without their 6x6 matrices, every fifth point of the
 curves; and angles_by_strain.csv, the mobilised friction angle if each path had ended at a smaller axial strain,
@@ -81,7 +82,25 @@ def angles_by_seed(out, folders):
           f"{sum(g <= 2.5 for g in off)} within 2.5")
 
 
+def beside_a_guess(out):
+    """The guess: s = 1/(1+alpha), 0.2 more if loose, and m = n = s/2."""
+    of_contact = {"cone": 1 / 2, "sphere": 1 / 3, "flat": 0}
+    for density, more in (("dense", 0), ("loose", 0.2)):
+        off, guessed = [], []
+        for row in rows_of(out / "table5.csv"):
+            if row["density"] == density and row["paper"]:
+                s = of_contact[row["contact"]] + more
+                printed = float(row["paper"])
+                off.append(float(row["granum"]) - printed)
+                guessed.append((s if row["quantity"].startswith("s") else s / 2) - printed)
+        rms = [math.sqrt(statistics.fmean(x * x for x in of)) for of in (off, guessed)]
+        print(f"{density}: {len(off)} exponents, rms {rms[0]:.3f}; guess {rms[1]:.3f}")
+
+
 def main():
+    if len(sys.argv) == 3 and sys.argv[1] == "guess":
+        beside_a_guess(pathlib.Path(sys.argv[2]))
+        return
     if len(sys.argv) > 3 and sys.argv[1] == "seeds":
         angles_by_seed(pathlib.Path(sys.argv[2]), [pathlib.Path(name) for name in sys.argv[3:]])
         return

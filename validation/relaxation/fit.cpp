@@ -363,8 +363,11 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfi
                      same(result.bulk.covariance, kernel::bulk_covariance) &&
                      same(result.stretch.covariance, kernel::stretch_covariance),
                  "so are their covariances");
-  for (const FactorErrors* e : {&by_contact, &by_preparation, &by_seed, &by_unfitted})
+  for (const FactorErrors* e : {&by_contact, &by_preparation, &by_seed, &by_unfitted}) {
     claims.require(e->shear.count() > 0 && e->shear.rms() < 0.04, "G of packings left out: 4 % rms");
+    Claims::aim(e->shear.worst() < 0.10,
+                "G of packings left out: 10 % at worst (" + number(100 * e->shear.worst(), 2) + " %)");
+  }
   // Not claimed by contact: flat ones (b = 0) are the end of the range, and K does not extrapolate to them.
   for (const FactorErrors* e : {&by_preparation, &by_seed, &by_unfitted})
     claims.require(e->bulk.rms() < 0.02, "K of packings left out: 2 % rms");
@@ -375,8 +378,9 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfi
     claims.require(c->largest_stated <= 0.06, "stated errors of usual packings: 6 % at most");
   }
   claims.require(sheared.axis_ratio.rms() < 0.03, "C33/C11 of sheared states: 3 % rms");
-  claims.require(exponents.others < 0.03 && exponents.dense_cones < 0.04,
-                 "s within 0.03, growth given; of dense cones within 0.04");
+  claims.require(exponents.others < 0.03, "s within 0.03, growth given");
+  Claims::aim(exponents.dense_cones < 0.03,
+              "s of dense cones within 0.03, growth given (" + number(exponents.dense_cones, 2) + ")");
   claims.require(rattler_error < 0.02,
                  "z* = C_n/(1-x_0) within 2 % (" + number(100 * rattler_error, 2) + " %)");
   check_sizes(unequal, gradations, result, claims);

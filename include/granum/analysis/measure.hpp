@@ -87,7 +87,4 @@ struct Wanted {
 ///           bins out of range
 [[nodiscard]] Forces measure_forces(const packing::Assembly& assembly, const Given& given, std::size_t bins);
 
-/// Results of all closed forms of the table of rungs for a state, in its order.
-[[nodiscard]] std::vector<ClosedForm> closed_forms(const effective::State& packing);
-
 } // namespace granum::analysis

@@ -123,6 +123,9 @@ struct ClosedForm {
   std::string refusal = {}; ///< empty if there is an answer
 };
 
+/// Results of all closed forms of the table of rungs for a state, in its order.
+[[nodiscard]] std::vector<ClosedForm> closed_forms(const effective::State& packing);
+
 /// Measurements of one packing. Parts that were not requested, or lack input, are empty; `notes` list what
 /// was missing.
 struct Measurement {
@@ -144,9 +147,10 @@ struct Measurement {
   std::optional<contact::NormalLaw> law = {};       ///< of contacts of grains of the equivalent radius
   /// Input of the closed forms: C_n, e and a, of the interior between walls, stress and contact law.
   std::optional<effective::State> state = {};
-  std::vector<ClosedForm> closed_forms = {}; ///< as effective::closed_forms(); empty without a state
-  std::optional<Network> network = {};       ///< empty if no grain carries load
-  std::vector<std::string> notes = {};       ///< assumptions and missing data, a sentence each
+  /// As effective::closed_forms(); empty without a state. K of rung 3 is within the bounds of the network.
+  std::vector<ClosedForm> closed_forms = {};
+  std::optional<Network> network = {}; ///< empty if no grain carries load
+  std::vector<std::string> notes = {}; ///< assumptions and missing data, a sentence each
 
   /// C_n, z*, rattlers, a and sliding: of the interior where it was measured, else of all grains.
   /// \throws   InvalidArgument for fewer than 2 contacts, which have no fabric
@@ -159,5 +163,11 @@ struct Measurement {
   /// \throws   NotConverged if no grain carries load, so that there is no network
   [[nodiscard]] const Network& solved_network() const;
 };
+
+/// Moves K of rung 3, an estimate, into the bounds of the network, with a note; its shear moduli stay. Rungs below
+/// are formulas of one motion and are compared with the network as they are. Nothing without a network, or where an
+/// interior was measured.
+/// Checked by tests/analysis/test_measure.cpp
+void keep_within_bounds(Measurement& measurement);
 
 } // namespace granum::analysis

@@ -84,8 +84,10 @@ class RoughSphere {
  public:
   using Kernel = std::variant<SphereKernel, RoughSphereKernel>;
 
+  static constexpr double largest_roughness = 10e-6; ///< [m]; beyond, few asperities touch
+
   /// \param    radius      R > 0 of each sphere [m]
-  /// \param    roughness   u0 >= 0 [m]; about 0.4 to 0.5 of the rms height of both surfaces together
+  /// \param    roughness   u0 from 0 to largest_roughness and R [m]; 0.4 to 0.5 of the rms of both surfaces
   /// \throws   InvalidArgument if one is out of range
   RoughSphere(const GrainMaterial& grain, double radius, double roughness);
 

@@ -72,7 +72,7 @@ class Answer {
   [[nodiscard]] const Validity& validity() const { return validity_; }
 
  private:
-  friend Answer answer(const Question& question, std::span<const Spread> spreads);
+  friend Answer possible_answer(const Question& question, std::span<const Spread> spreads);
   friend Answer sand_answer(const Question& question, std::span<const Spread> spreads);
   explicit Answer(effective::State state) : state_(std::move(state)) {}
 
@@ -101,15 +101,11 @@ class Answer {
 /// m); K, E and V_p with sands::poisson_ratio; the range from sands::stated_factor and the other deviations
 /// there. z* and the softness of contacts are inferred: with them rung 3 gives this Poisson's ratio and this
 /// G. Neither is known independently, and no other coordination number is stated.
-/// \throws   InvalidArgument as relaxed and contact_prior, for a saturation or density out of its range,
-///           for a shear strain of spheres, for spheres of C_u above sphere_uniformity_limit, if C_n, z* and
-///           x_0 are all given, and if the moduli exceed the range of a double
+/// \throws   InvalidArgument as require_valid, relaxed and contact_prior, if C_n, z* and x_0 are all given,
+///           and if the moduli exceed the range of a double
 /// Accuracy  the middle as relaxed at its z*; s of growing contacts 1e-7. No number is NaN, and each lies in
 ///           its range. Checked by tests/estimate/test_answer.cpp, tests/attack
 [[nodiscard]] Answer answer(const Question& question, std::span<const Spread> spreads = {});
-
-/// Largest C_u of spheres for which the answer is valid.
-inline constexpr double sphere_uniformity_limit = 4;
 
 /// The same with inputs changed by functions. If no packing is possible at a full deviation to one side, a
 /// half, a quarter and so on down to 1/32 of it is used, and else none.

@@ -44,6 +44,17 @@ struct Question {
   }
 };
 
+/// Refuses what no packing and no sand can be. Every answer begins with it, whatever program or table the
+/// question comes from; a question that is changed by a standard deviation may be beyond these limits.
+/// \throws   InvalidArgument as effective::require_valid and sands::require_density, for a saturation or
+///           density out of its range, for stresses that friction of 70 degrees cannot hold, and, for spheres,
+///           for a shear strain and C_u above sphere_uniformity_limit
+/// Checked by tests/estimate/test_question.cpp
+void require_valid(const Question& question);
+
+/// Largest C_u of spheres for which the answer is valid.
+inline constexpr double sphere_uniformity_limit = 4;
+
 /// An uncertain input: the question with the input changed by one standard deviation to each side.
 struct Spread {
   std::string input;    ///< its name

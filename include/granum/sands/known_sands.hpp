@@ -43,15 +43,14 @@ struct KnownSand {
 /// Checked by tests/sands/test_known_sands.cpp
 [[nodiscard]] const KnownSand& known_sand(std::string_view key);
 
-/// \throws   InvalidArgument unless e_min > 0 and e_max - e_min is in [1e-3, 100]
+/// Refuses limits that no soil has: those of well graded gravels differ by 0.15, those of glass beads also.
+/// \throws   InvalidArgument unless e_min >= 0.1, e_max <= 5 and e_max - e_min >= 0.05
 /// Checked by tests/sands/test_known_sands.cpp
 void require_void_ratio_limits(double least, double largest);
 
 /// e of a relative density D_r, e_max - D_r (e_max - e_min).
 /// \param    relative_density     D_r, in [0, 1.2]; above 1 if the sand is denser than at e_min [1]
-/// \param    least_void_ratio     e_min > 0 [1]
-/// \param    largest_void_ratio   e_max, larger by 1e-3 to 100 [1]
-/// \throws   InvalidArgument outside of these ranges
+/// \throws   InvalidArgument outside of this range, and as require_void_ratio_limits
 /// Accuracy  2 ulp of e_max.  Checked by tests/sands/test_known_sands.cpp
 [[nodiscard]] double void_ratio_of_relative_density(double relative_density, double least_void_ratio,
                                                     double largest_void_ratio);

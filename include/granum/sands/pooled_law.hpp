@@ -38,6 +38,14 @@ struct Sand {
 /// Known properties of a sand by its name.
 [[nodiscard]] Sand sand_of(const KnownSand& known);
 
+/// D_r at a void ratio: between the limits if both are known, else that of the sand, if it is known [1].
+[[nodiscard]] std::optional<double> relative_density_of(const Sand& sand, double void_ratio);
+
+/// Refuses a sand that is looser than its loosest state, or far denser than its densest.
+/// \throws   InvalidArgument as require_void_ratio_limits, and for D_r outside of [0, 1.2]
+/// Checked by tests/sands/test_pooled_law.cpp
+void require_density(const Sand& sand, double void_ratio);
+
 /// The fit that is used: the first in this order, from best to worst, whose inputs are known.
 enum class PooledForm {
   own_tests,          ///< level, power and exponent of the sand's own tests
@@ -77,13 +85,17 @@ struct GrowthExponent {
 /// G of the vertical plane under isotropic stress, from the fit of form_of().
 /// \return   [Pa], 0 without stress
 /// \throws   InvalidArgument if a member of the sand is out of its range, or the void ratio is not in
-///           (0, 2.97), or (0, 2.17) for a sand's own tests
+///           (0, 2.97), or (0, 2.17) for a sand's own tests, and as require_density
 /// Accuracy  stated_factor(). Checked by tests/sands/test_pooled_law.cpp
 [[nodiscard]] double pooled_shear_modulus(const Sand& sand, double void_ratio, double mean_stress);
 
+/// The same without require_density: for states that are changed by a standard deviation.
+/// \throws   InvalidArgument as pooled_shear_modulus, but not for D_r
+[[nodiscard]] double extrapolated_shear_modulus(const Sand& sand, double void_ratio, double mean_stress);
+
 /// One standard deviation of G as a factor: 1.15 for a sand with tests of its own, 1.25 if e_min and e_max
 /// are known, 1.3 for any clean quartz sand, 1.6 for other ground (C_u above 8, gravel, shells); larger
-/// outside of the tested stresses and void ratios, at most 1.6.
+/// outside of the tested stresses and void ratios, and outside of e_min to e_max, at most 1.6.
 [[nodiscard]] double stated_factor(const Sand& sand, double void_ratio, double mean_stress);
 
 /// A note on a measured G that differs by more than a factor of 2.5 from sands of the same density and stress

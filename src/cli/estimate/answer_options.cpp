@@ -31,12 +31,15 @@ std::vector<std::string> keys_of(const Items& items) {
   return keys;
 }
 
+/// e_min and e_max, or those of usual sands.
+std::pair<double, double> void_ratio_limits(const AnswerOptions& o) {
+  return o.usual_limits ? std::pair(sands::usual_least_void_ratio, sands::usual_largest_void_ratio)
+                        : std::pair(o.least_void_ratio.value, o.largest_void_ratio.value);
+}
+
 double void_ratio_by_relative_density(const AnswerOptions& o) {
-  const double D_r = require_share(o.relative_density, 1.2);
-  return o.usual_limits ? sands::void_ratio_of_relative_density(D_r, sands::usual_least_void_ratio,
-                                                                sands::usual_largest_void_ratio)
-                        : sands::void_ratio_of_relative_density(D_r, o.least_void_ratio.value,
-                                                                o.largest_void_ratio.value);
+  const auto [least, largest] = void_ratio_limits(o);
+  return sands::void_ratio_of_relative_density(require_share(o.relative_density, 1.2), least, largest);
 }
 
 void apply_relative_density(PackingOptions& packing, AnswerOptions& o) {
@@ -58,13 +61,16 @@ void apply_earth_pressure(PackingOptions& packing, const AnswerOptions& o) {
   if (!k0.given())
     return;
   require_positive(k0.name, k0.value);
-  if (packing.stress_h.given()) {
-    if (k0.in_table || packing.stress_h.preset)
-      return; // a row with both, or already computed
-    throw InvalidArgument("--k0 sets --stress-h from --stress-v: give one of the two");
-  }
   if (!packing.stress_v.given())
     throw InvalidArgument("--k0 needs --stress-v");
+  if (packing.stress_h.given() && !packing.stress_h.preset) {
+    constexpr double rounding = 0.01; // a row of a table may have both, as far as they agree
+    if (k0.in_table && std::abs(k0.value * packing.stress_v.value - packing.stress_h.value) <=
+                           rounding * packing.stress_h.value)
+      return;
+    throw InvalidArgument(
+        fmt::format("--k0 {} sets --stress-h from --stress-v: give one of the two", short_text(k0.value)));
+  }
   packing.stress_h.value = k0.value * packing.stress_v.value;
   packing.stress_h.preset = true;
 }
@@ -356,8 +362,10 @@ std::vector<estimate::UncertainInput> uncertain_inputs_of(const PackingOptions& 
                           AnswerOptions moved_options = given_options;
                           Number& number = *movable(moved, moved_options)[k];
                           number.value += change;
-                          if (&number == &moved_options.relative_density)
-                            moved.void_ratio.value = void_ratio_by_relative_density(moved_options);
+                          if (&number == &moved_options.relative_density) {
+                            const auto [least, largest] = void_ratio_limits(moved_options);
+                            moved.void_ratio.value = largest - number.value * (largest - least);
+                          }
                           return question_of(moved, moved_options);
                         }});
   }

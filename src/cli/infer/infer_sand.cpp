@@ -29,17 +29,31 @@ ordered_json range_json(const estimate::Range& range) {
   return {{"value", range.value}, {"low", range.low}, {"high", range.high}};
 }
 
-std::string contacts_text(const SandInference& sand, const effective::State& at) {
+/// Why contacts are not determined: "" if they are.
+const char* contacts_missing(const InferCase& question, const SandInference& sand) {
+  if (sand.tells_contacts())
+    return "";
+  bool shear = false, compression = false;
+  for (const inverse::Observation& m : question.measurements) {
+    const effective::Modulus of = inverse::row_of(m.quantity).modulus;
+    const bool shears = of == effective::Modulus::G_vh || of == effective::Modulus::G_hh;
+    shear = shear || shears;
+    compression = compression || !shears;
+  }
+  return shear && compression ? ";\n            few contacts and soft ones cannot be distinguished by these\n"
+                                "            measurements: their errors are too large"
+                              : ";\n            few contacts and soft ones cannot be distinguished by these\n"
+                                "            measurements; V_p and V_s together would";
+}
+
+std::string contacts_text(const InferCase& question, const SandInference& sand, const effective::State& at) {
   const auto range = [&](Field field) {
     const estimate::Range r = sand.contacts(field, at);
     return fmt::format("{} ({} to {})", short_text(r.value, 3), short_text(r.low, 3), short_text(r.high, 3));
   };
   return fmt::format("  contacts  z* {}, k/k_H {}: inferred{}\n",
                      range(Field::mechanical_coordination_number), range(Field::contact_softness),
-                     sand.tells_contacts()
-                         ? ""
-                         : ";\n            few contacts and soft ones cannot be distinguished "
-                           "by these\n            measurements; V_p and V_s together would");
+                     contacts_missing(question, sand));
 }
 
 } // namespace
@@ -65,7 +79,7 @@ std::string sand_inference_text(const InferCase& question, const SandInference& 
     text += fmt::format("  chi^2 {} with {} degrees of freedom; probability of as much or more: {}\n",
                         short_text(sand.chi_square(), 3), sand.degrees_of_freedom(),
                         short_text(sand.probability(), 2));
-  text += contacts_text(sand, first);
+  text += contacts_text(question, sand, first);
   for (const auto& [state, specimen] : question.predicted) {
     text += fmt::format("\npredicted at {}\n", place_text(state));
     for (const Quantity quantity : foretold) {

@@ -90,8 +90,8 @@ StateRecord state_record(const dem::Specimen& state, const dem::Material& materi
   record(measure(frozen.state(), material, out.stress, stop_requested), out);
   out.micro.sliding_fraction = sliding_fraction(dem::contact_network(state, material));
   if (probed) {
-    const std::string failure =
-        failure_of([&] { out.probes = run_probes(frozen.state(), material, stop_requested); });
+    const std::string failure = failure_of(
+        [&] { out.probes = run_probes(frozen.state(), material, {.stop_requested = stop_requested}); });
     if (!failure.empty())
       notes.push_back("not probed at eta = " + short_text(at.stress.ratio()) +
                       ", p' = " + pretty(at.stress.mean(), Dimension::pressure) + ": " + failure);

@@ -2,7 +2,6 @@
 #include "probes.hpp"
 
 #include <granum/contact/pair.hpp>
-#include <granum/triaxial/probe.hpp>
 
 namespace granum::studies {
 
@@ -23,8 +22,8 @@ analysis::Given known_of(const dem::Specimen& state, const dem::Material& materi
 }
 
 Probes run_probes(const dem::Specimen& state, const dem::Material& material,
-                  const StopRequest& stop_requested) {
-  const auto [hh, hv, vh] = triaxial::probe_all(state, material, {.stop_requested = stop_requested});
+                  const triaxial::ProbeOptions& options) {
+  const auto [hh, hv, vh] = triaxial::probe_all(state, material, options);
   return {.G_hh = hh.shear_modulus(),
           .G_hv = hv.shear_modulus(),
           .G_vh = vh.shear_modulus(),

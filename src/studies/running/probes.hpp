@@ -2,8 +2,8 @@
 #pragma once
 
 #include <granum/analysis/measure.hpp>
-#include <granum/core/stop_request.hpp>
 #include <granum/dem/specimen.hpp>
+#include <granum/triaxial/probe.hpp>
 
 /// Measurements by DEM on specimens of granum.
 namespace granum::studies {
@@ -22,8 +22,8 @@ struct Probes {
 [[nodiscard]] analysis::Given known_of(const dem::Specimen& state, const dem::Material& material);
 
 /// Shear moduli of a frozen state by DEM.
-/// \throws   NotConverged if a probe does not come to rest; Stopped on stop_requested
+/// \throws   NotConverged if a probe does not come to rest; Stopped on options.stop_requested
 [[nodiscard]] Probes run_probes(const dem::Specimen& state, const dem::Material& material,
-                                const StopRequest& stop_requested);
+                                const triaxial::ProbeOptions& options);
 
 } // namespace granum::studies

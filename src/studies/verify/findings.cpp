@@ -91,35 +91,18 @@ void judge_worst(std::vector<Verdict>& out, const std::string& claim, const Wors
 
 double relative_difference(double a, double b) { return std::abs(a / b - 1); }
 
-/// Contribution of the contact forces to a shear modulus of the network, relative; the larger of two [1].
-double largest_force_share(const CompressedState& s) {
-  return std::max(std::abs(G_hh_by_forces(s) / G_hh_network(s)),
-                  std::abs(G_vh_by_forces(s) / G_vh_network(s)));
-}
-
-/// Relative difference between probes and network, contact forces included.
-double probe_error(const CompressedState& s) {
-  return std::max(relative_difference(s.probes->G_hh, G_hh_network(s) + G_hh_by_forces(s)),
-                  relative_difference(s.probes->G_hv, G_vh_network(s) + G_vh_by_forces(s)));
-}
-
-/// Forces are included to first order. The rest of the difference: contacts with very small forces open, and
-/// in loose packings soft modes relax slowly. These are a few contacts, a larger share in small specimens. Of
-/// 37 seeds of the default scene the worst differences are 0.16 % (dense) and 0.78 % (loose). States whose
-/// first order exceeds the loose limit have a motion that is stable by forces and not by stiffness; they are
-/// left out: 3 of some 330 loose ones.
+/// Forces are included to first order. States whose first order exceeds the limit have a motion that is stable
+/// by forces and not by stiffness; they are left out: 3 of some 330 loose ones.
 void judge_probes(std::vector<Verdict>& out, const Scene& scene,
                   const std::vector<SpecimenResult>& specimens) {
-  constexpr double dense_limit = 3e-3, loose_limit = 1e-2;
-  const double few = std::max(1.0, 1000.0 / static_cast<double>(scene.study.grains));
   for (const Density density : scene.study.densities) {
-    const double limit = few * (density == Density::dense ? dense_limit : loose_limit);
+    const double limit = probe_limit(scene, density), by_forces_from = probe_limit(scene, Density::loose);
     Worst worst;
     std::size_t by_forces = 0;
     for (const SpecimenResult& specimen : specimens)
       for (const CompressedState& state : specimen.states)
         if (specimen.density == density && state.probes) {
-          if (largest_force_share(state) > few * loose_limit)
+          if (largest_force_share(state) > by_forces_from)
             ++by_forces;
           else
             worst.take(probe_error(state));

@@ -41,6 +41,13 @@ struct CompressedState {
 /// Contribution of the contact forces to them, as measured by a probe (network::ForceTerms) [Pa].
 [[nodiscard]] double G_hh_by_forces(const CompressedState& state);
 [[nodiscard]] double G_vh_by_forces(const CompressedState& state);
+/// The contribution of the forces relative to the network; the larger of two [1].
+[[nodiscard]] double largest_force_share(const CompressedState& state);
+/// Relative difference between probes, which the state has, and network with its contact forces [1].
+[[nodiscard]] double probe_error(const CompressedState& state);
+/// Difference up to which probe and network agree: contacts with very small forces open in one half of the
+/// cycle, a larger share of them in small and in loose specimens.
+[[nodiscard]] double probe_limit(const Scene& scene, triaxial::Density density);
 
 /// One specimen on its isotropic path.
 struct SpecimenResult {

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Limits of questions: each refused value, and the last one that is not.
+#include <granum/estimate/answer.hpp>
+
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <relative.hpp>
+
+#include "questions.hpp"
+
+using namespace granum;
+using estimate::Field;
+using estimate::GrainShape;
+using estimate::Question;
+
+namespace {
+
+const sands::Sand limited{.least_void_ratio = 0.6, .largest_void_ratio = 1.0};
+
+Question of_sand(double void_ratio, const sands::Sand& sand = limited) {
+  Question q = test::grains_of(2, 0, 100e3, 100e3);
+  q.grain_shape = GrainShape::sand;
+  q.state.void_ratio = void_ratio;
+  q.sand = sand;
+  return q;
+}
+
+/// The name of the number that is refused; "" if the question is answered.
+std::string refused(const Question& q) {
+  try {
+    (void)estimate::answer(q);
+    return "";
+  } catch (const InvalidArgument& error) {
+    return error.refused() ? error.refused()->name : "?";
+  }
+}
+
+bool is_noted(const Question& q) { return !estimate::answer(q).validity().ok(); }
+
+Question with_ratio(GrainShape shape, double k0) {
+  Question q = of_sand(0.7);
+  q.grain_shape = shape;
+  q.state.stress_h = k0 * q.state.stress_v;
+  return q;
+}
+
+} // namespace
+
+TEST_CASE(
+    "question: a sand is between its limits, a little denser with a note and a wider range, or refused") {
+  CHECK(refused(of_sand(1.0)) == "");
+  CHECK(refused(of_sand(1.001)) == "void_ratio");
+  CHECK(refused(of_sand(0.6)) == "");
+  CHECK_FALSE(is_noted(of_sand(0.6)));
+  CHECK(refused(of_sand(0.52)) == "");
+  CHECK(is_noted(of_sand(0.52)));
+  CHECK(refused(of_sand(0.519)) == "void_ratio");
+  const auto width = [](double e) {
+    return estimate::answer(of_sand(e))[Field::shear_modulus].relative_error();
+  };
+  CHECK(width(0.6) == relative(width(0.9), 1e-12));
+  CHECK(width(0.52) > 1.2 * width(0.6));
+  // The same where the relative density is known by itself.
+  CHECK(refused(of_sand(0.7, {.relative_density = 1.2})) == "");
+  CHECK(is_noted(of_sand(0.7, {.relative_density = 1.2})));
+  CHECK(refused(of_sand(0.7, {.relative_density = 1.21})) == "relative_density");
+  CHECK(refused(of_sand(0.7, {.relative_density = -0.01})) == "relative_density");
+  // Limits are facts on the grains, also if these are taken for spheres.
+  Question spheres = of_sand(0.519);
+  spheres.grain_shape = GrainShape::sphere;
+  CHECK(refused(spheres) == "void_ratio");
+}
+
+TEST_CASE("question: limits of the void ratio that no soil has are refused") {
+  const auto refused_limits = [](double least, double largest) {
+    return refused(of_sand(least, {.least_void_ratio = least, .largest_void_ratio = largest}));
+  };
+  CHECK(refused_limits(0.6, 0.65) == "");
+  CHECK(refused_limits(0.6, 0.649) == "largest_void_ratio");
+  CHECK(refused_limits(0.9, 0.6) == "largest_void_ratio");
+  CHECK(refused_limits(0.6, 5.1) == "largest_void_ratio");
+  CHECK(refused_limits(0.09, 0.6) == "least_void_ratio");
+}
+
+TEST_CASE("question: a standard deviation may lead beyond the limits, and widens the range") {
+  const Question q = of_sand(0.58);
+  const auto with = [&](double deviation) {
+    const estimate::UncertainInput input{
+        .input = "void-ratio", .deviation = deviation, .moved = [&](double change) {
+          Question moved = q;
+          moved.state.void_ratio += change;
+          return moved;
+        }};
+    return estimate::answer(q, std::span(&input, 1))[Field::shear_modulus];
+  };
+  CHECK(with(0.1).high > with(0.05).high); // to e 0.48, D_r 1.3
+  CHECK(with(0.1).high / with(0.1).value > std::pow(10, 0.294 * 0.1 / 0.4));
+}
+
+TEST_CASE("question: stresses that no friction can hold are refused, those of no soil noted") {
+  for (const GrainShape shape : estimate::all_grain_shapes) {
+    for (const double k0 : {0.031, 1 / 0.031})
+      CHECK(refused(with_ratio(shape, k0)) == "k0");
+    for (const double k0 : {0.032, 0.13, 1 / 0.13, 1 / 0.032}) {
+      CHECK(refused(with_ratio(shape, k0)) == "");
+      CHECK(is_noted(with_ratio(shape, k0)));
+    }
+  }
+  for (const double k0 : {0.135, 1.0, 1 / 0.135})
+    CHECK_FALSE(is_noted(with_ratio(GrainShape::sand, k0)));
+}
