@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/core/units.hpp>
 
 #include "cli/commands.hpp"
 #include "samples.hpp"
@@ -47,6 +49,12 @@ struct Line {
     line.words.insert(line.words.end(), {option, granum::exact_text(value) + unit});
     return line;
   }
+};
+
+/// An option of a line as a column of a table.
+struct Told {
+  std::string option, heading, cell;
+  std::optional<double> value; ///< of a number, in SI
 };
 
 /// Where most values of an option are taken from, by its name; others are of the decades of their type.
@@ -111,6 +119,37 @@ class Lines {
     if (line.json)
       line.words.emplace_back("--json");
     return line;
+  }
+
+  /// Options of a line that tables have as columns: all numbers, and texts on the grains and their contacts.
+  [[nodiscard]] std::vector<Told> told(const Line& line) const {
+    constexpr std::array texts{"--contact", "--preparation", "--grain", "--sand", "--grain-shape", "--sizes"};
+    const cli::Command& command = *std::find_if(program_->within.begin(), program_->within.end(),
+                                                [&](const cli::Command& c) { return c.name == line.name; });
+    std::vector<Told> all;
+    for (const cli::OptionRow& row : command.options) {
+      const std::string name = long_name(row);
+      const bool text = std::find(texts.begin(), texts.end(), name) != texts.end();
+      if (!line.has(name) || (row.value.number == nullptr && !text && name != "--uniformity"))
+        continue;
+      std::string heading = name.substr(2), cell = line.value(name);
+      std::replace(heading.begin(), heading.end(), '-', '_');
+      if (text) {
+        all.push_back({name, heading, cell, std::nullopt});
+        continue;
+      }
+      const auto dimension =
+          row.value.number != nullptr ? row.value.number->dimension : granum::Dimension::dimensionless;
+      double value = 0;
+      try {
+        value = granum::parse_quantity(name, cell, dimension);
+      } catch (const granum::Error&) {
+        continue; // a number that no double holds
+      }
+      const std::string unit(granum::si_symbol(dimension));
+      all.push_back({name, heading + (unit.empty() ? "" : "_" + unit), granum::exact_text(value), value});
+    }
+    return all;
   }
 
  private:
