@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/core/error.hpp>
 
-#include <granum/core/number.hpp>
+#include <granum/core/check.hpp>
 
 namespace granum {
 
@@ -9,11 +9,19 @@ namespace {
 
 std::string out_of_range_text(const std::string& name, double value, const std::string& unit,
                               const std::string& range) {
-  return name + " = " + detail::formatted("%.10g", value) + (unit.empty() ? "" : " " + unit) +
+  return name + " = " + detail::refused_text(value, range, 10) + (unit.empty() ? "" : " " + unit) +
          " is outside " + range;
 }
 
+std::string with_visible_nul(std::string text) {
+  for (std::size_t at = text.find('\0'); at != std::string::npos; at = text.find('\0', at))
+    text.replace(at, 1, "\\x00");
+  return text;
+}
+
 } // namespace
+
+Error::Error(const std::string& text) : std::runtime_error(with_visible_nul(text)) {}
 
 InvalidArgument::InvalidArgument(const std::string& name, double value, const std::string& unit,
                                  const std::string& range)

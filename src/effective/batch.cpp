@@ -195,10 +195,11 @@ std::string complaint(double pressure, double coordination_number, double porosi
     return std::string(InvalidArgument(name, value, unit, range).what());
   };
   if (!(pressure >= 0 && pressure <= most_pressure))
-    return outside("pressure", pressure, "Pa", detail::closed_range(0, most_pressure));
+    return outside("pressure", pressure, "Pa", detail::closed_range(0, most_pressure, pressure));
   if (!(coordination_number >= 0 && coordination_number <= most_contacts))
-    return outside("coordination_number", coordination_number, "", detail::closed_range(0, most_contacts));
-  return outside("porosity", porosity, "", detail::open_range(0, 1));
+    return outside("coordination_number", coordination_number, "",
+                   detail::closed_range(0, most_contacts, coordination_number));
+  return outside("porosity", porosity, "", detail::open_range(0, 1, porosity));
 }
 
 /// Results that exceed the caches are written past them, which saves reading their old content first.

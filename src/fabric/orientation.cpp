@@ -39,10 +39,8 @@ double anisotropy_from_F33(double F33) {
 Validity anisotropy_validity(double anisotropy) {
   Validity validity;
   if (std::abs(anisotropy) > 1)
-    validity.add(
-        detail::formatted("fabric anisotropy %.4g is outside [-1, 1]: the density of contact normals "
-                          "is negative in some directions",
-                          anisotropy));
+    validity.add("fabric anisotropy " + detail::refused_text(anisotropy, "[-1, 1]", 4) +
+                 " is outside [-1, 1]: the density of contact normals is negative in some directions");
   return validity;
 }
 

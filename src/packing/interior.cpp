@@ -119,7 +119,7 @@ Interior::Interior(const Mat3& cell, const Vec3& low, const Vec3& high)
     widths_[k] = high[k] - low[k];
     if (!(widths_[k] > 0) || !(widths_[k] <= (1 + rounding) * reach[k]))
       throw InvalidArgument(std::string("width of the window along ") + axis[k], widths_[k], "m",
-                            "(0, " + short_text(reach[k], 6) + " m], the width of the cell");
+                            "(0, " + short_text(reach[k], 10) + " m], the width of the cell");
   }
   to_fraction_ = Mat3::diagonal(1 / widths_.x, 1 / widths_.y, 1 / widths_.z);
   volume_ = widths_.x * widths_.y * widths_.z;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <granum/core/check.hpp>
 #include <granum/core/number.hpp>
 #include <granum/rock_physics/hertz_mindlin.hpp>
 
@@ -54,11 +55,11 @@ void require_porosity(double porosity, double critical) {
   require_open("critical_porosity", critical, 0, 1);
   if (porosity >= 0 && porosity <= critical)
     return;
-  throw InvalidArgument(
-      "porosity", porosity, "",
-      detail::formatted("[0, %g], the critical porosity of the packing: looser grains do not "
-                        "touch; for a looser packing give that porosity to the packing itself",
-                        critical));
+  throw InvalidArgument("porosity", porosity, "",
+                        detail::closed_range(0, critical, porosity) +
+                            ", the critical porosity of the packing: looser grains do not touch; for a "
+                            "looser packing give that "
+                            "porosity to the packing itself");
 }
 
 enum class Surrounding { packing, mineral };

@@ -132,7 +132,8 @@ const std::array<MeasuredLaw, 9> laws{{
 void note_outside(const char* what, double value, double low, double high, const char* unit,
                   Validity& validity) {
   if (value < low || value > high)
-    validity.add(std::string(what) + " of " + short_text(value) + unit +
+    validity.add(std::string(what) + " of " +
+                 detail::refused_text(value, detail::closed_range(low, high, value), 4) + unit +
                  " is outside of the range of the tests, " + short_text(low) + " to " + short_text(high) +
                  unit);
 }

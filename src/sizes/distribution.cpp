@@ -216,7 +216,8 @@ std::optional<SieveFault> find_fault(std::span<const SievePoint> curve) {
     if (!(d > 0 && std::isfinite(d)))
       return SieveFault{k, detail::formatted("d = %g m is outside (0, inf)", d)};
     if (!(passing >= 0 && passing <= 1))
-      return SieveFault{k, detail::formatted("passing = %g is outside [0, 1], or 0 to 100 %%", passing)};
+      return SieveFault{k, "passing = " + detail::refused_text(passing, "[0, 1]", 6) +
+                               " is outside [0, 1], or 0 to 100 %"};
     if (k > 0 && !(d > curve[k - 1].diameter))
       return SieveFault{k, "d must be larger than at the point before"};
     if (k > 0 && !(passing >= curve[k - 1].passing))

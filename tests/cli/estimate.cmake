@@ -256,6 +256,7 @@ foreach(equal lognormal:0 bidisperse:1 uniform:2:2)
   granum_cli_test("estimate: --sizes ${equal} is equal grains" EXIT 0 JSON "uniform_strain/G_vh=^296755944\\.3"
     ARGS ${dense} --coordination-number 5.73 --sizes ${equal} --json)
 endforeach()
+granum_estimate_refuses("grains cut to one size" "[^\n]*= 1 is outside \\[1\\.000001, " ${state} --sizes lognormal:0.5:1)
 granum_cli_test("estimate: equal grains without --sizes" EXIT 0 JSON "uniform_strain/G_vh=^296755944\\.3"
   ARGS ${dense} --coordination-number 5.73 --json)
 granum_cli_test("estimate: lognormal grains" EXIT 0 STDOUT "sizes +lognormal:0\\.35.*C_u = 1\\.704.*<l\\^2>"

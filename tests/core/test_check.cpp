@@ -7,6 +7,8 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
+#include "refusal_text.hpp"
+
 using namespace granum;
 
 TEST_CASE("a rejected value is named with its unit and range") {
@@ -22,6 +24,48 @@ TEST_CASE("a rejected value is named with its unit and range") {
   } catch (const InvalidArgument& error) {
     CHECK(std::string(error.what()) == "porosity = 38 is outside (0, 1)");
   }
+}
+
+TEST_CASE("a range contains what lies between its ends, closed or open, with a unit or a reason behind it") {
+  using detail::contains;
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  CHECK((contains("[0, 1]", 0) && contains("[0, 1]", 1) && contains("(0, 1)", 0.5)));
+  CHECK_FALSE(
+      (contains("(0, 1)", 0) || contains("(0, 1)", 1) || contains("[0, 1)", 1) || contains("[0, 1]", 2)));
+  CHECK((contains("(-inf, inf)", -1e300) && contains("[0, inf): compression is positive", 5)));
+  CHECK_FALSE(contains("[0, inf)", inf));
+  CHECK((contains("(0, 0.5 m], the width", 0.5) && contains("[-7.5, 1e+06)", -7.5)));
+  CHECK_FALSE(contains("[0, 1]", std::numeric_limits<double>::quiet_NaN()));
+  for (const char* words : {"", "[", "[0", "[0, half of the box)", "above 1", "{0}", "[0, 1"})
+    CHECK_FALSE(contains(words, 0.5));
+}
+
+TEST_CASE("no refusal prints a value that is within the range it prints") {
+  int refused = 0;
+  for (const double low : {-5.0, 0.0, 1e-6, 1 + 1e-6, 2.0 / 3, 1e5 + 1.0 / 3})
+    for (const double high : {low + 1e-9, low + 5.0 / 3, 1e6, 1e14 + 0.5})
+      for (const double end : {low, high})
+        for (const double value : around(end))
+          for (const auto check : {require_closed, require_open})
+            try {
+              CHECK(check("x", value, low, high, "m") == value);
+            } catch (const InvalidArgument& error) {
+              CAPTURE(error.what());
+              CHECK_FALSE(contradicts_itself(error.what()));
+              ++refused;
+            }
+  CHECK(refused > 500);
+  CHECK(contradicts_itself("--sizes: ratio = 1 is outside [1, 1e+06]"));
+  CHECK_FALSE(contradicts_itself("ratio = 1.00000001 m is outside [0, 1]: too large"));
+  CHECK_FALSE(contradicts_itself("the file is outside"));
+}
+
+TEST_CASE("a NUL in a text does not end the message") {
+  const std::string name("two\0words\0", 10);
+  CHECK(std::string(InvalidArgument("'" + name + "' is unknown").what()) ==
+        "'two\\x00words\\x00' is unknown");
+  CHECK(std::string(FileError(name, 2, "no").what()) == "two\\x00words\\x00:2: no");
+  CHECK(std::string(InvalidArgument(name, 1, "", "[2, 3]").what()).ends_with("[2, 3]"));
 }
 
 TEST_CASE("a refused number can be read off its exception, and a text that is none has none") {

@@ -15,6 +15,7 @@
 #include <granum/core/number.hpp>
 #include <granum/sizes/distribution_text.hpp>
 
+#include "refusal_text.hpp"
 #include "relative.hpp"
 
 using namespace granum;
@@ -280,4 +281,22 @@ TEST_CASE("sizes of grains are a text, those that a scene cannot take are refuse
   CHECK(refusal([&] { key.set(scene, "normal:3"); }).find("lognormal") != std::string::npos);
   scene.study.grains = 40;
   CHECK(refusal([&] { require_valid(scene); }).find("grains = 40") != std::string::npos);
+}
+
+TEST_CASE("no refusal of a key prints a value that is within the range it prints") {
+  int refused = 0;
+  for (const SceneKey& key : scene_keys())
+    for (const double end : {key.range.low, key.range.high})
+      for (const double value : around(end))
+        if (is_quantity(key)) {
+          Scene scene;
+          const std::string said = refusal([&] {
+            key.set(scene, typed(value, key));
+            require_in_range(key, scene);
+          });
+          CAPTURE(said);
+          CHECK_FALSE(contradicts_itself(said));
+          refused += said.find(" is outside ") != std::string::npos ? 1 : 0;
+        }
+  CHECK(refused > 100);
 }

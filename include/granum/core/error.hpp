@@ -8,10 +8,10 @@
 
 namespace granum {
 
-/// Root of every exception that the library throws.
+/// Root of every exception that the library throws. A NUL in its text, which would end what(), is \x00 there.
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Error(const std::string& text);
 };
 
 /// A number that was refused.

@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/near_miss.hpp>
 #include <granum/core/number.hpp>
@@ -35,9 +36,7 @@ std::size_t whole_in(const std::string& name, const std::string& text) {
   const std::optional<double> value = parse_number(text);
   if (!value || *value != std::floor(*value))
     throw InvalidArgument(fmt::format("{} = '{}': expected a whole number", name, text));
-  if (!(*value >= 0 && *value <= largest))
-    throw InvalidArgument(name, *value, "", "[0, inf)");
-  return static_cast<std::size_t>(*value);
+  return static_cast<std::size_t>(require_closed(name, *value, 0, largest));
 }
 
 Value of_dimension(Dimension dimension) { return {.type = type_name(dimension), .dimension = dimension}; }

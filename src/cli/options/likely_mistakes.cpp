@@ -2,6 +2,7 @@
 #include "likely_mistakes.hpp"
 
 #include <fmt/core.h>
+#include <granum/core/check.hpp>
 #include <granum/core/number.hpp>
 
 #include "slips.hpp"
@@ -61,7 +62,7 @@ Validity likely_mistakes(const studies::Scene& scene) {
 
 double require_share(const Number& number, double most) {
   if (!(number.value >= 0 && number.value <= most))
-    number.refuse_share(fmt::format("[0, {}]", short_text(most)), most);
+    number.refuse_share(detail::closed_range(0, most, number.value), most);
   return number.value;
 }
 

@@ -9,6 +9,7 @@
 
 #include "studies/scene/scene_keys.hpp"
 #include <granum/contact/friction.hpp>
+#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/units.hpp>
@@ -119,7 +120,7 @@ void require_within_grain(const Scene& scene, contact::Shape shape) {
     const double value = value_of(parameter, scene.contact.numbers);
     if (parameter.within_grain && value > scene.grain.radius)
       throw InvalidArgument("contact." + parameter.key, value, "m",
-                            "(0, grain.radius = " + short_text(scene.grain.radius) + "]");
+                            "(0, grain.radius = " + exact_text(scene.grain.radius) + "]");
   }
 }
 
@@ -127,11 +128,11 @@ void require_overlap(const Scene& scene, contact::Shape shape, double pressure) 
   const double overlap = predicted_overlap(scene, shape, pressure);
   if (overlap >= least_predicted_overlap && overlap <= largest_predicted_overlap)
     return;
+  const std::string range = detail::closed_range(least_predicted_overlap, largest_predicted_overlap, overlap);
   throw InvalidArgument("study.pressures: at " + pretty(pressure, Dimension::pressure) + " " +
                         std::string(name(shape)) + " contacts of these grains would overlap by " +
-                        short_text(overlap, 2) + " of a diameter, which is outside [" +
-                        short_text(least_predicted_overlap) + ", " + short_text(largest_predicted_overlap) +
-                        "]: " +
+                        detail::refused_text(overlap, range, 2) + " of a diameter, which is outside " +
+                        range + ": " +
                         (overlap < least_predicted_overlap
                              ? "rounding of the positions would disturb the forces"
                              : "the contact law is valid only for small overlaps, and the voids would "
