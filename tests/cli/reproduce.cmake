@@ -28,9 +28,7 @@ granum_cli_test("reproduce: the note on sizes is in the manifest" EXIT 0 STDERR 
     --set shear.loop_strain=0 --json --force --out "${CMAKE_CURRENT_BINARY_DIR}/reproduce note")
 
 # runs that write, in folders of their own
-add_library(granum_kill_at_rename MODULE kill_at_rename.cpp)
-granum_compile_settings(granum_kill_at_rename)
-target_link_libraries(granum_kill_at_rename PRIVATE ${CMAKE_DL_LIBS})
+granum_preloaded(kill_at_rename)
 # granum_reproduce_test(<name> <check> <definition>...)
 function(granum_reproduce_test name check)
   add_test(NAME "cli: reproduce: ${name}"

@@ -48,6 +48,10 @@ set(program_only "std::(cout|cerr|clog)|(^|[^A-Za-z0-9_])(printf|vprintf|puts|pu
 set(writing_source src/io/output_file.cpp)
 set(writing_means "std::(basic_)?o?fstream|O_(WRONLY|RDWR|CREAT)|(^|[^A-Za-z0-9_])(fopen|freopen|creat|mkstemp|rename|copy_file)[ \t]*\\(")
 
+# Files are read by one source alone, which reports errors of the disk: streams of the library take them for the end.
+set(reading_source src/io/text/source.cpp)
+set(reading_means "std::(basic_)?(i?fstream|filebuf)|(^|[^A-Za-z0-9_])(gzopen|mmap|pread|readv|::read)[ \t]*\\(")
+
 # Exceptions of the closed forms are caught in one source alone, so that targets that cannot catch leave one source out.
 set(theory_modules core contact sizes stress elastic fabric effective sands estimate rock_physics)
 set(catching_source src/estimate/uncertain_answer.cpp)
@@ -187,6 +191,10 @@ foreach(path IN LISTS files)
   if(NOT path STREQUAL writing_source AND text MATCHES "${writing_means}")
     string(STRIP "${CMAKE_MATCH_0}" what)
     violation("${path}" "uses ${what}; only ${writing_source} writes files")
+  endif()
+  if(NOT path STREQUAL reading_source AND text MATCHES "${reading_means}")
+    string(STRIP "${CMAKE_MATCH_0}" what)
+    violation("${path}" "uses ${what}; only ${reading_source} reads files")
   endif()
   if(module IN_LIST theory_modules AND NOT path STREQUAL catching_source AND text MATCHES "(^|[^A-Za-z0-9_])catch[ \t\n]*\\(")
     violation("${path}" "catches an exception; among the closed forms only ${catching_source} does")

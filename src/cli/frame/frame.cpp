@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frame.hpp"
 
+#include <cerrno>
+#include <cstring>
+
 #include <unistd.h>
 
 #include <fmt/core.h>
@@ -80,7 +83,7 @@ void prepare_folder(const std::filesystem::path& folder, std::span<const char* c
   if (error)
     throw FileError(folder.string(), 0, "cannot be made: " + error.message());
   if (access(folder.c_str(), W_OK) != 0)
-    throw FileError(folder.string(), 0, "cannot be written to");
+    throw FileError(folder.string(), 0, std::string("cannot be written to: ") + std::strerror(errno));
 }
 
 std::filesystem::path results_folder(const std::string& out, std::string_view command,

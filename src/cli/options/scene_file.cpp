@@ -2,25 +2,22 @@
 #include "scene_file.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
+#include <filesystem>
 #include <string_view>
 #include <system_error>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/io/text/source.hpp>
 #include <toml++/toml.h>
 
 namespace granum::cli {
 
 namespace {
 
+namespace fs = std::filesystem;
 using studies::Scene;
 using studies::SceneCommand;
 using studies::SceneKey;
@@ -31,34 +28,6 @@ constexpr std::size_t largest_file = 1'000'000; ///< bytes
 constexpr std::size_t most_parts = 8;           ///< of a key
 constexpr std::size_t deepest = 8;              ///< brackets within brackets
 constexpr std::size_t longest = 1000;           ///< key or value, characters
-
-std::string last_error() { return std::generic_category().message(errno); }
-
-class OpenFile {
- public:
-  explicit OpenFile(const std::string& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (descriptor_ < 0)
-      throw FileError(path, 0, "could not be opened: " + last_error());
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  ~OpenFile() { ::close(descriptor_); }
-
-  [[nodiscard]] int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
-void require_file_or_pipe(const OpenFile& file, const std::string& path) {
-  struct stat about {};
-  if (::fstat(file.descriptor(), &about) != 0)
-    throw FileError(path, 0, "could not be read: " + last_error());
-  if (S_ISDIR(about.st_mode))
-    throw FileError(path, 0, "is a folder; a scene is a TOML file");
-  if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode) && !S_ISSOCK(about.st_mode))
-    throw FileError(path, 0, "is a device; a scene is a TOML file or comes through a pipe");
-}
 
 /// Reads a TOML text and counts the depth of a parser's stack.
 class FlatCheck {
@@ -153,23 +122,11 @@ class FlatCheck {
 /// The text of a regular file or a pipe of at most one megabyte.
 /// \throws   FileError for a folder, a device, a larger file, or one that cannot be read
 std::string read_scene_text(const std::string& path) {
-  const OpenFile file(path);
-  require_file_or_pipe(file, path);
-  std::string text;
-  std::array<char, 65536> buffer;
-  for (;;) {
-    const ssize_t count = ::read(file.descriptor(), buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR)
-      continue;
-    if (count < 0)
-      throw FileError(path, 0, "could not be read: " + last_error());
-    if (count == 0)
-      return text;
-    text.append(buffer.data(), static_cast<std::size_t>(count));
-    if (text.size() > largest_file)
-      throw FileError(path, 0,
-                      "is longer than " + std::to_string(largest_file) + " bytes, too long for a scene");
-  }
+  std::error_code unknown; // a file that cannot be found is reported on reading
+  const fs::file_type type = fs::status(path, unknown).type();
+  if (type == fs::file_type::character || type == fs::file_type::block)
+    throw FileError(path, 0, "is a device; a scene is a TOML file or comes through a pipe");
+  return io::file_content(path, largest_file);
 }
 
 /// Scenes are flat: [section] and key = value. In deeply nested texts the recursion of the parser would

@@ -2,13 +2,13 @@
 #include "verify_output.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include "studies/report/compression.hpp"
 #include "studies/report/verdict_lists.hpp"
 #include "studies/verify/tables.hpp"
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
+#include <granum/io/text/source.hpp>
 #include <granum/plot/page.hpp>
 
 #include "cli/frame/frame.hpp"
@@ -233,11 +233,8 @@ void write_results(const fs::path& folder, const StudyOutcome& outcome, const or
 
 void rewrite_report(const fs::path& folder) {
   const fs::path file = folder / manifest_name;
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    throw FileError(file.string(), 0, "could not be opened");
   try {
-    const ordered_json manifest = ordered_json::parse(in);
+    const ordered_json manifest = ordered_json::parse(io::file_content(file));
     if (const std::string command = manifest.at("command").get<std::string>(); command != "verify")
       throw FileError(folder.string(), 0,
                       fmt::format("holds results of granum {}, none of granum verify", command));

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -13,6 +11,7 @@
 
 #include <granum/core/bytes.hpp>
 #include <granum/io/output_file.hpp>
+#include <granum/io/text/source.hpp>
 
 namespace granum::io {
 
@@ -44,15 +43,10 @@ std::uint64_t checksum_of(const Header& header, std::string_view body) {
 }
 
 std::string contents(const std::filesystem::path& path) {
-  std::ifstream file;
-  std::error_code unknown;
-  if (std::filesystem::is_regular_file(path, unknown)) // a pipe would wait for its writer
-    file.open(path, std::ios::binary);
-  if (!file.is_open())
-    throw FileError(path.string(), 0, "cannot be opened as a checkpoint");
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
+  std::error_code unknown; // a file that cannot be found is reported on reading
+  if (std::filesystem::status(path, unknown).type() == std::filesystem::file_type::fifo)
+    throw FileError(path.string(), 0, "cannot be read: it is a pipe"); // which would wait for its writer
+  return file_content(path);
 }
 
 } // namespace

@@ -2,15 +2,12 @@
 #include <granum/io/csv/table.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/io/text/source.hpp>
 
 namespace granum::io {
 
@@ -319,18 +316,7 @@ std::vector<double> CsvTable::numbers(std::string_view quantity, Dimension dimen
   return values;
 }
 
-CsvTable read_csv(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file.is_open())
-    throw FileError(path.string(), 0, std::string("cannot be read: ") + std::strerror(errno));
-  if (std::filesystem::is_directory(path))
-    throw FileError(path.string(), 0, "cannot be read: it is a folder");
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (file.bad())
-    throw FileError(path.string(), 0, "cannot be read to its end");
-  return CsvTable(path.string(), text.str());
-}
+CsvTable read_csv(const std::filesystem::path& path) { return CsvTable(path.string(), file_content(path)); }
 
 std::string csv_line(const std::vector<CsvCell>& cells, CsvManner manner) {
   std::string line;

@@ -155,4 +155,15 @@ std::string_view TextSource::next_bytes() {
 
 void TextSource::fail(const std::string& what) const { throw FileError(name_, line_number_, what); }
 
+std::string file_content(const std::filesystem::path& path, std::size_t most) {
+  TextSource source(path);
+  std::string content;
+  for (std::string_view bytes = source.next_bytes(); !bytes.empty(); bytes = source.next_bytes()) {
+    content += bytes;
+    if (content.size() > most)
+      source.fail("is longer than " + std::to_string(most) + " bytes");
+  }
+  return content;
+}
+
 } // namespace granum::io

@@ -74,7 +74,10 @@ bool is_checkpoint(std::string_view file) {
 void remove_checkpoints(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+  const fs::directory_iterator entries(folder, error);
+  if (error && error != std::errc::no_such_file_or_directory)
+    throw FileError(folder.string(), 0, "cannot be read: " + error.message());
+  for (const fs::directory_entry& entry : entries)
     if (is_checkpoint(entry.path().filename().string()) &&
         (entry.is_regular_file(error) || entry.is_symlink(error)))
       files.push_back(entry.path());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 #include <utility>
 
 #include <granum/core/error.hpp>
@@ -40,8 +41,12 @@ class Store {
   }
 
   [[nodiscard]] std::optional<std::string> bytes() const {
-    if (path_.empty() || !std::filesystem::exists(path_))
+    std::error_code error;
+    if (path_.empty() || !std::filesystem::exists(path_, error)) {
+      if (error)
+        throw FileError(path_.string(), 0, "cannot be read: " + error.message());
       return std::nullopt;
+    }
     io::Checkpoint checkpoint = io::read_checkpoint(path_);
     if (checkpoint.scene != scene_text_)
       throw FileError(path_.string(), 0, "is the checkpoint of another scene");

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/csv/table.hpp>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -100,6 +103,9 @@ TEST_CASE("unreadable files are reported") {
       ((folder.path() / "none.csv").string() + ": cannot be read: No such file or directory").c_str(),
       FileError);
   CHECK_THROWS_AS((void)read_csv(folder.path()), FileError);
+  const std::string unreadable = "/proc/self/mem"; // its beginning is not mapped
+  CHECK_THROWS_WITH_AS((void)read_csv(unreadable),
+                       (unreadable + ": cannot be read further: " + std::strerror(EIO)).c_str(), FileError);
 }
 
 TEST_CASE("written values are read back to the same bits") {

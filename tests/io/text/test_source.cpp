@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/text/source.hpp>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -158,4 +160,20 @@ TEST_CASE("the bytes behind a line come as they are, plain or gzip") {
     CHECK_FALSE(source.next());
   }
   CHECK(samples::text_source("name", "all").next_bytes() == "all");
+}
+
+TEST_CASE("a file is read whole, plain or gzip, or refused") {
+  const TemporaryFolder folder;
+  const std::string text = "\xEF\xBB\xBF" + numbered_lines(100'000) + std::string("\0\r\n end", 7);
+  CHECK(file_content(written(folder, text)) == text);
+  CHECK(file_content(written(folder, packed(text))) == text);
+  CHECK(file_content(written(folder, "")).empty());
+  CHECK(file_content(written(folder, text), text.size()) == text);
+  const auto refused = [](const std::filesystem::path& path, std::size_t most = 1'000) {
+    return samples::refusal([&] { (void)file_content(path, most); });
+  };
+  CHECK(refused(written(folder, text)).find("longer than 1000 bytes") != std::string::npos);
+  CHECK(refused(folder.path() / "none").find(std::strerror(ENOENT)) != std::string::npos);
+  CHECK(refused("/proc/self/mem").find(std::strerror(EIO)) !=
+        std::string::npos); // its beginning is not mapped
 }

@@ -82,8 +82,8 @@ class CsvTable {
   CsvManner manner_;
 };
 
-/// Reads a file whole.
-/// \throws   FileError if it cannot be read, or as CsvTable
+/// Reads a file whole, plain or gzip.
+/// \throws   FileError as file_content or CsvTable
 [[nodiscard]] CsvTable read_csv(const std::filesystem::path& path);
 
 /// A number or a text. NaN is written as an empty field, any other number with 17 significant digits.

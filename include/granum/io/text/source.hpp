@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -72,5 +73,10 @@ class TextSource {
   bool keeping_ = false;
   bool dropped_ = false; ///< of the buffer's beginning, to make room
 };
+
+/// All bytes of a file, plain or gzip: the one way in which a file is read whole.
+/// \throws   FileError as TextSource, or if there are more than `most` bytes
+[[nodiscard]] std::string file_content(const std::filesystem::path& path,
+                                       std::size_t most = std::numeric_limits<std::size_t>::max());
 
 } // namespace granum::io
