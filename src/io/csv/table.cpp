@@ -35,7 +35,7 @@ char separator_in(std::string_view text, const std::string& name, std::size_t li
   return semicolon ? ';' : ',';
 }
 
-/// "1.500" as "1500"; empty unless it can be a number with a point between thousands.
+/// "1500" of "1.500"; empty unless the point can separate thousands.
 std::optional<std::string> without_thousands_point(const std::string& field) {
   const std::size_t sign = field.starts_with('-') || field.starts_with('+') ? 1 : 0;
   const std::size_t point = field.find('.');
@@ -48,8 +48,8 @@ std::optional<std::string> without_thousands_point(const std::string& field) {
                                                                           : std::nullopt;
 }
 
-/// Numbers of a table whose fields are separated by semicolons.
-class DecimalCommas {
+/// Decimal signs of a table whose fields are separated by semicolons or tabs.
+class DecimalSigns {
  public:
   /// Makes "0.65" of "0,65", and leaves any other text as it is.
   void take(std::string& field, const std::string& heading, std::size_t line) {
@@ -57,30 +57,40 @@ class DecimalCommas {
     std::string number = field;
     if (comma != std::string::npos)
       number[comma] = '.';
-    if (comma != std::string::npos && field.find('.') == std::string::npos && parse_number(number)) {
-      field = number;
-      found_ = true;
-    } else if (const auto whole = without_thousands_point(field); whole && line_ == 0) {
-      line_ = line;
-      number = field;
-      number[number.find('.')] = ',';
-      doubt_ = "column '" + heading + "' contains '" + field +
-               "', where other numbers have decimal commas: write " + number + " for " +
-               short_text(*parse_number(field)) + ", or " + *whole;
+    if (number.find('.') == std::string::npos || !parse_number(number))
+      return;
+    Sign &here = comma == std::string::npos ? points_ : commas_,
+         &other = &here == &points_ ? commas_ : points_;
+    here.found = true;
+    if (const auto whole = without_thousands_point(number); whole && here.line == 0) {
+      std::string as_others = number;
+      as_others[number.find('.')] = other.character;
+      here.line = line;
+      here.doubt = "column '" + heading + "' contains '" + field + "', where other numbers have decimal " +
+                   other.plural + ": write " + as_others + " for " + short_text(*parse_number(number)) +
+                   ", or " + *whole;
     }
+    field = number;
   }
 
-  [[nodiscard]] bool found() const { return found_; }
-  /// \throws   FileError for a point that may be one between thousands, in a table with decimal commas
+  [[nodiscard]] bool commas_found() const { return commas_.found; }
+  /// \throws   FileError for a sign that may separate thousands, where other numbers have the other sign
   void require_none_of_thousands(const std::string& name) const {
-    if (found_ && line_ > 0)
-      throw FileError(name, line_, doubt_);
+    for (const auto& [of, other] : {std::pair(&points_, &commas_), std::pair(&commas_, &points_)})
+      if (of->line > 0 && other->found)
+        throw FileError(name, of->line, of->doubt);
   }
 
  private:
-  bool found_ = false;
-  std::size_t line_ = 0; ///< of the first number in doubt; 0 for none
-  std::string doubt_;
+  struct Sign {
+    char character;
+    const char* plural;
+    bool found = false;
+    std::size_t line = 0; ///< of the first number in doubt; 0 for none
+    std::string doubt = {};
+  };
+  Sign points_{.character = '.', .plural = "points"};
+  Sign commas_{.character = ',', .plural = "commas"};
 };
 
 /// Whether a text would be a formula for a spreadsheet, behind any number of apostrophes.
@@ -245,7 +255,7 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
   for (auto heading = headings_.begin(); heading != headings_.end(); ++heading)
     if (std::find(headings_.begin(), heading, *heading) != heading)
       throw FileError(name_, heading_line_, "the heading '" + *heading + "' occurs twice");
-  DecimalCommas points;
+  DecimalSigns signs;
   while (cursor.seek_record()) {
     const std::size_t line = cursor.line();
     rows_.push_back({line, cursor.record()});
@@ -259,10 +269,10 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
                                : ""));
     if (decimal_commas)
       for (std::size_t k = 0; k < count; ++k)
-        points.take(rows_.back().fields[k], headings_[k], line);
+        signs.take(rows_.back().fields[k], headings_[k], line);
   }
-  points.require_none_of_thousands(name_);
-  manner_ = {.separator = separator, .decimal_sign = points.found() ? ',' : '.'};
+  signs.require_none_of_thousands(name_);
+  manner_ = {.separator = separator, .decimal_sign = signs.commas_found() ? ',' : '.'};
   if (rows_.empty())
     throw FileError(name_, heading_line_, "there are no rows below the heading line");
 }

@@ -194,6 +194,24 @@ TEST_CASE("a point that may separate thousands is refused if other numbers have 
     CHECK(CsvTable("a.csv", std::string("e;name\n0,6;") + number + "\n").row_count() == 1);
 }
 
+TEST_CASE("a comma that may separate thousands is refused if other numbers have decimal points") {
+  for (const char separator : {';', '\t'})
+    for (const char* number : {"1,500", "-12,000", "+999,999", "\"1,500\""}) {
+      const auto table = [&](const std::string& other, const std::string& before) {
+        std::string text = "e;p_kPa\n" + before + other + ";2\n0.6;" + number + "\n";
+        std::replace(text.begin(), text.end(), ';', separator);
+        return text;
+      };
+      CHECK(table_refusal(table("0.7", "1;2\n"), "p").starts_with("a.csv:4: "));
+      CHECK(table_refusal(table("0.7", ""), "p").find("'p_kPa'") != std::string::npos);
+      CHECK(table_refusal(table("2.500", ""), "p").starts_with("a.csv:2: ")); // either could be
+    }
+  CHECK(CsvTable("a.csv", "e;p_kPa\n0,6;1,500\n").numbers("p", Dimension::pressure) == std::vector{1500.0});
+  for (const char* number :
+       {"0,650", "1,5", "1,50", "1,5000", "1000,500", "1,5e3", "a,500", ",500", "1,500,000"})
+    CHECK(CsvTable("a.csv", std::string("e;name\n0.6;") + number + "\n").row_count() == 1);
+}
+
 TEST_CASE("no written text is a formula to a spreadsheet, and each is read back unchanged") {
   for (const std::string text :
        {"=1+1", "@SUM(A1)", "+1+cmd", "-2+3", "'=x", "''-x", "-1.5 kPa", "+-", "=a,b", "=\"x\""}) {

@@ -34,7 +34,8 @@ class CsvTable {
   /// \throws   FileError naming the line: no heading, no rows, a row with another number of fields, an
   /// unclosed quote,
   ///           two equal headings, commas and semicolons between them, bytes that are no text, a number
-  ///           such as 1.500 where others have decimal commas: its point may separate thousands
+  ///           such as 1.500 where others have decimal commas, or 1,500 where others have decimal points: its
+  ///           sign may separate thousands
   CsvTable(std::string name, std::string_view text);
 
   /// The path in errors.
