@@ -246,4 +246,6 @@ granum_cli_test("analyse: unequal grains on the screen" EXIT 0
 granum_analyse_refuses("a probe of a frame that is left out" 3 "analyse_probes\\.csv:3: step 1: no frame" ${lattice} --frames last --probes analyse_probes.csv)
 granum_analyse_refuses("a probe of several frames" 3 "analyse_probes_state\\.csv:2: state analyse_lattice: no frame matches, or more" ${lattice}
   --probes analyse_probes_state.csv)
+granum_analyse_refuses("a probe of this step and of another state" 3
+  "analyse_probes_another\\.csv:4: step 2 of state another: no frame" ${lattice} --probes analyse_probes_another.csv)
 granum_analyse_refuses("no table of probes" 3 "isotropic\\.csv:.*column modulus" ${lattice} --probes isotropic.csv)

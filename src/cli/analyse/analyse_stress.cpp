@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -145,16 +146,19 @@ struct ProbedState {
 };
 
 ProbedState state_of(const io::CsvTable& table, std::size_t row, std::span<const double> steps) {
-  if (!steps.empty())
-    return {fmt::format("step {}", steps[row]), [step = steps[row]](const FrameAnswer& frame) {
-              return static_cast<double>(frame.measured.step) == step;
-            }};
-  if (const std::size_t place = place_of(table, "state"); place < table.headings().size()) {
-    const std::string& state = table.fields(row)[place];
-    return {"state " + state, [state](const FrameAnswer& frame) { return names_state(frame.file, state); }};
-  }
-  return {"a single frame, because there is no column step or state",
-          [](const FrameAnswer&) { return true; }};
+  const std::size_t place = place_of(table, "state");
+  const std::optional<double> step = steps.empty() ? std::nullopt : std::optional(steps[row]);
+  const std::optional<std::string> state =
+      place < table.headings().size() ? std::optional(table.fields(row)[place]) : std::nullopt;
+  if (!step && !state)
+    return {"a single frame, because there is no column step or state",
+            [](const FrameAnswer&) { return true; }};
+  return {(step ? fmt::format("step {}", *step) : "") + (step && state ? " of " : "") +
+              (state ? "state " + *state : ""),
+          [step, state](const FrameAnswer& frame) {
+            return (!step || static_cast<double>(frame.measured.step) == *step) &&
+                   (!state || (step && state->empty()) || names_state(frame.file, *state));
+          }};
 }
 
 } // namespace
