@@ -5,6 +5,7 @@
 #include <string>
 
 #include <fmt/core.h>
+#include <granum/core/error.hpp>
 #include <granum/core/version.hpp>
 
 #include "cli/frame/command_line.hpp"
@@ -134,7 +135,11 @@ ExitCode parse_and_run(int argc, char** argv) {
   }
   if (const std::vector<std::string> faults = take_arguments(*program, *command, arguments); !faults.empty())
     return fail_with(faults);
-  return command->run();
+  try {
+    return command->run();
+  } catch (const InvalidArgument& error) {
+    throw as_typed(error, arguments);
+  }
 }
 
 } // namespace granum::cli

@@ -2,15 +2,12 @@
 #include <exception>
 #include <filesystem>
 #include <new>
-#include <span>
 #include <string>
-#include <string_view>
 
 #include <granum/core/error.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/frame/messages.hpp"
-#include "cli/frame/option_row.hpp"
 #include "cli/frame/stop_signal.hpp"
 
 namespace {
@@ -26,20 +23,6 @@ std::string asked_for(int argc, char** argv) {
   return words;
 }
 
-/// The message of an error; the name of a number that the library refused is as typed: "--stress-h" for
-/// "stress_h".
-std::string as_typed(const InvalidArgument& error, int argc, char** argv) {
-  const std::string text = error.what();
-  if (!error.refused() || !text.starts_with(error.refused()->name))
-    return text;
-  const std::string name = error.refused()->name;
-  const std::string option = name == "fabric_anisotropy" ? "--fabric" : option_of(name);
-  for (const std::string_view word : std::span(argv, static_cast<std::size_t>(argc)))
-    if (word == option || word.starts_with(option + "="))
-      return option + text.substr(name.size());
-  return text;
-}
-
 } // namespace
 
 /// Converts errors to messages and exit codes.
@@ -50,7 +33,7 @@ int main(int argc, char** argv) {
   try {
     code = parse_and_run(argc, argv);
   } catch (const InvalidArgument& error) {
-    code = fail(ExitCode::usage, as_typed(error, argc, argv));
+    code = fail(ExitCode::usage, error.what());
   } catch (const FileError& error) {
     code = fail(ExitCode::file, error.what());
   } catch (const std::filesystem::filesystem_error& error) { // such as a name that is too long

@@ -9,12 +9,16 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <granum/core/units.hpp>
+
+#include "../refusal_text.hpp"
 #include "command_lines.hpp"
 #include "printed_numbers.hpp"
 
@@ -29,6 +33,7 @@ using nlohmann::json;
 struct Ended {
   int code = 0;
   std::string out, said;
+  std::optional<RefusedNumber> refused = {};
 };
 
 /// A standard stream that goes to a file of this process, and can be read.
@@ -70,6 +75,8 @@ class Attack {
       ask_row(line, ended);
     else if (ended.code == 0)
       compare(line, ended);
+    if (ended.refused && line.has(ended.refused->name))
+      try_ends(line, *ended.refused);
   }
 
   [[nodiscard]] int report() const {
@@ -111,6 +118,7 @@ class Attack {
     } catch (const InvalidArgument& e) {
       ended.code = 2;
       error = e.what();
+      ended.refused = e.refused();
     } catch (const FileError& e) {
       ended.code = 3;
       error = e.what();
@@ -128,6 +136,15 @@ class Attack {
     return ended;
   }
 
+  [[nodiscard]] bool is_typed(const RefusedNumber& refused) const {
+    const std::string text = here_->value(refused.name);
+    const auto number = leading_number(text);
+    const auto unit = find_unit(number ? number->rest : ""), shown = find_unit(refused.unit);
+    return number && unit && shown &&
+           std::abs(number->value * unit->factor - refused.value * shown->factor) <=
+               1e-9 * std::abs(number->value * unit->factor);
+  }
+
   /// What is true of any run.
   void judge(const Ended& ended) {
     demand(ended.code >= 0 && ended.code <= 4, "an exit code that no page lists");
@@ -135,6 +152,9 @@ class Attack {
     demand(ended.code != 0 || !ended.out.empty(), "an answer without a word");
     demand(ended.code == 0 || !ended.said.empty(), "an error without a word");
     demand(ended.code != 2 || ended.out.empty(), "a usage error with an answer");
+    demand(!contradicts_itself(ended.said), "a refused value is within the range it is refused by");
+    if (ended.refused && here_->has(ended.refused->name))
+      demand(is_typed(*ended.refused), "an option is refused for a value that was not typed");
     for (const std::string* text : {&ended.out, &ended.said})
       demand(!attack::speaks_of_no_number(*text), "nan or inf is printed");
     if (!here_->json || ended.out.empty())
@@ -143,6 +163,16 @@ class Attack {
     demand(!answer.is_discarded(), "what --json prints is no JSON");
     attack::check_numbers(answer, "",
                           [&](bool holds, const std::string& promise) { demand(holds, promise); });
+  }
+
+  /// An option that was refused, at the ends of its range and beside them.
+  void try_ends(const Line& line, const RefusedNumber& refused) {
+    for (const char* before : {"(", "[", ", "})
+      if (const std::size_t at = refused.range.find(before); at != std::string::npos)
+        if (const auto end = leading_number(refused.range.substr(at + std::string_view(before).size())))
+          for (const double value : around(end->value))
+            if (random_.one_in(4))
+              judge(run(line.with(refused.name, value, refused.unit)));
   }
 
   /// The same packing asked in another way, or with one number larger.

@@ -65,6 +65,13 @@ granum_infer_refuses("a compression wave in water" "a compression wave in wet po
   --saturation 100%)
 granum_infer_refuses("a picture of a quantity that is not predicted" "--picture-of V_p: no compression wave in wet pores" ${packing} --vs 200m/s
   --saturation 100% --picture a.svg --picture-of V_p)
+granum_infer_refuses("a prediction of a sand without grains" "--predict-void-ratio = 4 is outside \\(0, 2\\.97\\)"
+  --grain-shape sand --void-ratio 0.6 --pressure 100kPa --vs 280m/s --predict-void-ratio 4)
+foreach(shape sand sphere)
+  granum_infer_refuses("a stress ratio that no ${shape} bears" "prediction at p' = 100 kPa: ratio of vertical"
+    --grain-shape ${shape} --void-ratio 0.6 --pressure 100kPa --vs 280m/s --predict-stress-ratio 1e9)
+endforeach()
+granum_infer_refuses("an error larger than the value" "--measurement-error = 5 is outside \\[0, 1\\]" ${packing} --vs 200m/s --measurement-error 5)
 granum_infer_refuses("a speed without unit" "--shear-wave-speed = 200 has no unit; write 200m/s, 200km/s" ${packing} --vs 200)
 granum_infer_refuses("an error without unit" "--shear-modulus error = 5 has no unit" ${packing} --shear-modulus 100MPa+-5)
 granum_infer_refuses("a negative error" "--shear-modulus error = -5000000 Pa" ${packing} --shear-modulus 100MPa+--5MPa)

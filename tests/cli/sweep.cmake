@@ -106,6 +106,7 @@ function(granum_sweep_refuses what message)
 endfunction()
 granum_sweep_refuses("no path and no table" "give --from, the mean stress at the start of a path, or --depth" ${packing})
 granum_sweep_refuses("no end" "--to is missing" ${packing} --from 10kPa)
+granum_sweep_refuses("no stress to begin with" "--from = 0 Pa is outside" ${packing} --path txc --from 0kPa --eta 0.5)
 granum_sweep_refuses("no eta" "give one of --eta and --friction-angle" ${packing} --path txc --from 10kPa)
 granum_sweep_refuses("eta and angle" "give one of --eta and --friction-angle"
   ${packing} --path txc --from 10kPa --eta 0.5 --friction-angle 20deg)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <exception>
 #include <string_view>
 
@@ -129,6 +130,18 @@ class Reader {
   std::size_t next_ = 0;
 };
 
+/// Whether an option was typed with one number, this one.
+bool is_number(const TypedArgument& typed, double value) {
+  constexpr double rounding = 1e-12; // of units
+  try {
+    const double number = parse_quantity(typed.word, typed.values.at(0),
+                                         typed.option->value.dimension.value_or(Dimension::dimensionless));
+    return std::abs(number - value) <= rounding * std::abs(value);
+  } catch (const InvalidArgument&) { // of several numbers, or of none
+    return false;
+  }
+}
+
 /// Passes the values to an option.
 /// \return   the first error; empty if there is none
 std::string fault_of_value(const TypedArgument& typed, std::exception_ptr& unreadable) {
@@ -188,6 +201,17 @@ std::vector<std::string> take_arguments(const Command& program, const Command& c
   if (faults.empty() && unreadable)
     std::rethrow_exception(unreadable);
   return faults;
+}
+
+InvalidArgument as_typed(const InvalidArgument& error, const std::vector<TypedArgument>& arguments) {
+  const auto& refused = error.refused();
+  if (!refused || !std::string_view(error.what()).starts_with(refused->name))
+    return error;
+  const std::string option = refused->name == "fabric_anisotropy" ? "--fabric" : option_of(refused->name);
+  for (const TypedArgument& typed : arguments)
+    if (typed.option != nullptr && is_named(*typed.option, option) && is_number(typed, refused->value))
+      return {option, refused->value, refused->unit, refused->range};
+  return error;
 }
 
 } // namespace granum::cli

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <granum/core/error.hpp>
+
 #include "option_row.hpp"
 
 /// The parser of command lines, based on the option rows of a command. It joins units to their
@@ -32,5 +34,10 @@ struct TypedArgument {
 /// \throws   FileError for a file that is read immediately, if there is no other error
 [[nodiscard]] std::vector<std::string> take_arguments(const Command& program, const Command& command,
                                                       const std::vector<TypedArgument>& arguments);
+
+/// The error with a number that the library refused named as it was typed, "--stress-h" for "stress_h"; as it
+/// is where another number was typed: the refused one is of another state, such as a prediction.
+[[nodiscard]] InvalidArgument as_typed(const InvalidArgument& error,
+                                       const std::vector<TypedArgument>& arguments);
 
 } // namespace granum::cli

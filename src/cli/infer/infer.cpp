@@ -138,15 +138,13 @@ Quantity pictured(const InferOptions& o, const InferCase& question) {
 }
 
 /// The answer if the grains are sand.
+/// \param    doubts   on the predictions
 ExitCode run_sand(const InferOptions& o, const InferCase& question, const inverse::SandInference& sand,
-                  Quantity of_picture) {
+                  const Validity& doubts, Quantity of_picture) {
   Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
   validity.merge(likely_mistakes(o.grains.grain_density));
   validity.merge(sand.validity());
-  for (const PredictedState& predicted : question.predicted)
-    for (const std::string& note : sand.doubts(predicted.state).notes)
-      validity.add("prediction at p' = " + pretty(predicted.state.mean_stress(), Dimension::pressure) + ": " +
-                   note);
+  validity.merge(doubts);
   std::string text = sand_inference_text(question, sand) + "\n";
   for (const std::string& note : question.assumptions)
     text += "note: " + note + "\n";
@@ -175,10 +173,14 @@ ExitCode run(const InferOptions& o) {
   InferCase question = infer_case(o);
   const Quantity of_picture = pictured(o, question);
   std::optional<inverse::SandInference> sand;
-  if (question.sand)
+  Validity doubts; // of the sand
+  if (question.sand) {
     sand = inverse::infer_sand(question.measurements, *question.sand, question.sand_growth);
+    for (const PredictedState& predicted : question.predicted)
+      doubts.merge(doubts_of(predicted, [&] { return sand->doubts(predicted.state); }));
+  }
   if (!question.of_spheres)
-    return run_sand(o, question, *sand, of_picture);
+    return run_sand(o, question, *sand, doubts, of_picture);
   const inverse::InferenceAnswer answer = inverse::infer(question.measurements, question.options);
   Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
   validity.merge(likely_mistakes(o.grains.grain_density));

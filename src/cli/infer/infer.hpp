@@ -94,6 +94,9 @@ void note_assumed_error(const InferOptions& options, InferCase& question, bool s
 /// Whether the quantity can be used and predicted: compression waves in wet pores cannot.
 [[nodiscard]] bool is_told(const InferCase& question, const inverse::QuantityRow& row);
 
+/// The notes of `doubts` on a prediction, with its stress.
+/// \throws   InvalidArgument for what `doubts` refuses, by the option of the prediction
+[[nodiscard]] Validity doubts_of(const PredictedState& predicted, const std::function<Validity()>& doubts);
 /// Fills in the void ratio of the measured packing at the stresses of the predictions, unless another one is
 /// given.
 /// \return   notes on the validity of the predictions, from the answer for each state

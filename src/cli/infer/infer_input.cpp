@@ -273,7 +273,7 @@ void require_options_of_sand(const InferOptions& o) {
 
 double share_of(const Number& error, Dimension dimension) {
   if (error.given())
-    return require_non_negative(error.name, error.value);
+    return require_closed(error.name, error.value, 0, 1);
   return dimension == Dimension::speed ? assumed_speed_error : assumed_modulus_error;
 }
 
@@ -304,13 +304,30 @@ Measured parse_measured(const std::string& name, const std::string& text, Dimens
   return {value, relative_error * std::abs(value)};
 }
 
+Validity doubts_of(const PredictedState& predicted, const std::function<Validity()>& doubts) {
+  const std::string place =
+      fmt::format("prediction at p' = {}: ", pretty(predicted.state.mean_stress(), Dimension::pressure));
+  Validity placed;
+  try {
+    for (const std::string& note : doubts().notes)
+      placed.add(place + note);
+  } catch (const InvalidArgument& error) {
+    const auto& refused = error.refused();
+    if (predicted.specimen == inverse::AskedPacking::prepared_alike && refused &&
+        refused->name == "void_ratio")
+      throw InvalidArgument("--predict-void-ratio", refused->value, refused->unit, refused->range);
+    throw InvalidArgument(place + error.what());
+  }
+  return placed;
+}
+
 Validity complete_predictions(InferCase& question, const inverse::Inference& fit) {
   const State& measured = question.measurements.front().state;
   Validity doubts;
-  for (auto& [state, specimen] : question.predicted) {
-    const bool same = specimen == inverse::AskedPacking::same;
+  for (PredictedState& predicted : question.predicted) {
+    State& state = predicted.state;
+    const bool same = predicted.specimen == inverse::AskedPacking::same;
     const double p = state.mean_stress();
-    const std::string place = fmt::format("prediction at p' = {}: ", pretty(p, Dimension::pressure));
     if (same)
       state.void_ratio = fit.void_ratio_at(p);
     if (!(state.void_ratio > 0))
@@ -318,10 +335,9 @@ Validity complete_predictions(InferCase& question, const inverse::Inference& fit
           fmt::format("--predict-pressure = {}: at this stress the packing would be denser than its "
                       "grains (void ratio {}); --growth fixed keeps its void ratio",
                       pretty(p, Dimension::pressure), short_text(state.void_ratio)));
-    if (same && p == measured.mean_stress())
-      continue; // the notes on the measurements are reported with them
-    for (const std::string& note : fit.doubts(state, specimen).notes)
-      doubts.add(place + note);
+    const Validity here = doubts_of(predicted, [&] { return fit.doubts(state, predicted.specimen); });
+    if (!same || p != measured.mean_stress()) // the notes on the measurements are reported with them
+      doubts.merge(here);
   }
   return doubts;
 }

@@ -77,6 +77,7 @@ Path path_to_ratio(const SweepOptions& o) {
     throw InvalidArgument("--spacing log goes with --path iso: other paths start at eta = 0");
   if (!o.eta.given() && !o.friction_angle.given())
     throw InvalidArgument("give one of --eta and --friction-angle: the end of the path");
+  require_positive(o.from.name, o.from.value, "Pa");
   const ShearPath kind = shear_path(o.path);
   if (o.friction_angle.given())
     require_open(o.friction_angle.name, o.friction_angle.value * 180 / std::numbers::pi, 0, 90, "deg");
