@@ -213,9 +213,7 @@ struct StiffContacts {
   double exponent; ///< b
   Stiffening stiffening;
 
-  [[nodiscard]] const kernel::GoingOn& going_on() const {
-    return stiffening == Stiffening::rough ? kernel::rough_spheres : kernel::power_laws;
-  }
+  [[nodiscard]] const kernel::GoingOn& going_on() const { return kernel::going_on(stiffening); }
   [[nodiscard]] kernel::ByExponent<double> effect() const {
     return kernel::by_exponent(exponent, going_on());
   }

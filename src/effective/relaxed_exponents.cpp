@@ -78,8 +78,7 @@ kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth
   const auto constant = [](double value) { return Dual(value, Vector2d::Zero()); };
   const Dual z_star(z, growth.mechanical_coordination_number * pressure_slopes(s));
   const Dual r = constant(s.tangential_ratio), b = growing_exponent(s, growth);
-  const kernel::ByExponent<Dual> effect =
-      kernel::by_exponent(b, s.law.constant_exponent() ? kernel::power_laws : kernel::rough_spheres);
+  const kernel::ByExponent<Dual> effect = kernel::by_exponent(b, kernel::going_on(stiffening_of(s.law)));
   const Dual own =
       kernel::shear_relaxation(kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r,
                                effect.own, kernel::constants<Dual>(kernel::shear_coefficients));

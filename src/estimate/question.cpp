@@ -7,6 +7,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/estimate/inputs.hpp>
 #include <granum/stress/axial_stress.hpp>
 
 #include "possible.hpp"
@@ -50,6 +51,9 @@ void require_possible(const Question& q) {
 }
 
 void require_valid(const Question& q) {
+  for (const InputRow& row : inputs())
+    if (const std::optional<double> value = row.read != nullptr ? row.read(q) : std::nullopt)
+      require_within(row, *value, row.key);
   require_possible(q);
   sands::require_density(q.sand, q.state.void_ratio);
   constexpr double highest = 70 * degree;

@@ -68,7 +68,7 @@ granum_infer_refuses("a picture of a quantity that is not predicted" "--picture-
 granum_infer_refuses("a prediction of a sand without grains" "--predict-void-ratio = 4 is outside \\(0, 2\\.97\\)"
   --grain-shape sand --void-ratio 0.6 --pressure 100kPa --vs 280m/s --predict-void-ratio 4)
 foreach(shape sand sphere)
-  granum_infer_refuses("a stress ratio that no ${shape} bears" "prediction at p' = 100 kPa: ratio of vertical"
+  granum_infer_refuses("a stress ratio that no ${shape} bears" "--predict-stress-ratio = 1000000000 is outside"
     --grain-shape ${shape} --void-ratio 0.6 --pressure 100kPa --vs 280m/s --predict-stress-ratio 1e9)
 endforeach()
 granum_infer_refuses("an error larger than the value" "--measurement-error = 5 is outside \\[0, 1\\]" ${packing} --vs 200m/s --measurement-error 5)

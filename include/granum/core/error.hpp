@@ -8,7 +8,7 @@
 
 namespace granum {
 
-/// Root of every exception that the library throws. A NUL in its text, which would end what(), is \x00 there.
+/// Root of every exception that the library throws. A NUL in its text, which would end what(), is escaped there.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& text);

@@ -227,7 +227,7 @@ studies::MeasureOptions measure_options(const AnalyseOptions& o) {
   if (o.packing.grain_shear_modulus.given())
     out.grain_shear_modulus = o.packing.grain_shear_modulus.value;
   if (o.grain_density.given())
-    out.grain_density = require_positive("--grain-density", o.grain_density.value, "kg/m3");
+    out.grain_density = require_within(o.grain_density);
   if (o.packing.tangential_ratio.given())
     out.tangential_ratio = o.packing.tangential_ratio.value;
   out.rolling = parse_turning("--rolling-stiffness", o.rolling_stiffness);
@@ -260,14 +260,14 @@ Value spaced(Value value, std::optional<Dimension> dimension) {
 }
 
 void add_grain_options(Command& command, AnalyseOptions& o) {
+  OptionRow density = input_option(o.grain_density);
+  density.value = number_without_default(o.grain_density);
+  density.meaning =
+      "Density rho_s of the grain mineral, such as 2650kg/m3; no default; needed for wave speeds";
+  command.add(std::move(density));
   command.add(
       grains_group,
-      {{.name = "--grain-density",
-        .value = number_without_default(o.grain_density),
-        .meaning =
-            "Density rho_s of the grain mineral, such as 2650kg/m3; no default; needed for wave speeds",
-        .synonyms = grain_density_synonyms()},
-       {.name = "--friction-angle",
+      {{.name = "--friction-angle",
         .value = number_without_default(o.friction_angle),
         .meaning = "Friction angle between grains, to find sliding contacts; by default from the forces",
         .synonyms = {{"phi mu friction frictioncoefficient"}}},

@@ -21,7 +21,7 @@ namespace granum::cli {
 struct AnalyseOptions {
   std::vector<std::string> files;
   PackingOptions packing; ///< contact law and grains
-  Number grain_density{0, Dimension::density};
+  Number grain_density = number_of(estimate::Input::grain_density);
   std::string rolling_stiffness, twisting_stiffness;
   Number friction_angle{0, Dimension::angle};
   std::string column_map;

@@ -39,14 +39,14 @@ std::pair<double, double> void_ratio_limits(const AnswerOptions& o) {
 
 double void_ratio_by_relative_density(const AnswerOptions& o) {
   const auto [least, largest] = void_ratio_limits(o);
-  return sands::void_ratio_of_relative_density(require_share(o.relative_density, 1.2), least, largest);
+  return sands::void_ratio_of_relative_density(require_within(o.relative_density), least, largest);
 }
 
 void apply_relative_density(PackingOptions& packing, AnswerOptions& o) {
   if (!o.relative_density.given())
     return;
   if (packing.void_ratio.given() || packing.porosity.given() || packing.solid_fraction.given())
-    throw InvalidArgument(given_twice::density);
+    throw InvalidArgument(estimate::with_options(estimate::conflict::density));
   if (o.least_void_ratio.given() != o.largest_void_ratio.given())
     throw InvalidArgument("--least-void-ratio and --largest-void-ratio go together: give both, or neither");
   o.usual_limits = !o.least_void_ratio.given();
@@ -60,7 +60,7 @@ void apply_earth_pressure(PackingOptions& packing, const AnswerOptions& o) {
   const Number& k0 = o.earth_pressure_at_rest;
   if (!k0.given())
     return;
-  require_positive(k0.name, k0.value);
+  require_within(k0);
   if (!packing.stress_v.given())
     throw InvalidArgument("--k0 needs --stress-v");
   if (packing.stress_h.given() && !packing.stress_h.preset) {
@@ -158,15 +158,16 @@ std::optional<estimate::GrainShape> told_shape(const PackingOptions& packing, co
   const std::string_view mineral = o.mineral != nullptr ? o.mineral->key : "";
   if (mineral == "glass" || mineral == "steel")
     return GrainShape::sphere;
-  const bool soil = packing.graded || o.relative_density.given() || o.least_void_ratio.given() ||
-                    o.largest_void_ratio.given() || o.strain.given();
-  if (soil)
-    return GrainShape::sand;
-  const bool of_the_model = packing.contact_given() || packing.coordination_number.given() ||
-                            packing.mechanical_coordination_number.given() ||
-                            packing.rattler_fraction.given() || packing.tangential_ratio.given();
-  if (of_the_model)
-    return GrainShape::sphere;
+  std::vector<const Number*> all{&o.relative_density, &o.least_void_ratio, &o.largest_void_ratio, &o.strain};
+  for (Number PackingOptions::*const number : packing_numbers())
+    all.push_back(&(packing.*number));
+  for (const GrainShape shape : {GrainShape::sand, GrainShape::sphere}) {
+    const bool implied = std::any_of(all.begin(), all.end(), [shape](const Number* number) {
+      return number->given() && number->input->implies == shape;
+    });
+    if (implied || (shape == GrainShape::sand ? packing.graded : packing.contact_given()))
+      return shape;
+  }
   return o.ground ? std::optional(GrainShape::sand) : std::nullopt;
 }
 
@@ -238,50 +239,10 @@ void add_answer_options(Command& command, AnswerOptions& o) {
             },
             std::vector<std::string>{"sphere", "sand"}),
         .meaning = "sand: result from laws measured on sands; sphere: result from the model of spheres; by "
-                   "default as implied by other options, else both results"},
-       {.name = "--relative-density",
-        .value = number_without_default(o.relative_density),
-        .group = state_group,
-        .meaning = "Relative density D_r, such as 60%, instead of --void-ratio; more accurate with e_min and "
-                   "e_max, or --sand",
-        .synonyms = {{"dr id rd densityindex"}}},
-       {.name = "--least-void-ratio",
-        .value = number_without_default(o.least_void_ratio),
-        .group = state_group,
-        .meaning = "Smallest void ratio e_min, for --relative-density",
-        .synonyms = {{"emin"}}},
-       {.name = "--largest-void-ratio",
-        .value = number_without_default(o.largest_void_ratio),
-        .group = state_group,
-        .meaning = "Largest void ratio e_max, for --relative-density",
-        .synonyms = {{"emax"}}},
-       {.name = "--grain-density",
-        .value = number(o.grain_density),
-        .meaning = "Density rho_s of the grain mineral, for wave speeds",
-        .synonyms = grain_density_synonyms()},
-       {.name = "--saturation",
-        .value = number(o.saturation),
-        .group = state_group,
-        .meaning = "Degree of saturation S_r; at 100% V_p follows Gassmann's equation, at 99% and less V_p "
-                   "is nearly that of the dry packing",
-        .synonyms = {{"s sr"}}}});
-}
-
-void add_state_options(Command& command, AnswerOptions& o) {
-  command.add(state_group, {{.name = "--k0",
-                             .value = number_without_default(o.earth_pressure_at_rest),
-                             .meaning = "K_0 = sigma_h/sigma_v, instead of --stress-h",
-                             .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}}}});
-  command.add(strain_row(o));
-}
-
-OptionRow strain_row(AnswerOptions& o) {
-  return {.name = "--strain",
-          .value = number_without_default(o.strain),
-          .group = state_group,
-          .meaning = "For sands: also G at this shear strain, such as 0.01%; small strain is 0.001% "
-                     "and less",
-          .synonyms = {{"shearstrain"}}};
+                   "default as implied by other options, else both results"}});
+  for (Number* const number :
+       {&o.relative_density, &o.least_void_ratio, &o.largest_void_ratio, &o.grain_density, &o.saturation})
+    command.add(input_option(*number));
 }
 
 void apply_presets(PackingOptions& packing, AnswerOptions& o) {
@@ -326,12 +287,12 @@ estimate::Question question_of(const PackingOptions& packing, const AnswerOption
           .preparation = o.preparation,
           .rattler_fraction = enough || !packing.rattler_fraction.given()
                                   ? std::nullopt
-                                  : std::optional(require_share(packing.rattler_fraction)),
-          .grain_density = require_positive("--grain-density", o.grain_density.value, "kg/m3"),
-          .saturation = require_share(o.saturation),
+                                  : std::optional(require_within(packing.rattler_fraction)),
+          .grain_density = require_within(o.grain_density),
+          .saturation = require_within(o.saturation),
           .grain_shape = told_shape(packing, o).value_or(estimate::GrainShape::sphere),
           .sand = sand_of(packing, o),
-          .shear_strain = o.strain.given() ? std::optional(o.strain.value) : std::nullopt};
+          .shear_strain = o.strain.given() ? std::optional(require_within(o.strain)) : std::nullopt};
 }
 
 std::vector<estimate::UncertainInput> uncertain_inputs_of(const PackingOptions& given,

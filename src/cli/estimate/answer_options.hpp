@@ -18,23 +18,19 @@ struct AnswerOptions {
   effective::Preparation preparation;
   const contact::Mineral* mineral = nullptr; ///< of the grains, if given by name
   const sands::KnownSand* sand = nullptr;    ///< if given by name
-  Number relative_density{0, Dimension::dimensionless, "D_r Dr I_D ID"};
-  Number least_void_ratio{0, Dimension::dimensionless, "e_min emin"};
-  Number largest_void_ratio{0, Dimension::dimensionless, "e_max emax"};
-  Number grain_density{2650, Dimension::density, "rho_s"};
-  Number saturation{0, Dimension::dimensionless, "S_r Sr"};
-  Number earth_pressure_at_rest{0, Dimension::dimensionless, "K_0 K0", "--k0"}; ///< sets sigma_h from sigma_v
-  Number strain{0, Dimension::dimensionless, "shear_strain gamma", "--strain"};
+  Number relative_density = number_of(Input::relative_density);
+  Number least_void_ratio = number_of(Input::least_void_ratio);
+  Number largest_void_ratio = number_of(Input::largest_void_ratio);
+  Number grain_density = number_of(Input::grain_density);
+  Number saturation = number_of(Input::saturation);
+  Number earth_pressure_at_rest = number_of(Input::k0); ///< sets sigma_h from sigma_v
+  Number strain = number_of(Input::shear_strain);
   std::optional<estimate::GrainShape> grain_shape = {}; ///< as given
   bool usual_limits = false; ///< the void ratio follows from D_r and usual limits of sands
   bool ground = false;       ///< the question is about the ground, which is soil
 };
 
 void add_answer_options(Command& command, AnswerOptions& options);
-/// --k0 and --strain, for states.
-void add_state_options(Command& command, AnswerOptions& options);
-/// --strain.
-[[nodiscard]] OptionRow strain_row(AnswerOptions& options);
 /// --uncertainty, key=sd.
 [[nodiscard]] OptionRow uncertainty_row(std::vector<std::string>& settings);
 

@@ -119,12 +119,14 @@ std::string field_text(const FieldRow& row, double value) {
   }
 }
 
-io::Columns<Answer> answer_columns(bool all, const std::string& before) {
-  constexpr Field usual[] = {Field::shear_modulus, Field::shear_wave_speed, Field::compression_wave_speed,
-                             Field::mechanical_coordination_number, Field::stress_exponent};
+io::Columns<Answer> answer_columns(bool all, bool strained, const std::string& before) {
+  std::vector<Field> usual{Field::shear_modulus, Field::shear_wave_speed, Field::compression_wave_speed,
+                           Field::mechanical_coordination_number, Field::stress_exponent};
+  if (strained)
+    usual.insert(usual.end(), {Field::strained_shear_modulus, Field::modulus_ratio, Field::damping_ratio});
   io::Columns<Answer> columns;
   for (const FieldRow& row : estimate::fields()) {
-    if (!all && std::find(std::begin(usual), std::end(usual), row.field) == std::end(usual))
+    if (!all && std::find(usual.begin(), usual.end(), row.field) == usual.end())
       continue;
     const std::string unit(si_symbol(row.dimension));
     for (const auto& [name, part] :

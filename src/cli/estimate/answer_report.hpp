@@ -69,8 +69,10 @@ void add_measured_laws(AnswerCase& answer);
 [[nodiscard]] std::vector<std::string> sand_notes(const AnswerCase& answer, const AnswerOptions& options);
 /// Columns of a table, each number with the ends of its range.
 /// \param    before   prefix of the headings: "sand_" for the answer for a sand next to that for spheres
-/// \param    all   every number; else only G, V_s, V_p, z* and s
-[[nodiscard]] io::Columns<estimate::Answer> answer_columns(bool all, const std::string& before = "");
+/// \param    all        every number; else only G, V_s, V_p, z* and s
+/// \param    strained   besides these G, G/G0 and damping at a shear strain
+[[nodiscard]] io::Columns<estimate::Answer> answer_columns(bool all, bool strained,
+                                                           const std::string& before = "");
 /// A number in the unit of a screen, with the unit: "118 MPa".
 [[nodiscard]] std::string field_text(const estimate::FieldRow& row, double value);
 /// The contributions to the range of G, and how to narrow it.

@@ -114,7 +114,8 @@ Command make_estimate() {
                   .run = [options] { return run(*options); }};
   add_packing_options(command, options->packing);
   add_answer_options(command, options->answer);
-  add_state_options(command, options->answer);
+  command.add(input_option(options->answer.earth_pressure_at_rest));
+  command.add(input_option(options->answer.strain));
   command.add(
       "More results",
       {{.name = "--bounds",

@@ -133,7 +133,7 @@ std::string answer_csv(const AnswerCase& c, const ordered_json& packing) {
   for (const std::string& note : c.assumptions)
     csv.notes.emplace_back("note", note);
   const auto add = [&](const estimate::Answer& answer, const char* before) {
-    const io::Columns<estimate::Answer> columns = answer_columns(true, before);
+    const io::Columns<estimate::Answer> columns = answer_columns(true, true, before);
     for (const io::Column<estimate::Answer>& column : columns)
       csv.headings.push_back(column.heading);
     io::add_cells(csv.rows.front(), columns, answer);

@@ -27,14 +27,11 @@ Names with(Names names, std::string_view others) {
 /// Usual names of columns; the first is used in errors.
 struct KnownNames {
   Names modulus = with(with({}, column_names::shear_modulus), column_names::shear_modulus_hh);
-  Names vertical =
-      with(names_of_column(column_names::vertical_stress, "stress_v"), "sigma_1 sigma1 sigma_a sigma_z");
-  Names horizontal =
-      with(names_of_column(column_names::horizontal_stress, "stress_h"), "sigma_3 sigma3 sigma_r sigma_x");
-  Names mean = with(names_of_column(column_names::mean_stress, "pressure"),
-                    "p0 p_0 p'_0 p0' sigma_0 sigma0 sigma_c sigma_m "
-                    "sigma_3 sigma3 sigma sigma' stress");
-  Names void_ratio = with(names_of_column(column_names::void_ratio, "void_ratio"), "e_0 e0");
+  Names vertical = with(names_of_column(Input::stress_v), "sigma_1 sigma1 sigma_a sigma_z");
+  Names horizontal = with(names_of_column(Input::stress_h), "sigma_3 sigma3 sigma_r sigma_x");
+  Names mean = with(names_of_column(Input::pressure), "p0 p_0 p'_0 p0' sigma_0 sigma0 sigma_c sigma_m "
+                                                      "sigma_3 sigma3 sigma sigma' stress");
+  Names void_ratio = with(names_of_column(Input::void_ratio), "e_0 e0");
   Names porosity = names_of_column("", "porosity");
 };
 

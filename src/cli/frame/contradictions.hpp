@@ -15,15 +15,8 @@ namespace granum::cli {
 
 /// Messages about quantities that are given twice, by options or by a row of a table.
 namespace given_twice {
-inline constexpr const char* density =
-    "the density is given more than once: give one of --void-ratio, --porosity, --solid-fraction, "
-    "--relative-density";
-inline constexpr const char* stress = "--pressure sets both stresses: leave out --stress-v and --stress-h";
 inline constexpr const char* rattlers =
     "--mechanical-coordination-number and --rattler-fraction are alternatives: give one";
-inline constexpr const char* size = "--radius and --d50 are alternatives: give one";
-inline constexpr const char* grain =
-    "--grain-poisson-ratio and --grain-bulk-modulus are alternatives: give one, besides the shear modulus";
 inline constexpr const char* sizes =
     "--sizes, --sieve and --uniformity are alternatives: give one of them, once";
 } // namespace given_twice

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -43,10 +44,45 @@ Value of_dimension(Dimension dimension) { return {.type = type_name(dimension), 
 
 } // namespace
 
-void Number::refuse_share(const std::string& range, double most) const {
-  const bool hint = value > most && value <= 100 * most && !per_cent;
-  throw InvalidArgument(name, value, "",
-                        hint ? fmt::format("{}; write {}% for per cent", range, short_text(value)) : range);
+namespace {
+
+/// A text that rows of options refer to as long as the program runs.
+std::string_view kept(std::string text) {
+  static std::set<std::string> all;
+  return *all.insert(std::move(text)).first;
+}
+
+} // namespace
+
+Number number_of(estimate::Input input) {
+  const estimate::InputRow& row = estimate::row_of(input);
+  return {.value = row.by_default.value_or(0),
+          .dimension = row.dimension,
+          .symbols = row.symbols,
+          .name = row.option(),
+          .input = &row};
+}
+
+double require_within(const Number& number) {
+  estimate::require_within(*number.input, number.value, number.name, number.per_cent);
+  return number.value;
+}
+
+OptionRow input_option(Number& target) {
+  const estimate::InputRow& of = *target.input;
+  OptionRow row{.name = of.option(),
+                .value = of.by_default ? number(target) : number_without_default(target),
+                .group = of.group,
+                .meaning = of.meaning};
+  for (const auto& [keys, sentence] : of.excludes) {
+    std::string options;
+    for (const std::string& key : words_of(keys))
+      options += (options.empty() ? "" : " ") + estimate::find_input(key)->option();
+    row.excludes.push_back({kept(options), kept(estimate::with_options(sentence))});
+  }
+  for (const auto& [words, remark] : of.synonyms)
+    row.synonyms.push_back({words, remark});
+  return row;
 }
 
 // ---- commands and rows

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <granum/core/units.hpp>
+#include <granum/estimate/inputs.hpp>
 
 /// One row per option; parser, help, manual pages, completion, suggestions and contradictions are derived
 /// from it. Checked by tests/cli
@@ -25,16 +26,21 @@ struct Number {
   Dimension dimension = Dimension::dimensionless;
   /// Other names of its column in tables, separated by blanks.
   std::string_view symbols = {};
-  std::string name = {}; ///< of the option, "--radius"
-  bool typed = false;    ///< on the command line
-  bool in_table = false; ///< given by a row of a table
-  bool preset = false;   ///< set by another input, such as the name of a mineral
-  bool per_cent = false; ///< its text or the heading of its column has a per cent sign
+  std::string name = {};                     ///< of the option, "--radius"
+  bool typed = false;                        ///< on the command line
+  bool in_table = false;                     ///< given by a row of a table
+  bool preset = false;                       ///< set by another input, such as the name of a mineral
+  bool per_cent = false;                     ///< its text or the heading of its column has a per cent sign
+  const estimate::InputRow* input = nullptr; ///< its row, if it is an input of a question
 
   [[nodiscard]] bool given() const { return typed || in_table || preset; }
-  /// Error: the number is not within `range`; above `most`, with a hint on how to write per cent.
-  [[noreturn]] void refuse_share(const std::string& range, double most) const;
 };
+
+/// A number that is an input: its default, dimension and names are those of the row.
+[[nodiscard]] Number number_of(estimate::Input input);
+/// The value, if the limits of its row contain it.
+/// \throws   InvalidArgument naming the option
+double require_within(const Number& number);
 
 /// Kind of value of an option, and the variable that receives it.
 struct Value {
@@ -82,6 +88,10 @@ struct Synonyms {
   std::string_view words;
   std::string_view remark = {};
 };
+
+struct OptionRow;
+/// The option of an input that this number receives; help shows a default.
+[[nodiscard]] OptionRow input_option(Number& number);
 
 struct OptionRow {
   std::string name; ///< all names: "--out", "-h,--help"; without hyphens for an argument

@@ -137,84 +137,102 @@ Quantity pictured(const InferOptions& o, const InferCase& question) {
   return question.measurements.front().quantity;
 }
 
-/// The answer if the grains are sand.
-/// \param    doubts   on the predictions
-ExitCode run_sand(const InferOptions& o, const InferCase& question, const inverse::SandInference& sand,
-                  const Validity& doubts, Quantity of_picture) {
-  Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
-  validity.merge(likely_mistakes(o.grains.grain_density));
-  validity.merge(sand.validity());
-  validity.merge(doubts);
-  std::string text = sand_inference_text(question, sand) + "\n";
-  for (const std::string& note : question.assumptions)
+/// What was inferred of a sand, of spheres, or of both.
+struct Inferred {
+  InferCase of_sand, of_beads; ///< the predictions of the latter are of spheres that are compressed
+  std::optional<inverse::SandInference> sand;
+  std::optional<inverse::InferenceAnswer> beads;
+  Validity validity;
+
+  [[nodiscard]] bool both() const { return sand && beads; }
+};
+
+Inferred inferred(const InferCase& question) {
+  Inferred all{.of_sand = question, .of_beads = question, .sand = {}, .beads = {}, .validity = {}};
+  Validity of_sand;
+  if (question.sand) {
+    all.sand = inverse::infer_sand(question.measurements, *question.sand, question.sand_growth);
+    of_sand = all.sand->validity();
+    for (const PredictedState& predicted : question.predicted)
+      of_sand.merge(doubts_of(predicted, [&] { return all.sand->doubts(predicted.state); }));
+  }
+  if (question.of_spheres) {
+    all.beads = inverse::infer(question.measurements, question.options);
+    all.validity = all.beads->validity;
+    if (all.beads->together)
+      all.validity.merge(complete_predictions(all.of_beads, *all.beads->together));
+  }
+  for (const std::string& note : of_sand.notes)
+    all.validity.add((all.both() ? "sand: " : "") + note);
+  return all;
+}
+
+std::string text_of(const Inferred& all) {
+  std::string text;
+  if (all.both())
+    text = "The kind of grains is not given; choose with --grain-shape sand or sphere\n\n";
+  if (all.sand)
+    text += sand_inference_text(all.of_sand, *all.sand) + "\n";
+  if (all.both())
+    text += "beads (spheres of the model)\n\n";
+  if (all.beads)
+    return text + infer_table(all.of_beads, *all.beads);
+  for (const std::string& note : all.of_sand.assumptions)
     text += "note: " + note + "\n";
-  nlohmann::ordered_json json = json_head("infer");
-  json["grain_shape"] = name(estimate::GrainShape::sand);
-  json["sand"] = sand_inference_json(question, sand);
-  json["inputs"] = question.packing;
-  json["notes"] = question.assumptions;
-  const bool csv = !o.output.out.empty() && !o.output.json;
-  const ExitCode code =
-      deliver(o.output, csv ? sand_inference_csv(question, sand) : within_width(text), json, validity);
-  if (!o.picture.empty())
-    io::write_file(o.picture,
-                   plot::svg(infer_chart(
-                       question, of_picture,
-                       [&](const effective::State& state, inverse::AskedPacking) {
-                         return sand.predict(of_picture, state);
-                       },
-                       [&](double) { return question.measurements.front().state.void_ratio; })),
-                   existing(o.output.force));
-  return code;
+  return text;
+}
+
+nlohmann::ordered_json json_of(const Inferred& all) {
+  nlohmann::ordered_json json = all.beads ? infer_json(all.of_beads, *all.beads) : json_head("infer");
+  json["grain_shape"] = name(all.beads ? estimate::GrainShape::sphere : estimate::GrainShape::sand);
+  json["sand"] = all.sand ? sand_inference_json(all.of_sand, *all.sand) : nlohmann::ordered_json();
+  if (!all.beads) {
+    json["inputs"] = all.of_sand.packing;
+    json["notes"] = all.of_sand.assumptions;
+  }
+  return json;
+}
+
+/// Data, fit and predictions, in a chart for each kind of grains.
+std::vector<plot::Chart> charts_of(const Inferred& all, Quantity of_picture) {
+  std::vector<plot::Chart> charts;
+  if (all.sand)
+    charts.push_back(infer_chart(
+        all.of_sand, of_picture, estimate::GrainShape::sand,
+        [&](const effective::State& state, inverse::AskedPacking) {
+          return all.sand->predict(of_picture, state);
+        },
+        [&](double) { return all.of_sand.measurements.front().state.void_ratio; }));
+  if (all.beads)
+    charts.push_back(infer_chart(
+        all.of_beads, of_picture, estimate::GrainShape::sphere,
+        [&](const effective::State& state, inverse::AskedPacking specimen) {
+          return all.beads->together->predict(of_picture, state, specimen);
+        },
+        [&](double p) { return all.beads->together->void_ratio_at(p); }));
+  return charts;
 }
 
 ExitCode run(const InferOptions& o) {
   require_free(o.output, o.picture);
-  InferCase question = infer_case(o);
+  const InferCase question = infer_case(o);
   const Quantity of_picture = pictured(o, question);
-  std::optional<inverse::SandInference> sand;
-  Validity doubts; // of the sand
-  if (question.sand) {
-    sand = inverse::infer_sand(question.measurements, *question.sand, question.sand_growth);
-    for (const PredictedState& predicted : question.predicted)
-      doubts.merge(doubts_of(predicted, [&] { return sand->doubts(predicted.state); }));
-  }
-  if (!question.of_spheres)
-    return run_sand(o, question, *sand, doubts, of_picture);
-  const inverse::InferenceAnswer answer = inverse::infer(question.measurements, question.options);
+  const Inferred all = inferred(question);
   Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
   validity.merge(likely_mistakes(o.grains.grain_density));
-  validity.merge(answer.validity);
-  const InferCase of_sand = question; // whose predictions keep the void ratio; spheres are compressed
-  if (answer.together)
-    validity.merge(complete_predictions(question, *answer.together));
-  std::string text = infer_table(question, answer);
-  nlohmann::ordered_json json = infer_json(question, answer);
-  json["grain_shape"] = name(estimate::GrainShape::sphere);
-  json["sand"] = nullptr;
-  if (sand) {
-    text = "The kind of grains is not given; choose with --grain-shape sand or sphere\n\n" +
-           sand_inference_text(of_sand, *sand) + "\nbeads (spheres of the model)\n\n" + text;
-    json["sand"] = sand_inference_json(of_sand, *sand);
-    for (const std::string& note : sand->validity().notes)
-      validity.add("sand: " + note);
-  }
+  validity.merge(all.validity);
   const bool csv = !o.output.out.empty() && !o.output.json;
+  const auto* const sand = all.sand ? &*all.sand : nullptr;
+  const auto* const beads = all.beads ? &*all.beads : nullptr;
   const ExitCode code =
-      deliver(o.output, csv ? infer_csv(question, answer) : within_width(text), json, validity);
-  if (!answer.together) {
+      deliver(o.output, csv ? infer_csv(all.of_sand, sand, all.of_beads, beads) : within_width(text_of(all)),
+              json_of(all), validity);
+  if (all.beads && !all.beads->together) {
     say("error", "no measurement can be explained by contacts between these grains");
     return code == ExitCode::ok ? ExitCode::fell_short : code;
   }
   if (!o.picture.empty())
-    io::write_file(o.picture,
-                   plot::svg(infer_chart(
-                       question, of_picture,
-                       [&](const effective::State& state, inverse::AskedPacking specimen) {
-                         return answer.together->predict(of_picture, state, specimen);
-                       },
-                       [&](double p) { return answer.together->void_ratio_at(p); })),
-                   existing(o.output.force));
+    io::write_file(o.picture, plot::svg(charts_of(all, of_picture)), existing(o.output.force));
   return code;
 }
 

@@ -118,16 +118,17 @@ inline constexpr std::string_view sand_growth_name = "sand";
 [[nodiscard]] std::string place_text(const effective::State& state);
 
 [[nodiscard]] std::string infer_table(const InferCase& question, const inverse::InferenceAnswer& answer);
-[[nodiscard]] std::string infer_csv(const InferCase& question, const inverse::InferenceAnswer& answer);
+/// Measured and predicted states with both forecasts, of a sand and of spheres; null for one that there is not.
+[[nodiscard]] std::string infer_csv(const InferCase& of_sand, const inverse::SandInference* sand,
+                                    const InferCase& of_beads, const inverse::InferenceAnswer* beads);
 [[nodiscard]] nlohmann::ordered_json infer_json(const InferCase& question,
                                                 const inverse::InferenceAnswer& answer);
-[[nodiscard]] std::string sand_inference_csv(const InferCase& question, const inverse::SandInference& sand);
 /// The predictions for a state, from a sand or a packing of spheres.
 using Forecast = std::function<Measured(const effective::State& state, inverse::AskedPacking specimen)>;
-/// Data, fit and its band over the mean stress.
+/// Data, fit and its band over the mean stress, with the kind of grains in the title.
 /// \param    void_ratio_at   of the measured packing at another mean stress
 [[nodiscard]] plot::Chart infer_chart(const InferCase& question, inverse::Quantity quantity,
-                                      const Forecast& forecast,
+                                      estimate::GrainShape shape, const Forecast& forecast,
                                       const std::function<double(double mean_stress)>& void_ratio_at);
 
 } // namespace granum::cli

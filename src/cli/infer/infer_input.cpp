@@ -249,7 +249,7 @@ void resolve_shape(const InferOptions& o, const PackingOptions& packing, InferCa
   state.stress_h = measured.stress_h;
   question.sand = {.state = std::move(state),
                    .grain_density = grains.grain_density.value,
-                   .saturation = require_share(grains.saturation),
+                   .saturation = require_within(grains.saturation),
                    .grain_shape = GrainShape::sand,
                    .sand = sand_of(of_quartz, grains)};
   question.sand_growth =
@@ -316,6 +316,8 @@ Validity doubts_of(const PredictedState& predicted, const std::function<Validity
     if (predicted.specimen == inverse::AskedPacking::prepared_alike && refused &&
         refused->name == "void_ratio")
       throw InvalidArgument("--predict-void-ratio", refused->value, refused->unit, refused->range);
+    if (refused && refused->name == "k0") // that of the measurements was answered
+      throw InvalidArgument("--predict-stress-ratio", refused->value, refused->unit, refused->range);
     throw InvalidArgument(place + error.what());
   }
   return placed;
@@ -362,7 +364,7 @@ InferCase infer_case(const InferOptions& given) {
                                    pretty(o.grains.grain_density.value, Dimension::density));
   question.packing = packing_json(packing, first);
   question.options = {.grain_density = o.grains.grain_density.value,
-                      .pore_density = elastic::water_density * require_share(o.grains.saturation),
+                      .pore_density = elastic::water_density * require_within(o.grains.saturation),
                       .growth = of_spheres_alone(o.growth) || o.growth == fitted_growth
                                     ? inverse::growth_rule_of(o.growth)
                                     : inverse::GrowthRule::packings,

@@ -313,52 +313,66 @@ ordered_json infer_json(const InferCase& question, const InferenceAnswer& answer
   return json;
 }
 
-std::string infer_csv(const InferCase& question, const InferenceAnswer& answer) {
+std::string infer_csv(const InferCase& of_sand, const inverse::SandInference* sand, const InferCase& of_beads,
+                      const InferenceAnswer* beads) {
   io::CsvContent csv;
-  csv.manner = question.manner;
+  csv.manner = of_beads.manner;
   csv.notes = {{"program", fmt::format("granum {} infer", version())},
-               {"inputs", json_text(question.packing, -1)},
+               {"inputs", json_text(of_beads.packing, -1)},
                {"signs", "compression positive; z is the vertical axis v"}};
-  for (const std::string& note : question.assumptions)
+  for (const std::string& note : of_beads.assumptions)
     csv.notes.emplace_back("note", note);
   csv.headings = {"kind",   "p_Pa",         "sigma_v_Pa",       "sigma_h_Pa", "e",
                   "z_star", "z_star_error", "rattler_fraction", "C_n"};
-  const std::vector<const QuantityRow*> rows = predictable(question);
+  const std::vector<const QuantityRow*> rows = predictable(of_beads);
   for (const QuantityRow* row : rows)
     for (const char* what : {"_measured", "_measured_error", "", "_error"})
       csv.headings.push_back(fmt::format("{}{}_{}", row->key, what, si_symbol(dimension_of(*row))));
+  csv.headings.emplace_back("grain_shape");
 
-  const auto add = [&](const char* kind, const State& s, inverse::AskedPacking specimen,
+  const inverse::Inference* const fit = beads != nullptr && beads->together ? &*beads->together : nullptr;
+  const auto add = [&](const char* kind, const PredictedState& at, estimate::GrainShape shape,
                        const inverse::Observation* m) {
+    const bool of_sphere = shape == estimate::GrainShape::sphere;
+    const auto& [s, specimen] = at;
     auto& cells = csv.rows.emplace_back();
     cells = {std::string(kind), s.mean_stress(), s.stress_v, s.stress_h, s.void_ratio};
     const auto packing =
-        answer.together ? std::optional(answer.together->packing(s, specimen)) : std::nullopt;
+        of_sphere && fit != nullptr ? std::optional(fit->packing(s, specimen)) : std::nullopt;
     cells.emplace_back(packing ? packing->mechanical_coordination_number.value : nothing);
     cells.emplace_back(packing ? packing->mechanical_coordination_number.standard_error : nothing);
     cells.emplace_back(packing ? packing->rattler_fraction.value : nothing);
     cells.emplace_back(packing ? packing->coordination_number.value : nothing);
     for (const QuantityRow* row : rows) {
       const bool here = m != nullptr && m->quantity == row->quantity;
-      const Measured value =
-          answer.together ? answer.together->predict(row->quantity, s, specimen) : Measured{nothing, nothing};
+      const Measured value = !of_sphere       ? sand->predict(row->quantity, s)
+                             : fit != nullptr ? fit->predict(row->quantity, s, specimen)
+                                              : Measured{nothing, nothing};
       for (const double number : {here ? m->value.value : nothing, here ? m->value.standard_error : nothing,
                                   value.value, value.standard_error})
         cells.emplace_back(number);
     }
+    cells.emplace_back(std::string(name(shape)));
   };
-  for (const inverse::Observation& m : question.measurements)
-    add("measured", m.state, inverse::AskedPacking::same, &m);
-  if (answer.together)
-    for (const auto& [state, specimen] : question.predicted)
-      add("predicted", state, specimen, nullptr);
+  const auto add_all = [&](const InferCase& question, estimate::GrainShape shape, bool predicts) {
+    for (const inverse::Observation& m : question.measurements)
+      add("measured", {m.state, inverse::AskedPacking::same}, shape, &m);
+    if (predicts)
+      for (const PredictedState& at : question.predicted)
+        add("predicted", at, shape, nullptr);
+  };
+  if (sand != nullptr)
+    add_all(of_sand, estimate::GrainShape::sand, true);
+  if (beads != nullptr)
+    add_all(of_beads, estimate::GrainShape::sphere, fit != nullptr);
   return io::csv_text(csv);
 }
 
-plot::Chart infer_chart(const InferCase& question, inverse::Quantity quantity, const Forecast& forecast,
-                        const std::function<double(double)>& void_ratio_at) {
+plot::Chart infer_chart(const InferCase& question, inverse::Quantity quantity, estimate::GrainShape shape,
+                        const Forecast& forecast, const std::function<double(double)>& void_ratio_at) {
   const QuantityRow& row = inverse::row_of(quantity);
-  plot::Chart chart{.title = std::string(row.meaning),
+  plot::Chart chart{.title = std::string(row.meaning) +
+                             (shape == estimate::GrainShape::sand ? ", sand" : ", beads (spheres)"),
                     .x = {.title = "p' [kPa]", .scale = plot::Scale::logarithmic, .unit = 1e3},
                     .y = {.title = std::string(row.key) + (row.speed ? " [m/s]" : " [MPa]"),
                           .scale = plot::Scale::logarithmic,

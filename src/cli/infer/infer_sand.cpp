@@ -122,37 +122,4 @@ ordered_json sand_inference_json(const InferCase& question, const SandInference&
   return json;
 }
 
-std::string sand_inference_csv(const InferCase& question, const SandInference& sand) {
-  io::CsvContent csv;
-  csv.notes = {{"program", fmt::format("granum {} infer", version())},
-               {"grain_shape", "sand"},
-               {"inputs", json_text(question.packing, -1)},
-               {"signs", "compression positive; z is the vertical axis v"}};
-  for (const std::string& note : question.assumptions)
-    csv.notes.emplace_back("note", note);
-  csv.headings = {"kind", "p_Pa", "sigma_v_Pa", "sigma_h_Pa", "e"};
-  for (const inverse::QuantityRow& row : inverse::quantities())
-    if (is_told(question, row))
-      for (const char* what : {"_measured", "_measured_error", "", "_error"})
-        csv.headings.push_back(fmt::format("{}{}_{}", row.key, what, si_symbol(dimension_of(row))));
-  const auto add = [&](const char* kind, const effective::State& s, const inverse::Observation* m) {
-    auto& cells = csv.rows.emplace_back();
-    cells = {std::string(kind), s.mean_stress(), s.stress_v, s.stress_h, s.void_ratio};
-    for (const inverse::QuantityRow& row : inverse::quantities()) {
-      if (!is_told(question, row))
-        continue;
-      const bool here = m != nullptr && m->quantity == row.quantity;
-      const Measured value = sand.predict(row.quantity, s);
-      for (const double number : {here ? m->value.value : nothing, here ? m->value.standard_error : nothing,
-                                  value.value, value.standard_error})
-        cells.emplace_back(number);
-    }
-  };
-  for (const inverse::Observation& m : question.measurements)
-    add("measured", m.state, &m);
-  for (const auto& [state, specimen] : question.predicted)
-    add("predicted", state, nullptr);
-  return io::csv_text(csv);
-}
-
 } // namespace granum::cli

@@ -3,14 +3,11 @@
 
 #include <string_view>
 
-/// Symbols that head the columns of tables, the same for every command that reads one; separated by blanks.
+/// Symbols that head the columns of measured quantities, the same for every command that reads a table;
+/// separated by blanks. Those of inputs are in their rows (granum/estimate/inputs.hpp).
 /// is_column_of reads primes and the Greek letter sigma in them too.
 namespace granum::cli::column_names {
 
-inline constexpr std::string_view void_ratio = "e";
-inline constexpr std::string_view mean_stress = "p p'";
-inline constexpr std::string_view vertical_stress = "sigma_v sigma'_v sigma_v' sigma'v sigmav s'_v";
-inline constexpr std::string_view horizontal_stress = "sigma_h sigma'_h sigma_h' sigma'h sigmah s'_h";
 inline constexpr std::string_view shear_modulus = "G G_max Gmax G_0 G0 G_hv G_vh Ghv Gvh";
 inline constexpr std::string_view shear_modulus_hh = "G_hh Ghh";
 inline constexpr std::string_view bulk_modulus = "K";

@@ -60,10 +60,4 @@ Validity likely_mistakes(const studies::Scene& scene) {
   return validity;
 }
 
-double require_share(const Number& number, double most) {
-  if (!(number.value >= 0 && number.value <= most))
-    number.refuse_share(detail::closed_range(0, most, number.value), most);
-  return number.value;
-}
-
 } // namespace granum::cli

@@ -22,8 +22,4 @@ namespace granum::cli {
 /// The same for the grains and pressures of a scene, with the names of its keys.
 [[nodiscard]] Validity likely_mistakes(const studies::Scene& scene);
 
-/// Checks a share from 0 to `most` [1]; a value that looks like per cent without its sign gets a hint.
-/// \throws   InvalidArgument
-double require_share(const Number& number, double most = 1);
-
 } // namespace granum::cli

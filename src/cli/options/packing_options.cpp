@@ -81,7 +81,7 @@ contact::GrainMaterial grain_of(const PackingOptions& o) {
   if (!bulk.given())
     return {o.grain_shear_modulus.value, ratio.value};
   if (ratio.given() && !ratio.preset)
-    throw InvalidArgument(given_twice::grain);
+    throw InvalidArgument(estimate::with_options(estimate::conflict::grain));
   require_positive(bulk.name, bulk.value, "Pa");
   require_positive(o.grain_shear_modulus.name, o.grain_shear_modulus.value, "Pa");
   return {o.grain_shear_modulus.value,
@@ -100,15 +100,10 @@ contact::NormalLaw resolve_law(const PackingOptions& o) {
 
 namespace {
 
-/// Beyond these limits no formula of a void ratio means anything, and some overflow.
-constexpr double least_void_ratio = 1e-6, largest_void_ratio = 1e6;
-
-/// A share of the volume, 0 < value < 1; per cent without sign is the usual mistake.
+/// A share of the volume whose void ratio is possible.
 double require_open_share(const Number& number) {
-  const double value = number.value;
-  if (!(value > 0 && value < 1))
-    number.refuse_share("(0, 1)", 1);
-  return require_closed(number.name, value, least_void_ratio, 1 - least_void_ratio);
+  const double least = estimate::row_of(Input::void_ratio).limits.low;
+  return require_closed(number.name, require_within(number), least, 1 - least);
 }
 
 double resolve_void_ratio(const PackingOptions& o) {
@@ -116,7 +111,7 @@ double resolve_void_ratio(const PackingOptions& o) {
   if (times_given == 0)
     throw InvalidArgument("the density is missing: give one of --void-ratio, --porosity, --solid-fraction");
   if (times_given > 1)
-    throw InvalidArgument(given_twice::density);
+    throw InvalidArgument(estimate::with_options(estimate::conflict::density));
   if (o.porosity.given()) {
     const double porosity = require_open_share(o.porosity);
     return porosity / (1 - porosity);
@@ -125,171 +120,43 @@ double resolve_void_ratio(const PackingOptions& o) {
     const double solid_fraction = require_open_share(o.solid_fraction);
     return (1 - solid_fraction) / solid_fraction;
   }
-  return require_closed(o.void_ratio.name, o.void_ratio.value, least_void_ratio, largest_void_ratio);
+  return require_within(o.void_ratio);
 }
 
 } // namespace
 
 namespace {
 
-constexpr std::string_view words_for_pressure =
-    "p p0 pc p' pm sigma sigma0 sigma3 sigmac s3 stress confiningpressure confiningstress confinement "
-    "confining "
-    "meanstress meaneffectivestress effectivestress cellpressure isotropicstress";
-const Exclusion one_density{"--void-ratio --porosity --solid-fraction --relative-density",
-                            given_twice::density};
-
-/// A number of the packing, and its option.
-struct NumberRow {
-  Number PackingOptions::*number;
-  bool has_default; ///< shown in help
-  OptionRow row;
-};
-
-/// The order is that of uncertain inputs.
-const std::vector<NumberRow>& number_rows() {
-  static const std::vector<NumberRow> rows = {
-      {&PackingOptions::grain_shear_modulus,
-       true,
-       {.name = "--grain-shear-modulus",
-        .group = grains_group,
-        .meaning = "Shear modulus G_g of the grain's material",
-        .synonyms = {{"Gs gs"},
-                     {"G g Gg gg mug modulus grainmodulus shearmodulus"},
-                     {"E Eg Es youngmodulus youngsmodulus grainyoungmodulus",
-                      "of Young's modulus it is G_g = E_g/(2(1 + nu_g))"}}}},
-      {&PackingOptions::grain_poisson_ratio,
-       true,
-       {.name = "--grain-poisson-ratio",
-        .group = grains_group,
-        .meaning = "Poisson's ratio nu_g of the grain's material",
-        .synonyms = {{"nu nug v poisson poissonratio poissonsratio"}}}},
-      {&PackingOptions::grain_bulk_modulus,
-       false,
-       {.name = "--grain-bulk-modulus",
-        .group = grains_group,
-        .meaning = "Bulk modulus K_g of the grain's material, instead of --grain-poisson-ratio",
-        .excludes = {{"--grain-poisson-ratio", given_twice::grain}},
-        .synonyms = {{"K k Kg Ks kg ks bulkmodulus grainbulkmodulus"}}}},
-      {&PackingOptions::radius,
-       true,
-       {.name = "--radius",
-        .group = sizes_group,
-        .meaning = "Radius of the grains; mean by number if they are unequal",
-        .excludes = {{"--d50", given_twice::size}},
-        .synonyms = {{"d D diameter grainsize particlesize graindiameter meandiameter meansize"},
-                     {"r R grainradius particleradius"}}}},
-      {&PackingOptions::d50,
-       false,
-       {.name = "--d50",
-        .group = sizes_group,
-        .meaning = "Median diameter by mass, instead of --radius",
-        .synonyms = {{"d D diameter grainsize particlesize graindiameter meandiameter meansize"}}}},
-      {&PackingOptions::tangential_ratio,
-       false,
-       {.name = "--tangential-ratio",
-        .group = law_group,
-        .meaning =
-            "Tangential over normal contact stiffness, k_t/k_n; by default 2(1-nu_g)/(2-nu_g), no slip"}},
-      {&PackingOptions::void_ratio,
-       false,
-       {.name = "--void-ratio",
-        .group = state_group,
-        .meaning = "Volume of voids over that of grains",
-        .excludes = {one_density},
-        .synonyms = {{"e e0 voidratio"}, {"rho rhod density drydensity bulkdensity"}}}},
-      {&PackingOptions::porosity,
-       false,
-       {.name = "--porosity",
-        .group = state_group,
-        .meaning = "Volume fraction of voids, instead of --void-ratio",
-        .excludes = {one_density},
-        .synonyms = {{"n phi"}}}},
-      {&PackingOptions::solid_fraction,
-       false,
-       {.name = "--solid-fraction",
-        .group = state_group,
-        .meaning = "Volume fraction of grains, instead of --void-ratio",
-        .excludes = {one_density},
-        .synonyms = {{"packingfraction volumefraction solidsfraction nu_s nus"}}}},
-      {&PackingOptions::coordination_number,
-       false,
-       {.name = "--coordination-number",
-        .group = contacts_group,
-        .meaning =
-            "C_n = 2 N_c/N, contacts per grain over all grains; by default estimated from void ratio and "
-            "stress",
-        .synonyms = {{"z cn nc coordination contacts contactnumber"}}}},
-      {&PackingOptions::mechanical_coordination_number,
-       false,
-       {.name = "--mechanical-coordination-number",
-        .group = contacts_group,
-        .meaning = "z*, contacts per grain without rattlers (grains that carry no load)",
-        .synonyms = {{"z cn nc coordination contacts contactnumber zstar z* zm"}}}},
-      {&PackingOptions::rattler_fraction,
-       false,
-       {.name = "--rattler-fraction",
-        .group = contacts_group,
-        .meaning = "Share of rattlers (grains that carry no load); z* = C_n/(1 - share)",
-        .synonyms = {{"rattlers floaters"}}}},
-      {&PackingOptions::fabric,
-       true,
-       {.name = "--fabric",
-        .group = contacts_group,
-        .meaning = "a, anisotropy of the contact normals; > 0: more are vertical",
-        .synonyms = {{"a anisotropy"}}}},
-      {&PackingOptions::pressure,
-       false,
-       {.name = "--pressure",
-        .group = state_group,
-        .meaning = "Mean effective stress, the same in all directions",
-        .excludes = {{"--stress-v --stress-h", given_twice::stress}},
-        .synonyms = {{words_for_pressure}}}},
-      {&PackingOptions::stress_v,
-       false,
-       {.name = "--stress-v",
-        .group = state_group,
-        .meaning = "Vertical effective stress, with --stress-h",
-        .synonyms = {{"sigmav sigma1 sigmaz sigmaa sv s1 verticalstress axialstress"},
-                     {"depth z",
-                      "the effective one there, with --k0; granum sweep --depth 0m..10m computes it"}}}},
-      {&PackingOptions::stress_h,
-       false,
-       {.name = "--stress-h",
-        .group = state_group,
-        .meaning = "Horizontal effective stress, with --stress-v",
-        .synonyms = {{"sigmah sigmar sh horizontalstress radialstress"},
-                     {"k0 ko stressratio", "sigma_h = K_0 sigma_v"}}}},
-  };
-  return rows;
-}
-
-void add(Command& command, PackingOptions& o, const NumberRow& of) {
-  OptionRow row = of.row;
-  row.value = (of.has_default ? number : number_without_default)(o.*of.number);
-  command.add(std::move(row));
-}
+constexpr Number PackingOptions::*all_packing_numbers[] = {&PackingOptions::grain_shear_modulus,
+                                                           &PackingOptions::grain_poisson_ratio,
+                                                           &PackingOptions::grain_bulk_modulus,
+                                                           &PackingOptions::radius,
+                                                           &PackingOptions::d50,
+                                                           &PackingOptions::tangential_ratio,
+                                                           &PackingOptions::void_ratio,
+                                                           &PackingOptions::porosity,
+                                                           &PackingOptions::solid_fraction,
+                                                           &PackingOptions::coordination_number,
+                                                           &PackingOptions::mechanical_coordination_number,
+                                                           &PackingOptions::rattler_fraction,
+                                                           &PackingOptions::fabric,
+                                                           &PackingOptions::pressure,
+                                                           &PackingOptions::stress_v,
+                                                           &PackingOptions::stress_h};
 
 /// All numbers of a group in help.
 void add_group(Command& command, PackingOptions& o, std::string_view group) {
-  for (const NumberRow& of : number_rows())
-    if (of.row.group == group)
-      add(command, o, of);
+  for (Number PackingOptions::*const number : all_packing_numbers)
+    if ((o.*number).input->group == group)
+      command.add(input_option(o.*number));
 }
 
 } // namespace
 
-std::vector<Synonyms> grain_density_synonyms() {
-  return {{"Gs gs", "a specific gravity of 2.65 is the density 2.65g/cm3"},
-          {"specificgravity rhos rhog soliddensity gamma gammad gammasat bulkunitweight"},
-          {"rho rhod density drydensity bulkdensity",
-           "rho_s of the solid; from the dry density of the packing, e = rho_s/rho_d - 1"}};
-}
-
 void add_packing_number(Command& command, PackingOptions& o, std::string_view name) {
-  for (const NumberRow& of : number_rows())
-    if (is_named(of.row, name))
-      add(command, o, of);
+  for (Number PackingOptions::*const number : all_packing_numbers)
+    if ((o.*number).name == name)
+      command.add(input_option(o.*number));
 }
 
 void add_law_options(Command& command, PackingOptions& o, const std::string& name) {
@@ -322,12 +189,14 @@ const Number& PackingOptions::law_number(std::string_view key) const {
       ->number;
 }
 
+std::span<Number PackingOptions::*const> packing_numbers() { return all_packing_numbers; }
+
 std::vector<Number*> numbers(PackingOptions& o) {
   std::vector<Number*> all;
   for (LawNumber& of : o.law_numbers)
     all.push_back(&of.number);
-  for (const NumberRow& of : number_rows())
-    all.push_back(&(o.*of.number));
+  for (Number PackingOptions::*const number : all_packing_numbers)
+    all.push_back(&(o.*number));
   return all;
 }
 
@@ -352,9 +221,8 @@ void require_density_or_stress(const PackingOptions& o) {
 stress::AxialStress resolve_stresses(const PackingOptions& o) {
   if (o.pressure.given()) {
     if (o.stress_v.given() || o.stress_h.given())
-      throw InvalidArgument(given_twice::stress);
-    if (o.pressure.value < 0)
-      throw InvalidArgument("--pressure", o.pressure.value, "Pa", "[0, inf): compression is positive");
+      throw InvalidArgument(estimate::with_options(estimate::conflict::stress));
+    require_within(o.pressure);
     return {o.pressure.value, o.pressure.value};
   }
   if (!o.stress_v.given() && !o.stress_h.given())

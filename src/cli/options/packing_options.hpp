@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,12 +20,12 @@
 /// The options for a packing and its stress, for every command that computes closed forms.
 namespace granum::cli {
 
-/// Groups of options in help.
-inline constexpr const char* state_group = "Density and stress";
-inline constexpr const char* grains_group = "Grains";
-inline constexpr const char* contacts_group = "Contacts";
-inline constexpr const char* sizes_group = "Sizes of the grains";
-inline constexpr const char* law_group = "Shape of the contacts";
+using estimate::contacts_group;
+using estimate::grains_group;
+using estimate::Input;
+using estimate::law_group;
+using estimate::sizes_group;
+using estimate::state_group;
 
 /// A number of a contact law, for one row of the table of laws.
 struct LawNumber {
@@ -42,25 +43,25 @@ struct PackingOptions {
   bool contact_typed = false;
   bool contact_in_table = false;
   std::vector<LawNumber> law_numbers = cli::law_numbers();
-  Number grain_shear_modulus{30e9, Dimension::pressure};
-  Number grain_poisson_ratio{0.15};
-  Number grain_bulk_modulus{0, Dimension::pressure}; ///< instead of Poisson's ratio
-  Number radius{0.5e-3, Dimension::length};
-  Number d50{0, Dimension::length};
+  Number grain_shear_modulus = number_of(Input::grain_shear_modulus);
+  Number grain_poisson_ratio = number_of(Input::grain_poisson_ratio);
+  Number grain_bulk_modulus = number_of(Input::grain_bulk_modulus); ///< instead of Poisson's ratio
+  Number radius = number_of(Input::radius);
+  Number d50 = number_of(Input::d50);
   std::optional<sizes::Distribution> sizes = {}; ///< of unequal grains
   bool graded = false;                           ///< sizes are given as for a soil, by a sieve curve or C_u
   std::optional<double> uniformity = {};         ///< C_u if the sizes were given by it, exactly
-  Number tangential_ratio;
-  Number void_ratio{0, Dimension::dimensionless, column_names::void_ratio};
-  Number porosity;
-  Number solid_fraction;
-  Number coordination_number{0, Dimension::dimensionless, "C_n Cn"};
-  Number mechanical_coordination_number{0, Dimension::dimensionless, "z_star z*"};
-  Number rattler_fraction;
-  Number fabric{0, Dimension::dimensionless, "a"};
-  Number pressure{0, Dimension::pressure, column_names::mean_stress};
-  Number stress_v{0, Dimension::pressure, column_names::vertical_stress};
-  Number stress_h{0, Dimension::pressure, column_names::horizontal_stress};
+  Number tangential_ratio = number_of(Input::tangential_ratio);
+  Number void_ratio = number_of(Input::void_ratio);
+  Number porosity = number_of(Input::porosity);
+  Number solid_fraction = number_of(Input::solid_fraction);
+  Number coordination_number = number_of(Input::coordination_number);
+  Number mechanical_coordination_number = number_of(Input::mechanical_coordination_number);
+  Number rattler_fraction = number_of(Input::rattler_fraction);
+  Number fabric = number_of(Input::fabric);
+  Number pressure = number_of(Input::pressure);
+  Number stress_v = number_of(Input::stress_v);
+  Number stress_h = number_of(Input::stress_h);
 
   [[nodiscard]] bool contact_given() const { return contact_typed || contact_in_table; }
   /// The number of that key in the table of laws.
@@ -71,6 +72,8 @@ struct PackingOptions {
 /// \throws   InvalidArgument if both are given, or for impossible moduli
 [[nodiscard]] contact::GrainMaterial grain_of(const PackingOptions& options);
 
+/// The numbers of a packing besides those of its contact law, in the order of their effects.
+[[nodiscard]] std::span<Number PackingOptions::*const> packing_numbers();
 /// All numbers: columns of tables, and inputs that may be uncertain.
 [[nodiscard]] std::vector<Number*> numbers(PackingOptions& options);
 
@@ -78,8 +81,6 @@ void add_packing_options(Command& command, PackingOptions& options);
 /// The options for the contact law: shape and material of the grains.
 /// \param    name   of the option for the shape
 void add_law_options(Command& command, PackingOptions& options, const std::string& name = "--contact");
-/// Other names of the density of the grain mineral.
-[[nodiscard]] std::vector<Synonyms> grain_density_synonyms();
 /// The option of one number, by its name.
 void add_packing_number(Command& command, PackingOptions& options, std::string_view name);
 

@@ -52,6 +52,11 @@ std::vector<std::string> names_of_column(std::string_view symbols, const std::st
   return names;
 }
 
+std::vector<std::string> names_of_column(Input input) {
+  const estimate::InputRow& row = estimate::row_of(input);
+  return names_of_column(row.symbols, row.key);
+}
+
 NumberColumns::NumberColumns(const io::CsvTable& table)
     : table_(table), read_(table.headings().size(), false), options_(table.headings().size()) {}
 

@@ -17,6 +17,7 @@ namespace granum::cli {
 
 /// The names of a column, without the unit: symbols, which blanks separate, then the usual spellings of the
 /// option without its hyphens, void_ratio.
+[[nodiscard]] std::vector<std::string> names_of_column(Input input);
 [[nodiscard]] std::vector<std::string> names_of_column(std::string_view symbols, const std::string& option);
 
 /// Numbers bound to their columns, by the names of their options (void_ratio, "void ratio") or

@@ -64,7 +64,7 @@ void add_size_options(Command& command, PackingOptions& o) {
 
 double resolve_radius(const PackingOptions& o) {
   if (o.radius.given() && o.d50.given())
-    throw InvalidArgument(given_twice::size);
+    throw InvalidArgument(estimate::with_options(estimate::conflict::size));
   const std::optional<double> of_sieve = o.sizes ? o.sizes->mean_radius() : std::nullopt;
   if (of_sieve && (o.radius.given() || o.d50.given()))
     throw InvalidArgument(fmt::format("the sieve curve gives the size of the grains: leave out {}",
@@ -72,7 +72,7 @@ double resolve_radius(const PackingOptions& o) {
   if (of_sieve)
     return *of_sieve;
   const Number& size = o.d50.given() ? o.d50 : o.radius;
-  require_open(size.name, size.value, 0, 1e3, "m"); // no grain is larger; forces stay finite
+  require_within(size);
   if (!o.d50.given())
     return size.value;
   return o.sizes ? sizes::mean_radius_of(*o.sizes, o.d50.value) : o.d50.value / 2;

@@ -106,7 +106,8 @@ void add_table_options(Command& command, SweepOptions& o) {
             "path or over depth"},
        {.name = "--columns",
         .value = std::move(columns),
-        .meaning = "Columns of the CSV. usual: G, V_s, V_p, z* and s of the answer with their ranges; all: "
+        .meaning = "Columns of the CSV. usual: G, V_s, V_p, z* and s of the answer with their ranges, and G "
+                   "at a strain if one is given; all: "
                    "all moduli and "
                    "speeds, and every rung for a table"}});
 }
@@ -122,7 +123,7 @@ void restrict_stresses(Command& command) {
 void add_sweep_options(Command& command, SweepOptions& o) {
   add_packing_options(command, o.packing);
   add_answer_options(command, o.answer);
-  command.add(strain_row(o.answer));
+  command.add(input_option(o.answer.strain));
   add_path_options(command, o);
   add_ground_options(command, o.ground);
   add_table_options(command, o);

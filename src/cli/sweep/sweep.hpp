@@ -112,13 +112,20 @@ class Tally {
 
 using Notes = std::vector<std::pair<std::string, std::string>>;
 
+/// What any of the states asks for beyond the usual columns.
+struct AskedOfRows {
+  bool both = false;     ///< answers for sand and spheres: the kind of grains is not given
+  bool strained = false; ///< G at a shear strain
+};
+[[nodiscard]] AskedOfRows asked_of(const PackingOptions& packing, const AnswerOptions& answer);
+
 /// Collects states as the rows of a CSV file or of a JSON array.
 class SweepOutput {
  public:
   /// \param    headings   of the first cells of each row
   /// \param    manner     of the table of the states
   SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
-              io::CsvManner manner = {});
+              const AskedOfRows& asked, io::CsvManner manner = {});
 
   /// Headings of the cells after the first ones: answer, rungs, notes, error.
   [[nodiscard]] std::vector<std::string> result_headings() const;

@@ -216,7 +216,7 @@ SweepOutput output_of(const SweepOptions& o, const std::vector<DepthState>& stat
   std::vector<std::string> headings;
   for (const io::Column<DepthPoint>& column : columns)
     headings.push_back(column.heading);
-  SweepOutput output(o, {}, headings);
+  SweepOutput output(o, {}, headings, asked_of(o.packing, o.answer));
   for (const DepthState& at : states) {
     std::vector<io::CsvCell> cells;
     io::add_cells(cells, columns, at.point);

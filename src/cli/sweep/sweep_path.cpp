@@ -164,7 +164,7 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
     headings.push_back(column.heading);
   for (const char* heading : {"e", "C_n", "a"})
     headings.emplace_back(heading);
-  SweepOutput output(o, rungs, headings);
+  SweepOutput output(o, rungs, headings, asked_of(o.packing, o.answer));
   std::vector<SweptState> states;
   Tally tally;
   for (const PathPoint& point : path.points) {

@@ -156,12 +156,16 @@ ExitCode Tally::conclude(ExitCode code) const {
   return code == ExitCode::ok && failed_ > 0 ? ExitCode::fell_short : code;
 }
 
+AskedOfRows asked_of(const PackingOptions& packing, const AnswerOptions& answer) {
+  return {.both = !told_shape(packing, answer), .strained = answer.strain.given()};
+}
+
 SweepOutput::SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
-                         io::CsvManner manner)
-    : options_(options), rungs_(std::move(rungs)), columns_(answer_columns(options.all_columns)),
-      sand_columns_(told_shape(options.packing, options.answer)
-                        ? io::Columns<estimate::Answer>{}
-                        : answer_columns(options.all_columns, "sand_")),
+                         const AskedOfRows& asked, io::CsvManner manner)
+    : options_(options), rungs_(std::move(rungs)),
+      columns_(answer_columns(options.all_columns, asked.strained)),
+      sand_columns_(asked.both ? answer_columns(options.all_columns, asked.strained, "sand_")
+                               : io::Columns<estimate::Answer>{}),
       headings_(std::move(headings)), manner_(manner) {
   if (const auto found = std::find(headings_.begin(), headings_.end(), shape_heading);
       found != headings_.end())

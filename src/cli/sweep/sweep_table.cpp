@@ -62,7 +62,7 @@ class TableSweep {
       : options_(options), rungs_(rungs), table_(io::read_csv(options.table)), reader_(table_, options),
         stresses_(reader_.in_ground() ? stress_columns() : io::Columns<RowStress>{}),
         speeds_(reader_.has_speed() ? speed_columns() : io::Columns<SpeedRatio>{}),
-        output_(options_of_rows(), rungs, leading_headings(), table_.manner()) {
+        output_(options_of_rows(), rungs, leading_headings(), asked_of_rows(), table_.manner()) {
     std::vector<std::string> results = output_.result_headings();
     for (const io::Column<RowStress>& column : stresses_)
       results.push_back(column.heading);
@@ -87,6 +87,19 @@ class TableSweep {
   const SweepOptions& options_of_rows() {
     options_.answer.ground = reader_.in_ground();
     return options_;
+  }
+
+  /// Read before the first row is answered, because columns are the same for all.
+  AskedOfRows asked_of_rows() {
+    AskedOfRows all;
+    for (std::size_t row = 0; row < table_.row_count() && !(all.both && all.strained); ++row)
+      try {
+        const AnswerRow question = reader_.row(row);
+        const AskedOfRows here = asked_of(question.packing, question.answer);
+        all = {.both = all.both || here.both, .strained = all.strained || here.strained};
+      } catch (const Error&) { // the row reports it when it is answered
+      }
+    return all;
   }
 
   [[nodiscard]] std::vector<std::string> leading_headings() const {

@@ -258,7 +258,11 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
   DecimalSigns signs;
   while (cursor.seek_record()) {
     const std::size_t line = cursor.line();
-    rows_.push_back({line, cursor.record()});
+    std::vector<std::string> record = cursor.record();
+    if (std::all_of(record.begin(), record.end(),
+                    [](const std::string& field) { return trimmed(field).empty(); }))
+      continue; // spreadsheets end tables with rows of separators
+    rows_.push_back({line, std::move(record)});
     const std::size_t count = rows_.back().fields.size();
     if (count != headings_.size())
       throw FileError(name_, line,

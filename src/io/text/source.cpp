@@ -26,7 +26,7 @@ struct TextSource::Stream {
 
 namespace {
 
-constexpr std::size_t buffer_size = std::size_t{1} << 18;
+constexpr std::size_t buffer_size = std::size_t{1} << 16; // also the most that one call reads
 
 gzFile opened(const std::filesystem::path& path) {
   std::error_code unknown; // impossible names are reported on opening
@@ -81,7 +81,7 @@ bool TextSource::fill() {
     throw FileError(name_, line_number_ + 1, "a line of more than 64 MiB; expected a text file");
   if (end_ == buffer_.size())
     buffer_.resize(2 * buffer_.size());
-  const std::size_t room = std::min(buffer_.size() - end_, longest_line);
+  const std::size_t room = std::min(buffer_.size() - end_, buffer_size);
   const int count = gzread(stream_->file, buffer_.data() + end_, static_cast<unsigned>(room));
   int status = Z_OK;
   const char* message = gzerror(stream_->file, &status);

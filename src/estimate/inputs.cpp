@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/estimate/inputs.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+
+namespace granum::estimate {
+
+namespace {
+
+constexpr Limits positive{.low = 0, .without_low = true};
+constexpr Limits not_negative{.low = 0};
+constexpr Limits compression{.low = 0, .reason = "compression is positive"};
+/// Beyond these no formula of a void ratio means anything, and some overflow.
+constexpr double least_void_ratio = 1e-6, largest_void_ratio = 1e6;
+constexpr Limits part_of_volume{.low = 0, .high = 1, .without_low = true, .without_high = true};
+constexpr Limits size_of_grains{
+    .low = 0, .high = 1e3, .without_low = true, .without_high = true, .reason = "no grain is larger"};
+
+constexpr const char *words_for_diameter =
+                         "d D diameter grainsize particlesize graindiameter meandiameter meansize",
+                     *words_for_limits = "between 0.1 and 5, e_max larger than e_min by 0.05";
+
+using Value = std::optional<double>;
+
+std::vector<InputRow> table() {
+  return {
+      {.input = Input::grain_shear_modulus,
+       .key = "grain_shear_modulus",
+       .group = grains_group,
+       .meaning = "Shear modulus G_g of the grain's material",
+       .dimension = Dimension::pressure,
+       .synonyms = {{"Gs gs"},
+                    {"G g Gg gg mug modulus grainmodulus shearmodulus"},
+                    {"E Eg Es youngmodulus youngsmodulus grainyoungmodulus",
+                     "of Young's modulus it is G_g = E_g/(2(1 + nu_g))"}},
+       .limits = positive,
+       .by_default = 30e9,
+       .read = [](const Question& q) -> Value { return q.state.law.grain().shear_modulus; }},
+      {.input = Input::grain_poisson_ratio,
+       .key = "grain_poisson_ratio",
+       .group = grains_group,
+       .meaning = "Poisson's ratio nu_g of the grain's material",
+       .synonyms = {{"nu nug v poisson poissonratio poissonsratio"}},
+       .limits = {.low = -1, .high = 0.5, .without_low = true},
+       .by_default = 0.15,
+       .read = [](const Question& q) -> Value { return q.state.law.grain().poisson_ratio; }},
+      {.input = Input::grain_bulk_modulus,
+       .key = "grain_bulk_modulus",
+       .group = grains_group,
+       .meaning = "Bulk modulus K_g of the grain's material, instead of --grain-poisson-ratio",
+       .dimension = Dimension::pressure,
+       .synonyms = {{"K k Kg Ks kg ks bulkmodulus grainbulkmodulus"}},
+       .limits = positive,
+       .excludes = {{"grain_poisson_ratio", conflict::grain}}},
+      {.input = Input::radius,
+       .key = "radius",
+       .group = sizes_group,
+       .meaning = "Radius of the grains; mean by number if they are unequal",
+       .dimension = Dimension::length,
+       .synonyms = {{words_for_diameter}, {"r R grainradius particleradius"}},
+       .limits = size_of_grains,
+       .by_default = 0.5e-3,
+       .excludes = {{"d50", conflict::size}},
+       .read = [](const Question& q) -> Value { return q.state.radius; }},
+      {.input = Input::d50,
+       .key = "d50",
+       .group = sizes_group,
+       .meaning = "Median diameter by mass, instead of --radius",
+       .dimension = Dimension::length,
+       .synonyms = {{words_for_diameter}},
+       .limits = size_of_grains,
+       .read = [](const Question& q) -> Value { return q.sand.d50; }},
+      {.input = Input::tangential_ratio,
+       .key = "tangential_ratio",
+       .group = law_group,
+       .meaning = "Tangential over normal contact stiffness, k_t/k_n; by default 2(1-nu_g)/(2-nu_g), no slip",
+       .limits = {.low = 0, .high = 100},
+       .implies = GrainShape::sphere,
+       .read = [](const Question& q) -> Value { return q.state.tangential_ratio; }},
+      {.input = Input::void_ratio,
+       .key = "void_ratio",
+       .group = state_group,
+       .meaning = "Volume of voids over that of grains",
+       .symbols = "e",
+       .synonyms = {{"e e0 voidratio"}, {"rho rhod density drydensity bulkdensity"}},
+       .limits = {.low = least_void_ratio, .high = largest_void_ratio},
+       .excludes = {{"porosity solid_fraction relative_density", conflict::density}},
+       .read = [](const Question& q) -> Value { return q.state.void_ratio; }},
+      {.input = Input::porosity,
+       .key = "porosity",
+       .group = state_group,
+       .meaning = "Volume fraction of voids, instead of --void-ratio",
+       .share = true,
+       .synonyms = {{"n phi"}},
+       .limits = part_of_volume,
+       .excludes = {{"solid_fraction relative_density", conflict::density}}},
+      {.input = Input::solid_fraction,
+       .key = "solid_fraction",
+       .group = state_group,
+       .meaning = "Volume fraction of grains, instead of --void-ratio",
+       .share = true,
+       .synonyms = {{"packingfraction volumefraction solidsfraction nu_s nus"}},
+       .limits = part_of_volume,
+       .excludes = {{"relative_density", conflict::density}}},
+      {.input = Input::coordination_number,
+       .key = "coordination_number",
+       .group = contacts_group,
+       .meaning =
+           "C_n = 2 N_c/N, contacts per grain over all grains; by default estimated from void ratio and "
+           "stress",
+       .symbols = "C_n Cn",
+       .synonyms = {{"z cn nc coordination contacts contactnumber"}},
+       .limits = not_negative,
+       .implies = GrainShape::sphere,
+       .read = [](const Question& q) { return q.state.coordination_number; }},
+      {.input = Input::mechanical_coordination_number,
+       .key = "mechanical_coordination_number",
+       .group = contacts_group,
+       .meaning = "z*, contacts per grain without rattlers (grains that carry no load)",
+       .symbols = "z_star z*",
+       .synonyms = {{"z cn nc coordination contacts contactnumber zstar z* zm"}},
+       .limits = not_negative,
+       .implies = GrainShape::sphere,
+       .read = [](const Question& q) { return q.state.mechanical_coordination_number; }},
+      {.input = Input::rattler_fraction,
+       .key = "rattler_fraction",
+       .group = contacts_group,
+       .meaning = "Share of rattlers (grains that carry no load); z* = C_n/(1 - share)",
+       .share = true,
+       .synonyms = {{"rattlers floaters"}},
+       .limits = {.low = 0, .high = 1, .without_high = true},
+       .implies = GrainShape::sphere,
+       .read = [](const Question& q) { return q.rattler_fraction; }},
+      {.input = Input::fabric,
+       .key = "fabric",
+       .group = contacts_group,
+       .meaning = "a, anisotropy of the contact normals; > 0: more are vertical",
+       .symbols = "a",
+       .synonyms = {{"a anisotropy"}},
+       .limits = {.low = -7.0 / 3, .high = 7.0 / 5, .without_low = true, .without_high = true},
+       .by_default = 0,
+       .read = [](const Question& q) -> Value { return q.state.fabric_anisotropy; }},
+      {.input = Input::pressure,
+       .key = "pressure",
+       .group = state_group,
+       .meaning = "Mean effective stress, the same in all directions",
+       .dimension = Dimension::pressure,
+       .symbols = "p p'",
+       .synonyms = {{"p p0 pc p' pm sigma sigma0 sigma3 sigmac s3 stress confiningpressure confiningstress "
+                     "confinement confining meanstress meaneffectivestress effectivestress cellpressure "
+                     "isotropicstress"}},
+       .limits = compression,
+       .excludes = {{"stress_v stress_h", conflict::stress}}},
+      {.input = Input::stress_v,
+       .key = "stress_v",
+       .group = state_group,
+       .meaning = "Vertical effective stress, with --stress-h",
+       .dimension = Dimension::pressure,
+       .symbols = "sigma_v sigma'_v sigma_v' sigma'v sigmav s'_v",
+       .synonyms = {{"sigmav sigma1 sigmaz sigmaa sv s1 verticalstress axialstress"},
+                    {"depth z",
+                     "the effective one there, with --k0; granum sweep --depth 0m..10m computes it"}},
+       .limits = compression,
+       .read = [](const Question& q) -> Value { return q.state.stress_v; }},
+      {.input = Input::stress_h,
+       .key = "stress_h",
+       .group = state_group,
+       .meaning = "Horizontal effective stress, with --stress-v",
+       .dimension = Dimension::pressure,
+       .symbols = "sigma_h sigma'_h sigma_h' sigma'h sigmah s'_h",
+       .synonyms = {{"sigmah sigmar sh horizontalstress radialstress"},
+                    {"k0 ko stressratio", "sigma_h = K_0 sigma_v"}},
+       .limits = compression,
+       .read = [](const Question& q) -> Value { return q.state.stress_h; }},
+      {.input = Input::grain_density,
+       .key = "grain_density",
+       .group = grains_group,
+       .meaning = "Density rho_s of the grain mineral, for wave speeds",
+       .dimension = Dimension::density,
+       .symbols = "rho_s",
+       .synonyms = {{"Gs gs", "a specific gravity of 2.65 is the density 2.65g/cm3"},
+                    {"specificgravity rhos rhog soliddensity gamma gammad gammasat bulkunitweight"},
+                    {"rho rhod density drydensity bulkdensity",
+                     "rho_s of the solid; from the dry density of the packing, e = rho_s/rho_d - 1"}},
+       .limits = positive,
+       .by_default = 2650,
+       .read = [](const Question& q) { return q.grain_density; }},
+      {.input = Input::relative_density,
+       .key = "relative_density",
+       .group = state_group,
+       .meaning =
+           "Relative density D_r, such as 60%, instead of --void-ratio; more accurate with e_min and e_max, "
+           "or --sand",
+       .share = true,
+       .symbols = "D_r Dr I_D ID",
+       .synonyms = {{"dr id rd densityindex"}},
+       .limits = {.low = 0, .high = 1.2},
+       .implies = GrainShape::sand,
+       .read = [](const Question& q) { return q.sand.relative_density; }},
+      {.input = Input::least_void_ratio,
+       .key = "least_void_ratio",
+       .group = state_group,
+       .meaning = "Smallest void ratio e_min, for --relative-density",
+       .symbols = "e_min emin",
+       .synonyms = {{"emin"}},
+       .limits = {.low = 0.1, .high = 4.95, .reason = words_for_limits},
+       .implies = GrainShape::sand,
+       .read = [](const Question& q) { return q.sand.least_void_ratio; }},
+      {.input = Input::largest_void_ratio,
+       .key = "largest_void_ratio",
+       .group = state_group,
+       .meaning = "Largest void ratio e_max, for --relative-density",
+       .symbols = "e_max emax",
+       .synonyms = {{"emax"}},
+       .limits = {.low = 0.15, .high = 5, .reason = words_for_limits},
+       .implies = GrainShape::sand,
+       .read = [](const Question& q) { return q.sand.largest_void_ratio; }},
+      {.input = Input::saturation,
+       .key = "saturation",
+       .group = state_group,
+       .meaning = "Degree of saturation S_r; at 100% V_p follows Gassmann's equation, at 99% and less V_p is "
+                  "nearly that of the dry packing",
+       .share = true,
+       .symbols = "S_r Sr",
+       .synonyms = {{"s sr"}},
+       .limits = {.low = 0, .high = 1},
+       .by_default = 0,
+       .read = [](const Question& q) -> Value { return q.saturation; }},
+      {.input = Input::k0,
+       .key = "k0",
+       .group = state_group,
+       .meaning = "K_0 = sigma_h/sigma_v, instead of --stress-h",
+       .symbols = "K_0 K0",
+       .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}},
+       .limits = positive},
+      {.input = Input::shear_strain,
+       .key = "strain",
+       .group = state_group,
+       .meaning = "For sands: also G at this shear strain, such as 0.01%; small strain is 0.001% and less",
+       .share = true,
+       .symbols = "shear_strain gamma",
+       .synonyms = {{"shearstrain"}},
+       .limits = {.low = 0, .high = 0.05 * (1 + 1e-12), .without_low = true}, // 5 % in any unit
+       .implies = GrainShape::sand,
+       .read = [](const Question& q) { return q.shear_strain; }},
+  };
+}
+
+} // namespace
+
+bool Limits::contain(double value) const {
+  return std::isfinite(value) && (without_low ? value > low : value >= low) &&
+         (without_high ? value < high : value <= high);
+}
+
+std::string Limits::text(double refused) const {
+  const char left = without_low || std::isinf(low) ? '(' : '[',
+             right = without_high || std::isinf(high) ? ')' : ']';
+  constexpr int all_digits = 17;
+  std::string range;
+  for (int digits = 6; range.empty() || (detail::contains(range, refused) && digits <= all_digits); ++digits)
+    range = detail::formatted("%c%.*g, %.*g%c", left, digits, low, digits, high, right);
+  return range + (*reason != '\0' ? ": " : "") + reason;
+}
+
+std::string InputRow::option() const {
+  std::string words = key;
+  std::replace(words.begin(), words.end(), '_', '-');
+  return "--" + words;
+}
+
+std::span<const InputRow> inputs() {
+  static const std::vector<InputRow> rows = table();
+  return rows;
+}
+
+const InputRow& row_of(Input input) { return inputs()[static_cast<std::size_t>(input)]; }
+
+const InputRow* find_input(std::string_view key) {
+  const auto found =
+      std::find_if(inputs().begin(), inputs().end(), [&](const InputRow& row) { return row.key == key; });
+  return found == inputs().end() ? nullptr : &*found;
+}
+
+void require_within(const InputRow& row, double value, std::string_view name, bool signed_per_cent) {
+  if (row.limits.contain(value))
+    return;
+  const bool per_cent_left_out =
+      row.share && !signed_per_cent && value > row.limits.high && value <= 100 * row.limits.high;
+  const std::string range = row.limits.text(value);
+  throw InvalidArgument(std::string(name), value, std::string(si_symbol(row.dimension)),
+                        per_cent_left_out ? range + "; write " + short_text(value) + "% for per cent"
+                                          : range);
+}
+
+std::string with_options(std::string_view sentence) {
+  std::string out;
+  for (std::size_t at = sentence.find('{'); at != std::string_view::npos; at = sentence.find('{')) {
+    const std::size_t end = sentence.find('}', at);
+    const InputRow* const row = find_input(sentence.substr(at + 1, end - at - 1));
+    out += std::string(sentence.substr(0, at)) + (row != nullptr ? row->option() : "");
+    sentence.remove_prefix(end + 1);
+  }
+  return out + std::string(sentence);
+}
+
+} // namespace granum::estimate
