@@ -2,8 +2,12 @@
 #include <granum/network/linear_response.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
@@ -79,9 +83,76 @@ Solution relaxation(const packing::Assembly& assembly, Backbone& backbone, const
   return best->solution;
 }
 
+// Residuals are relative to the forces of the stiffest contacts, and C is the difference of two energies of
+// theirs: where stiffnesses differ by more than this factor, both may hide what the other contacts do.
+constexpr double widest_spread = 1e7;
+// Change of C if the stiffest contacts become ten times softer, with which they are as good as rigid: C then
+// is wrong by a ninth of it.
+constexpr double of_rigid = 1e-4;
+// Least share of the affine energy that relaxation may leave of such a network.
+constexpr double least_left = 1e-7;
+
+template <class Visit>
+void each_contact(const packing::Assembly& assembly, const Visit& visit) {
+  for (const auto* contacts : {&assembly.contacts, &assembly.wall_contacts})
+    std::for_each(contacts->begin(), contacts->end(), visit);
+}
+
+/// The least k_n above 0, and the largest k_n or k_t [N/m].
+struct Spread {
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+};
+
+Spread spread_of_stiffness(const packing::Assembly& assembly) {
+  Spread k;
+  each_contact(assembly, [&](const packing::Contact& c) {
+    if (c.normal_stiffness > 0)
+      k.least = std::min(k.least, c.normal_stiffness);
+    k.largest = std::max({k.largest, c.normal_stiffness, c.tangential_stiffness});
+  });
+  return k;
+}
+
+/// The k_n that half of the contacts exceed [N/m].
+/// Assumes   that one is positive
+double median_stiffness(const packing::Assembly& assembly) {
+  std::vector<double> normal;
+  each_contact(assembly, [&](const packing::Contact& c) {
+    if (c.normal_stiffness > 0)
+      normal.push_back(c.normal_stiffness);
+  });
+  const auto half = normal.begin() + static_cast<std::ptrdiff_t>(normal.size() / 2);
+  std::nth_element(normal.begin(), half, normal.end());
+  return *half;
+}
+
+/// The assembly with no k_n or k_t above a limit [N/m].
+packing::Assembly softened(packing::Assembly assembly, double limit) {
+  for (auto* contacts : {&assembly.contacts, &assembly.wall_contacts})
+    for (packing::Contact& c : *contacts) {
+      c.normal_stiffness = std::min(c.normal_stiffness, limit);
+      c.tangential_stiffness = std::min(c.tangential_stiffness, limit);
+    }
+  return assembly;
+}
+
+/// Largest change of C_ab, over sqrt(C_aa C_bb).
+double change(const Matrix6& from, const Matrix6& to) {
+  const Eigen::Matrix<double, 6, 1> scale =
+      to.diagonal().unaryExpr([](double c) { return c > 0 ? 1 / std::sqrt(c) : 0.0; });
+  return (scale.asDiagonal() * (to - from) * scale.asDiagonal()).cwiseAbs().maxCoeff();
+}
+
 /// Of energies of a network without units, over the volume [Pa].
 double stiffness_unit(const Backbone& network, const packing::Assembly& assembly) {
   return network.stiffness_scale * network.length_scale * network.length_scale / assembly.volume();
+}
+
+/// Of uniform strain [Pa].
+elastic::VoigtStiffness affine_of(const Backbone& network, const packing::Assembly& assembly) {
+  if (network.links.empty() && network.wall_links.empty())
+    return {};
+  return {stiffness_unit(network, assembly) * affine_energy(network)};
 }
 
 std::string failure_text(const Response::Report& report) {
@@ -102,24 +173,9 @@ const elastic::VoigtStiffness& Response::relaxed() const {
   return relaxed_;
 }
 
-Response linear_response(const packing::Assembly& assembly, const ResponseOptions& options) {
-  require_valid(assembly);
-  require_open("tolerance", options.tolerance, 0, 1);
-  require_positive("iteration_limit", options.iteration_limit);
-  require_positive("threads", static_cast<double>(options.threads));
-  if (options.force_terms && !assembly.wall_contacts.empty())
-    throw InvalidArgument("force_terms: " + std::to_string(assembly.wall_contacts.size()) +
-                          " contacts with walls, for which they are not implemented");
+namespace {
 
-  const auto turns = [](const packing::Contact& c) {
-    return c.rolling_stiffness > 0 || c.twisting_stiffness > 0;
-  };
-  if (options.force_terms && std::any_of(assembly.contacts.begin(), assembly.contacts.end(), turns))
-    throw InvalidArgument("force_terms: not implemented for contacts that resist rolling or twisting");
-  if ((options.force_terms || options.prestress) && !assembly.body.empty())
-    throw InvalidArgument(std::string(options.prestress ? "prestress" : "force_terms") +
-                          ": not implemented for grains that are parts of rigid bodies");
-
+Response response_of(const packing::Assembly& assembly, const ResponseOptions& options) {
   Backbone backbone = load_bearing_network(assembly, options);
   Response::Report report{.grains = backbone.grain_count,
                           .contacts = backbone.links.size(),
@@ -142,12 +198,55 @@ Response linear_response(const packing::Assembly& assembly, const ResponseOption
   return {{unit * affine}, {unit * (relaxed + relaxed.transpose()) / 2}, report, by_forces};
 }
 
+/// Of an assembly whose stiffnesses differ widely: those far above the median count as rigid. It did not
+/// converge if they are not, or if next to nothing is left of the affine energy.
+/// \param    largest   k_n or k_t [N/m]
+Response response_of_wide_spread(const packing::Assembly& assembly, double largest,
+                                 const ResponseOptions& options) {
+  const double limit = widest_spread * median_stiffness(assembly);
+  const Response stiff = response_of(softened(assembly, limit), options),
+                 softer = largest > limit / 10 ? response_of(softened(assembly, limit / 10), options) : stiff;
+  const Matrix6& c = stiff.last_iterate().matrix;
+  Response::Report report = stiff.report();
+  if (stiff.converged())
+    report.status = softer.report().status;
+  const double moved = change(softer.last_iterate().matrix, c);
+  const double left = (c - least_left * stiff.affine().matrix).diagonal().minCoeff();
+  if (report.status == Status::converged && !(moved <= of_rigid && left >= 0)) {
+    report.status = Status::iteration_limit;
+    report.residual = std::max(report.residual, moved);
+  }
+  return {affine_of(load_bearing_network(assembly, options), assembly), {c}, report, stiff.force_terms()};
+}
+
+} // namespace
+
+Response linear_response(const packing::Assembly& assembly, const ResponseOptions& options) {
+  require_valid(assembly);
+  require_open("tolerance", options.tolerance, 0, 1);
+  require_positive("iteration_limit", options.iteration_limit);
+  require_positive("threads", static_cast<double>(options.threads));
+  if (options.force_terms && !assembly.wall_contacts.empty())
+    throw InvalidArgument("force_terms: " + std::to_string(assembly.wall_contacts.size()) +
+                          " contacts with walls, for which they are not implemented");
+
+  const auto turns = [](const packing::Contact& c) {
+    return c.rolling_stiffness > 0 || c.twisting_stiffness > 0;
+  };
+  if (options.force_terms && std::any_of(assembly.contacts.begin(), assembly.contacts.end(), turns))
+    throw InvalidArgument("force_terms: not implemented for contacts that resist rolling or twisting");
+  if ((options.force_terms || options.prestress) && !assembly.body.empty())
+    throw InvalidArgument(std::string(options.prestress ? "prestress" : "force_terms") +
+                          ": not implemented for grains that are parts of rigid bodies");
+
+  const Spread k = spread_of_stiffness(assembly);
+  return k.largest > widest_spread * k.least ? response_of_wide_spread(assembly, k.largest, options)
+                                             : response_of(assembly, options);
+}
+
 elastic::VoigtStiffness affine_all(const packing::Assembly& assembly, const ResponseOptions& options) {
   require_valid(assembly);
-  const Backbone network = network_with_rattlers(assembly, options);
-  if (network.links.empty() && network.wall_links.empty())
-    return {};
-  return {stiffness_unit(network, assembly) * affine_energy(network)};
+  return affine_of(network_with_rattlers(assembly, options), assembly);
 }
 
 } // namespace granum::network

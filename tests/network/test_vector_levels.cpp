@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <granum/network/linear_response.hpp>
 
+#include "large_networks.hpp"
 #include "packing/sample_packings.hpp"
 #include "vector_levels.hpp"
 

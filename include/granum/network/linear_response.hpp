@@ -62,7 +62,8 @@ class [[nodiscard]] Response {
         0;              ///< 6; 3 if no contact has tangential stiffness, because spins do not matter then
     int iterations = 0; ///< sum over all factors tried
     /// Residual force over affine force in the worst load case, recomputed at the end. If the affine forces
-    /// cancel on every grain, as in a lattice: over 1e-3 of the contact forces.
+    /// cancel on every grain, as in a lattice: over 1e-3 of the contact forces. With contacts that count as
+    /// rigid and are not: the change of C if they become ten times softer.
     double residual = 0;
     double symmetry_residual = 0;    ///< largest |C_ab - C_ba| over largest |C_ab|, before C was symmetrised
     std::size_t factor_nonzeros = 0; ///< numbers stored by the preconditioner
@@ -115,10 +116,13 @@ class [[nodiscard]] Response {
 /// Accuracy  the error of C is of second order in options.tolerance. If rounding drives modes without
 ///           stiffness, a spring of 1e-14 of the mean k_n is added to every grain. It increases C by 1e-14
 ///           times the contribution of a mode, over the mode's stiffness in units of k_n: by 1e-9 at most
-///           even for networks that are hardly rigid, but by 1e-4 if a mode of 1e-13 k_n carries load. Same
-///           input, same bits, for any number of threads.
+///           even for networks that are hardly rigid, but by 1e-4 if a mode of 1e-13 k_n carries load.
+///           Contacts more than 1e7 times as stiff as the median count as rigid; C_ab is then wrong by 1e-5
+///           of sqrt(C_aa C_bb) at most. If they bear a strain alone, or if stiffnesses differ by more than
+///           1e7 and relaxation leaves less than 1e-7 of an affine energy, the response did not converge.
+///           Same input, same bits, for any number of threads.
 /// Checked by tests/network/test_linear_response.cpp, tests/network/test_lattices.cpp,
-///           tests/network/test_threads.cpp
+///           tests/network/test_threads.cpp, tests/network/test_rigid_contacts.cpp
 Response linear_response(const packing::Assembly& assembly, const ResponseOptions& options = {});
 
 /// Uniform strain without spin, as Response::affine(), but of all contacts: those of rattlers too, as codes
