@@ -23,7 +23,7 @@ function(granum_faults_test name label)
 endfunction()
 granum_faults_test("disk faults" cli 3)
 granum_faults_test("disk faults, each call" slow 100)
-granum_faults_test("disk faults of studies" slow 100 studies)
+granum_faults_test("disk faults of studies" slow 25 studies)
 
 add_test(NAME "cli: exit codes of every command and event"
   COMMAND "${CMAKE_CURRENT_SOURCE_DIR}/check_exit_codes.sh" "$<TARGET_FILE:granum_cli>"

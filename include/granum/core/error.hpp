@@ -8,7 +8,7 @@
 
 namespace granum {
 
-/// Root of every exception that the library throws. A NUL in its text, which would end what(), is escaped there.
+/// Root of every exception that the library throws. A NUL in its text would end what(), and is escaped there.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& text);
