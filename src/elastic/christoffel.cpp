@@ -13,6 +13,7 @@
 #include <granum/core/error.hpp>
 #include <granum/elastic/mandel.hpp>
 
+#include "core/symmetric.hpp"
 #include "core/symmetric_eigen.hpp"
 #include "direction.hpp"
 
@@ -156,6 +157,7 @@ Vec3 group_velocity(const VoigtStiffness& stiffness, double bulk_density, const 
                     const PlaneWave& wave) {
   require_positive("bulk_density", bulk_density, "kg/m3");
   require_positive("speed of the wave", wave.speed, "m/s");
+  require_symmetric<6>("stiffness", stiffness.matrix);
   const Eigen::Vector3d p(wave.polarisation.x, wave.polarisation.y, wave.polarisation.z);
   const Eigen::Vector<double, 6> strain = contraction(unit_along("direction", direction)).transpose() * p;
   const Eigen::Vector3d flux = contraction(wave.polarisation) * (symmetric_part(stiffness) * strain);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/engineering_moduli.hpp>
 
-#include <granum/core/error.hpp>
 #include <granum/elastic/eigen_system.hpp>
 #include <granum/elastic/mandel.hpp>
+
+#include "core/symmetric.hpp"
 
 namespace granum::elastic {
 
@@ -28,8 +29,7 @@ double youngs_modulus(const EigenSystem& system, int axis) {
 
 EngineeringModuli engineering_moduli(const VoigtStiffness& stiffness) {
   const Matrix6& c = stiffness.matrix;
-  if (!c.allFinite())
-    throw InvalidArgument("the moduli of a stiffness that is not finite have no meaning");
+  require_symmetric<6>("stiffness", c);
   const double scale = c.cwiseAbs().maxCoeff();
   if (scale == 0)
     return {};

@@ -7,6 +7,8 @@
 #include <granum/core/error.hpp>
 #include <granum/elastic/eigen_system.hpp>
 
+#include "core/symmetric.hpp"
+
 namespace granum::elastic {
 
 namespace {
@@ -64,6 +66,7 @@ Matrix6 mandel_rotation(const Mat3& rotation) {
 }
 
 MandelStiffness rotate(const MandelStiffness& stiffness, const Mat3& rotation) {
+  require_symmetric<6>("stiffness", stiffness.matrix);
   const Matrix6 q = mandel_rotation(rotation);
   return {q * stiffness.matrix * q.transpose()};
 }
@@ -73,8 +76,7 @@ VoigtStiffness rotate(const VoigtStiffness& stiffness, const Mat3& rotation) {
 }
 
 double relative_smallest_eigenvalue(const MandelStiffness& stiffness) {
-  if (!stiffness.matrix.allFinite())
-    throw InvalidArgument("stiffness must be finite");
+  require_symmetric<6>("stiffness", stiffness.matrix);
   const double scale = stiffness.matrix.cwiseAbs().maxCoeff();
   if (scale == 0)
     return 0;

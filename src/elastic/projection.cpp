@@ -3,6 +3,7 @@
 
 #include <granum/elastic/mandel.hpp>
 
+#include "core/symmetric.hpp"
 #include "direction.hpp"
 #include "isotropic_part.hpp"
 
@@ -24,6 +25,7 @@ Mat3 rotation_to_axis_3(const Vec3& axis) {
 } // namespace
 
 Isotropic isotropic_projection(const VoigtStiffness& stiffness) {
+  require_symmetric<6>("stiffness", stiffness.matrix);
   const IsotropicPart part = isotropic_part(mandel(stiffness).matrix);
   return Isotropic::from_bulk_and_shear(part.volumetric / 3, part.deviatoric / 2);
 }
@@ -33,6 +35,7 @@ double projected_shear_modulus(const TransverselyIsotropic& c) {
 }
 
 TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness) {
+  require_symmetric<6>("stiffness", stiffness.matrix);
   const Matrix6 c = (stiffness.matrix + stiffness.matrix.transpose()) / 2;
   const double diagonal = c(0, 0) + c(1, 1);
   return {.C11 = (3 * diagonal + 2 * c(0, 1) + 4 * c(5, 5)) / 8,

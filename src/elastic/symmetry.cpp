@@ -5,6 +5,7 @@
 #include <granum/elastic/mandel.hpp>
 #include <granum/elastic/projection.hpp>
 
+#include "core/symmetric.hpp"
 #include "isotropic_part.hpp"
 
 namespace granum::elastic {
@@ -31,9 +32,10 @@ Matrix6 orthotropic_part(const Matrix6& m) {
 } // namespace
 
 SymmetryDistances symmetry_distances(const VoigtStiffness& stiffness) {
+  require_symmetric<6>("stiffness", stiffness.matrix);
   const double scale = stiffness.matrix.cwiseAbs().maxCoeff();
-  if (!stiffness.matrix.allFinite() || scale == 0)
-    throw InvalidArgument("the symmetry of a stiffness that is zero or not finite has no meaning");
+  if (scale == 0)
+    throw InvalidArgument("the symmetry of a stiffness that is zero has no meaning");
   const VoigtStiffness scaled{stiffness.matrix / scale}; // no square leaves the range of doubles
   const Matrix6 m = mandel(scaled).matrix;
   const MandelStiffness c{(m + m.transpose()) / 2};

@@ -7,6 +7,8 @@
 #include <granum/core/check.hpp>
 #include <granum/fabric/orientation.hpp>
 
+#include "core/symmetric.hpp"
+
 namespace granum::fabric {
 
 namespace {
@@ -56,11 +58,13 @@ FabricMeasures measures_from_mean_cos_2gamma(double mean_cos_2gamma) {
 }
 
 Mat3 contact_tensor(const Mat3& fabric) {
+  require_symmetric<3>("fabric", fabric);
   require_closed("trace of the fabric tensor", trace(fabric), 1 - 1e-6, 1 + 1e-6);
   return 7.5 * (fabric + (-1.0 / 3) * Mat3::identity());
 }
 
 Mat3 fabric_from_contact_tensor(const Mat3& contact_tensor) {
+  require_symmetric<3>("contact_tensor", contact_tensor);
   require_closed("trace of the contact tensor", trace(contact_tensor), -1e-5, 1e-5);
   return (1 / 7.5) * contact_tensor + (1.0 / 3) * Mat3::identity();
 }

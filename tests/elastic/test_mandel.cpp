@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/mandel.hpp>
 
+#include <functional>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/elastic/averages.hpp>
+#include <granum/elastic/christoffel.hpp>
+#include <granum/elastic/engineering_moduli.hpp>
 #include <granum/elastic/isotropic.hpp>
+#include <granum/elastic/projection.hpp>
+#include <granum/elastic/symmetry.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 #include <relative.hpp>
 
@@ -116,4 +124,41 @@ TEST_CASE("symmetry residual and distance are relative") {
   CHECK(symmetry_residual(MandelStiffness{}) == 0);
   CHECK(relative_distance(c, {1.25 * c.matrix}) == relative(0.25, rounding));
   CHECK_THROWS_AS((void)relative_distance(MandelStiffness{}, c), InvalidArgument);
+}
+
+TEST_CASE("every function of a full stiffness refuses one that is not symmetric, and forgives rounding") {
+  const std::pair<const char*, std::function<void(const VoigtStiffness&)>> functions[] = {
+      {"rotate", [](const auto& c) { (void)rotate(c, tilt); }},
+      {"relative_smallest_eigenvalue", [](const auto& c) { (void)relative_smallest_eigenvalue(mandel(c)); }},
+      {"isotropic_projection", [](const auto& c) { (void)isotropic_projection(c); }},
+      {"transversely_isotropic_projection",
+       [](const auto& c) { (void)transversely_isotropic_projection(c); }},
+      {"transversely_isotropic_projection about an axis",
+       [](const auto& c) {
+         (void)transversely_isotropic_projection(c, {1, 2, 3});
+       }},
+      {"isotropic_averages", [](const auto& c) { (void)isotropic_averages(c); }},
+      {"engineering_moduli", [](const auto& c) { (void)engineering_moduli(c); }},
+      {"symmetry_distances", [](const auto& c) { (void)symmetry_distances(c); }},
+      {"plane_waves",
+       [](const auto& c) {
+         (void)plane_waves(c, 2000, {1, 0, 0});
+       }},
+      {"plane_waves_along_axes", [](const auto& c) { (void)plane_waves_along_axes(c, 2000); }},
+      {"group_velocity", [](const auto& c) {
+         (void)group_velocity(c, 2000, {1, 0, 0}, {.speed = 400, .polarisation = {1, 0, 0}});
+       }}};
+  const VoigtStiffness whole = triclinic_sample();
+  VoigtStiffness upper{whole.matrix.triangularView<Eigen::Upper>()};
+  VoigtStiffness lower{whole.matrix.triangularView<Eigen::Lower>()};
+  VoigtStiffness mistyped = whole, four_digits = whole, infinite = whole;
+  mistyped.matrix(5, 4) += 2e-3 * whole.matrix(2, 2);
+  four_digits.matrix(1, 0) += 0.1e6; // of 118 MPa
+  infinite.matrix(3, 2) = infinite.matrix(2, 3) = std::numeric_limits<double>::infinity();
+  for (const auto& [name, call] : functions) {
+    CAPTURE(name);
+    for (const VoigtStiffness& wrong : {upper, lower, mistyped, infinite})
+      CHECK_THROWS_AS(call(wrong), InvalidArgument);
+    CHECK_NOTHROW(call(four_digits));
+  }
 }

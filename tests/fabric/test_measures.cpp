@@ -108,6 +108,12 @@ TEST_CASE("fabric measures: contact tensor of LAMMPS and fabric tensor convert i
       CHECK(std::abs(back(i, j) - F(i, j)) < 1e-16);
   CHECK_THROWS_AS((void)fabric::contact_tensor(Mat3::identity()), InvalidArgument);
   CHECK_THROWS_AS((void)fabric::fabric_from_contact_tensor(F), InvalidArgument);
+  for (const auto& [i, j] : {std::pair(0, 2), std::pair(2, 0)}) { // half of each
+    Mat3 half_of_F = F, half_of_A = A;
+    half_of_F(i, j) = half_of_A(i, j) = 0;
+    CHECK_THROWS_AS((void)fabric::contact_tensor(half_of_F), InvalidArgument);
+    CHECK_THROWS_AS((void)fabric::fabric_from_contact_tensor(half_of_A), InvalidArgument);
+  }
 }
 
 TEST_CASE("fabric measures: bad input") {

@@ -19,9 +19,9 @@ struct IsotropicAverages {
   Isotropic reuss;
 };
 
-/// Averages of a full stiffness; its symmetric part is used.
-/// \throws   InvalidArgument unless the stiffness is finite and positive definite (smallest eigenvalue above
-///           1e-12 of the largest)
+/// Averages of a full stiffness.
+/// \throws   InvalidArgument unless the stiffness is finite, symmetric (mandel.hpp) and positive definite
+///           (smallest eigenvalue above 1e-12 of the largest)
 /// Accuracy  voigt 4 ulp of the largest entry, reuss 8 ulp times the condition number.
 [[nodiscard]] IsotropicAverages isotropic_averages(const VoigtStiffness& stiffness);
 

@@ -35,11 +35,11 @@ struct TransverselyIsotropicWaves {
   PlaneWave pure_s;  ///< horizontal, perpendicular to that plane: SH
 };
 
-/// Waves of a full stiffness; its symmetric part is used.
+/// Waves of a full stiffness.
 /// \param    bulk_density   mass per volume of the packing [kg/m3], > 0
 /// \param    direction      of propagation
-/// \throws   InvalidArgument for another density or direction, or unless the stiffness is finite and positive
-///           semidefinite (smallest eigenvalue above -1e-12 of the largest)
+/// \throws   InvalidArgument for another density or direction, or unless the stiffness is finite, symmetric
+///           (mandel.hpp) and positive semidefinite (smallest eigenvalue above -1e-12 of the largest)
 /// Accuracy  v^2 to 1e-14 of the largest v^2, polarisations orthonormal to 4e-15.
 [[nodiscard]] PlaneWaves plane_waves(const VoigtStiffness& stiffness, double bulk_density,
                                      const Vec3& direction);
@@ -60,7 +60,8 @@ struct TransverselyIsotropicWaves {
 /// Velocity of energy, C_ijkl p_i p_k n_l/(density v) [m/s]; its part along the direction is the phase speed.
 /// \param    wave   one of plane_waves(stiffness, bulk_density, direction), which must move: speed > 0
 /// Where two speeds coincide it belongs to the given polarisation, not to the direction.
-/// \throws   InvalidArgument for a density not positive, a zero direction or a wave without speed
+/// \throws   InvalidArgument for a density not positive, a zero direction, a wave without speed, or a
+///           stiffness as above
 /// Accuracy  1e-14 of the largest speed times that speed over v.
 [[nodiscard]] Vec3 group_velocity(const VoigtStiffness& stiffness, double bulk_density, const Vec3& direction,
                                   const PlaneWave& wave);

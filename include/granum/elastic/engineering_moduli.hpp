@@ -19,9 +19,9 @@ struct EngineeringModuli {
   double C66 = 0; ///< in the plane 12
 };
 
-/// Assumes   the symmetric part of the matrix is positive semidefinite, but for rounding.
+/// Assumes   a positive semidefinite matrix, but for rounding.
 /// \return   E = 0 along an axis where the packing gives way without stress
-/// \throws   InvalidArgument if an entry is not finite
+/// \throws   InvalidArgument for a stiffness that is not symmetric (mandel.hpp) or not finite
 /// Accuracy  1e-14 of the largest entry, E times the condition number of the matrix.
 [[nodiscard]] EngineeringModuli engineering_moduli(const VoigtStiffness& stiffness);
 

@@ -5,6 +5,9 @@
 #include <granum/elastic/stiffness.hpp>
 
 /// Operations on the orthonormal (Mandel) basis: change of basis, rotation, definiteness, distance.
+/// Functions of a full stiffness refuse one that is not symmetric: |C_ab - C_ba| above 1e-3 of the largest
+/// entry. Solvers leave less than 1e-6, and two halves printed with four digits, each rounded by itself, differ
+/// by 1e-3 at most; up to there the symmetric part is used. A matrix of which one half is missing is far above.
 /// Checked by tests/elastic/test_mandel.cpp
 namespace granum::elastic {
 
@@ -19,12 +22,12 @@ namespace granum::elastic {
 /// Accuracy  4 ulp of 1.
 [[nodiscard]] Matrix6 mandel_rotation(const Mat3& rotation);
 /// The stiffness of the material after it was turned by `rotation`, in unchanged axes.
-/// \throws   InvalidArgument as mandel_rotation
+/// \throws   InvalidArgument as mandel_rotation, and for a stiffness that is not symmetric or not finite
 [[nodiscard]] MandelStiffness rotate(const MandelStiffness& stiffness, const Mat3& rotation);
 [[nodiscard]] VoigtStiffness rotate(const VoigtStiffness& stiffness, const Mat3& rotation);
 
-/// Smallest eigenvalue of the symmetric part over its largest magnitude [1]: in [-1, 1], 0 for a zero matrix.
-/// \throws   InvalidArgument if an entry is not finite
+/// Smallest eigenvalue over its largest magnitude [1]: in [-1, 1], 0 for a zero matrix.
+/// \throws   InvalidArgument for a stiffness that is not symmetric or not finite
 /// Accuracy  1e-15 absolute.
 [[nodiscard]] double relative_smallest_eigenvalue(const MandelStiffness& stiffness);
 /// relative_smallest_eigenvalue above `tolerance`, a number above the rounding of whatever made the matrix.

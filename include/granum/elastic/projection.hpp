@@ -7,8 +7,8 @@
 #include <granum/elastic/transverse_isotropic.hpp>
 
 /// The symmetric material nearest to a given stiffness: its average over the rotations of the symmetry, which
-/// is also the orthogonal projection in the Mandel norm. The symmetric part of the matrix is used.
-/// [Moakher2006]
+/// is also the orthogonal projection in the Mandel norm. [Moakher2006]
+/// A stiffness that is not symmetric (mandel.hpp) or not finite is refused with InvalidArgument.
 /// Accuracy  4 ulp of the largest entry.  Checked by tests/elastic/test_projection.cpp
 namespace granum::elastic {
 

@@ -9,10 +9,9 @@
 /// Checked by tests/elastic/test_symmetry.cpp
 namespace granum::elastic {
 
-/// |C - P(C)|/|C| in the Mandel norm, in [0, 1], with P(C) the nearest stiffness of the class and C the
-/// symmetric part of the given matrix (for the rest see symmetry_residual of mandel.hpp). [Moakher2006] The
-/// classes lie within one another: isotropic >= transversely_isotropic >= orthotropic and isotropic >= cubic
-/// >= orthotropic, but for rounding.
+/// |C - P(C)|/|C| in the Mandel norm, in [0, 1], with P(C) the nearest stiffness of the class. [Moakher2006]
+/// The classes lie within one another: isotropic >= transversely_isotropic >= orthotropic and isotropic >=
+/// cubic >= orthotropic, but for rounding.
 struct SymmetryDistances {
   double isotropic = 0;              ///< the same for every choice of axes
   double cubic = 0;                  ///< cube edges along the coordinate axes
@@ -20,7 +19,7 @@ struct SymmetryDistances {
   double orthotropic = 0;            ///< planes of symmetry across the coordinate axes
 };
 
-/// \throws   InvalidArgument if the stiffness is zero or an entry is not finite
+/// \throws   InvalidArgument if the stiffness is zero, not symmetric (mandel.hpp) or not finite
 /// Accuracy  1e-15 absolute.
 [[nodiscard]] SymmetryDistances symmetry_distances(const VoigtStiffness& stiffness);
 

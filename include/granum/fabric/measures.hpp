@@ -36,13 +36,13 @@ struct FabricMeasures {
 [[nodiscard]] FabricMeasures measures_from_mean_cos_2gamma(double mean_cos_2gamma);
 
 /// Traceless contact tensor 15/2 (F - 1/3), as LAMMPS' compute fabric writes it.               [Kanatani1984]
-/// \param    fabric   mean of n_i n_j, trace 1 within 1e-6
-/// \throws   InvalidArgument for another trace
+/// \param    fabric   mean of n_i n_j, symmetric within 1e-3 of its largest entry, trace 1 within 1e-6
+/// \throws   InvalidArgument for another matrix
 /// Accuracy  rounding of F.
 [[nodiscard]] Mat3 contact_tensor(const Mat3& fabric);
 /// F = 1/3 + 2/15 A, the inverse of the above.
-/// \param    contact_tensor   A, trace 0 within 1e-5
-/// \throws   InvalidArgument for another trace
+/// \param    contact_tensor   A, symmetric within 1e-3 of its largest entry, trace 0 within 1e-5
+/// \throws   InvalidArgument for another matrix
 [[nodiscard]] Mat3 fabric_from_contact_tensor(const Mat3& contact_tensor);
 
 } // namespace granum::fabric
