@@ -10,6 +10,7 @@
 
 #include <granum/contact/pair.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/packing/force_distribution.hpp>
 
 namespace granum::analysis {
@@ -40,6 +41,7 @@ std::vector<Point> points_of(const packing::Assembly& assembly, const LawFamily&
                              const Material& material) {
   std::vector<Point> points;
   for (const packing::Contact& c : compared(assembly)) {
+    stop_point(points.size());
     const double radius = contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]);
     points.push_back({std::log(c.overlap / radius), std::log(c.normal_force / radius / radius),
                       c.normal_force / family(material(c), radius).force(c.overlap)});

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/packing/assembly.hpp>
 
 #include "dem/sweep/pair_reach.hpp"
@@ -250,9 +251,11 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
     });
   };
   for (int bx = 0; bx < bins.count[0]; ++bx)
-    for (int by = 0; by < bins.count[1]; ++by)
+    for (int by = 0; by < bins.count[1]; ++by) {
+      stop_point();
       for (int bz = 0; bz < bins.count[2]; ++bz)
         look_ahead({bx, by, bz});
+    }
   sort_pairs(pairs, position.size());
   return pairs;
 }
@@ -281,6 +284,7 @@ std::vector<Pair> neighbour_pairs(const Mat3& cell, std::span<const Vec3> positi
       pairs.push_back(i < j ? Pair{i, j, image} : Pair{j, i, opposite(image)});
   };
   for (std::uint32_t i = 0; i < position.size(); ++i) {
+    stop_point(i);
     const Vec3 s = to_fraction * position[i];
     const std::array<int, 3> home = bin_of(bins, s);
     each_near(bins, home, bins_within(bins, s, home, widths, 2 * radius[i] + gap), images,

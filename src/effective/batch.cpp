@@ -11,6 +11,7 @@
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 
 #include "core/vector/power.hpp"
 #include "core/vector/stream.hpp"
@@ -225,6 +226,7 @@ BatchReport run(const Rule& rule, const PackingBatch& b, const ModuliColumns& mo
   Work work;
   Block bulk, shear;
   for (std::size_t first = 0; first < rows; first += block_size) {
+    stop_point(first / block_size);
     const std::size_t count = std::min(block_size, rows - first);
     const Inputs in{pressure.from(first), contacts.from(first), porosity.from(first), count};
     double* const K = moduli.bulk_modulus.data() + first;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include <granum/core/stop_scope.hpp>
 #include <granum/fabric/measures.hpp>
 
 #include "normals.hpp"
@@ -26,6 +27,7 @@ struct Slopes {
 };
 
 Slopes slopes(const std::vector<double>& x, double a_c) {
+  stop_point();
   Slopes sum;
   for (const double value : x) {
     const double ratio = value / (1 + a_c * value);
@@ -57,6 +59,7 @@ double most_likely(const std::vector<double>& x) {
 
 /// ln L - ln L(isotropic)
 double gain(const std::vector<double>& x, double a_c) {
+  stop_point();
   double sum = 0;
   for (const double value : x)
     sum += std::log1p(a_c * value);

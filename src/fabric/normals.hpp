@@ -7,6 +7,7 @@
 #include <string>
 
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/core/vec3.hpp>
 
 namespace granum::fabric {
@@ -17,9 +18,11 @@ inline void require_normals(std::span<const Vec3> normals, std::size_t fewest) {
   if (normals.size() < fewest)
     throw InvalidArgument("number of contact normals", static_cast<double>(normals.size()), "",
                           "[" + std::to_string(fewest) + ", inf)");
-  for (std::size_t i = 0; i < normals.size(); ++i)
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    stop_point(i);
     if (const double length = norm(normals[i]); !(std::abs(length - 1) <= 1e-6))
       throw InvalidArgument("length of contact normal " + std::to_string(i), length, "", "1 +- 1e-6");
+  }
 }
 
 /// n3^2 of the normal at length 1: in [0, 1] whatever the rounding of its length.

@@ -53,8 +53,10 @@ std::vector<RoseBin> rose(std::span<const Vec3> normals, double anisotropy, std:
   require_closed("bins", static_cast<double>(bins), 1, 1000);
   const double width = std::numbers::pi / 2 / static_cast<double>(bins);
   std::vector<std::size_t> counts(bins);
-  for (const Vec3& n : normals)
-    ++counts[std::min(static_cast<std::size_t>(polar_angle(n) / width), bins - 1)];
+  for (std::size_t k = 0; k < normals.size(); ++k) {
+    stop_point(k);
+    ++counts[std::min(static_cast<std::size_t>(polar_angle(normals[k]) / width), bins - 1)];
+  }
   return rose_of_counts(counts, anisotropy);
 }
 

@@ -6,6 +6,7 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 #include <granum/core/check.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/fabric/polar_distribution.hpp>
 
 namespace granum::fabric {
@@ -18,6 +19,7 @@ std::vector<Vec3> sample_normals(double anisotropy, std::size_t count, std::uint
   std::vector<Vec3> normals;
   normals.reserve(count);
   while (normals.size() < count) {
+    stop_point(normals.size());
     const double height = signed_unit(bits);
     const double z = std::copysign(polar_cosine_quantile(std::abs(height), anisotropy), height);
     double x = 0, y = 0, square = 0;

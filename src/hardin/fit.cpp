@@ -12,6 +12,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/core/stop_scope.hpp>
 
 #include "eigen_gsl.hpp"
 #include "nonlinear_fit.hpp"
@@ -76,7 +77,10 @@ LinearFit least_squares(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
 }
 
 NonlinearSolution solve(const Problem& problem, const Eigen::VectorXd& start, std::size_t iteration_limit) {
-  return hardin::solve({[&](const Eigen::VectorXd& theta) { return problem.residuals(theta); },
+  return hardin::solve({[&](const Eigen::VectorXd& theta) {
+                          stop_point();
+                          return problem.residuals(theta);
+                        },
                         [&](const Eigen::VectorXd& theta) { return problem.jacobian(theta); }},
                        start, iteration_limit, "Eq. (1)");
 }

@@ -11,6 +11,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 
 #include "core/gamma.hpp"
@@ -243,6 +244,7 @@ Eigen::RowVector2d ContactModel::own_scatter(const Eigen::VectorXd& theta, Quant
 std::vector<StateGroup> ContactModel::groups(const Eigen::VectorXd& theta) const {
   std::vector<StateGroup> all;
   for (std::size_t k = 0; k < measurements_.size(); ++k) {
+    stop_point();
     const auto same = [&](const StateGroup& group) {
       return same_state(measurements_[group.members.front()].state, measurements_[k].state);
     };
@@ -254,6 +256,7 @@ std::vector<StateGroup> ContactModel::groups(const Eigen::VectorXd& theta) const
     group.scatter.resize(size, 2);
     group.noise.resize(size);
     for (Eigen::Index i = 0; i < size; ++i) {
+      stop_point();
       const Observation& m = measurements_[group.members[static_cast<std::size_t>(i)]];
       group.scatter.row(i) = own_scatter(theta, m.quantity, m.state, AskedPacking::same);
       group.noise[i] = std::max(smallest_error, m.value.standard_error / m.value.value);
@@ -274,6 +277,7 @@ Eigen::VectorXd ContactModel::residuals(const std::vector<StateGroup>& groups,
   for (const StateGroup& group : groups) {
     Eigen::VectorXd misfit(group.noise.size());
     for (Eigen::Index i = 0; i < misfit.size(); ++i) {
+      stop_point();
       const Observation& m = measurements_[group.members[static_cast<std::size_t>(i)]];
       misfit[i] = log_value(theta, m.quantity, m.state, AskedPacking::same) - std::log(m.value.value);
     }
@@ -299,6 +303,8 @@ Inference ContactModel::solve(std::shared_ptr<const ContactModel> model, double 
       Inference found = solve_from(model, from);
       if (!best || found.chi_square() < best->chi_square())
         best = std::move(found);
+    } catch (const Stopped&) {
+      throw;
     } catch (const Error&) { // one minimum is enough
       if (!failure)
         failure = std::current_exception();
@@ -369,6 +375,7 @@ void ContactModel::describe(Inference& inference, const std::vector<StateGroup>&
     of_rung += (by_value * group.scatter).squaredNorm();
     row += size;
     for (Eigen::Index i = 0; i < size; ++i) {
+      stop_point();
       const std::size_t k = group.members[static_cast<std::size_t>(i)];
       const Observation& m = measurements_[k];
       FittedObservation& fitted = inference.fitted_[k];

@@ -7,6 +7,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 #include <granum/estimate/answer.hpp>
@@ -75,6 +76,7 @@ void note_unexplained(const Observation& m, const InferenceOptions& options,
 void note_states(const Inference& all, std::span<const Observation> measurements, Validity& validity) {
   std::size_t noted = 0;
   for (const Observation& m : measurements) {
+    stop_point();
     const Validity own =
         effective::answer(effective::rung(effective::RungName::relaxed), all.state(m.state)).validity;
     if (!own.ok() && ++noted == 1)

@@ -11,6 +11,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/core/stop_scope.hpp>
 
 #include "core/gamma.hpp"
 #include "possible.hpp"
@@ -107,6 +108,7 @@ LeastSquares solve(std::span<const Observation> all, const Question& known, cons
         right[k] -= weight * fit.x[k];
       }
     for (const Observation& one : all) {
+      stop_point();
       const double error = std::hypot(relative_error(one.value), own_error(one.quantity));
       const Parameters slope = slopes(known, one.quantity, one.state, fit.x);
       const double miss =
@@ -202,6 +204,7 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
   found.known_ = moved(found.known_, first, fit.x);
 
   for (std::size_t k = 0; k < all.size(); ++k) {
+    stop_point();
     const Observation& one = all[k];
     const double fitted = value_of(found.known_, one.quantity, one.state, Parameters::Zero());
     const double error = std::hypot(relative_error(one.value), own_error(one.quantity));
@@ -222,6 +225,7 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
   const Eigen::Matrix3d covariance = fit.covariance * found.widening_ * found.widening_;
   Eigen::Map<Eigen::Matrix3d>(found.covariance_.data()) = covariance;
   for (FittedObservation& one : found.fitted_) {
+    stop_point();
     const auto k = static_cast<std::size_t>(&one - found.fitted_.data());
     const Parameters slope = slopes(found.known_, all[k].quantity, all[k].state, Parameters::Zero());
     one.value.standard_error = one.value.value * std::sqrt(std::max(0.0, slope.dot(covariance * slope)));

@@ -9,6 +9,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/io/own_image.hpp>
 
 #include "io/text/row.hpp"
@@ -104,6 +105,7 @@ void PackingBuilder::set_grains(std::vector<GrainRow> rows) {
   packing_.assembly.position.reserve(rows.size());
   packing_.assembly.radius.reserve(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
+    stop_point(k);
     const GrainRow& grain = rows[k];
     if (k > 0 && rows[k - 1].id == grain.id)
       throw FileError(grain_file_, grain.line,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/packing/bodies.hpp>
 #include <granum/packing/coordination.hpp>
 
@@ -221,6 +222,7 @@ void fill(Backbone& backbone, const packing::Assembly& assembly, const Grains& g
       backbone.radius[number[g]] = moving.radius[g];
     }
   for (std::size_t k = 0; k < moving.contacts.size(); ++k) {
+    stop_point(k);
     const packing::Contact &c = moving.contacts[k], &between = grains.contact(k);
     const std::uint32_t i = number[c.i], j = number[c.j];
     if (i == unset || j == unset)

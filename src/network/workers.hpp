@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <granum/core/stop_scope.hpp>
+
 #include "core/team.hpp"
 
 namespace granum::network {
@@ -16,7 +18,7 @@ class Workers {
   /// \param    team   null: only the calling thread
   explicit Workers(Team* team = nullptr) : team_(team) {}
 
-  /// part(k) for every k below `count`, in any order.
+  /// part(k) for every k below `count`, in any order. Stop points in them count on one thread only.
   template <class Part>
   void each(std::size_t count, const Part& part) const {
     if (team_ == nullptr || count < 2) {
@@ -24,6 +26,7 @@ class Workers {
         part(k);
       return;
     }
+    const StopScope none({}); // jobs of a team must not throw
     team_->run([&](std::size_t member) {
       for (std::size_t k = member; k < count; k += team_->size())
         part(k);

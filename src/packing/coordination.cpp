@@ -2,6 +2,7 @@
 #include <granum/packing/coordination.hpp>
 
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 
 namespace granum::packing {
 
@@ -27,6 +28,7 @@ MechanicalCoordination mechanical_coordination(const Assembly& assembly, Contact
   std::vector<std::size_t> removed;
   MechanicalCoordination result{.rattler = std::vector<bool>(grains, false)};
   for (std::size_t g = 0; g < grains; ++g) {
+    stop_point(g);
     degree[g] += neighbours[g].size();
     if (degree[g] < fewest) {
       result.rattler[g] = true;

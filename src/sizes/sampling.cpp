@@ -6,6 +6,7 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
+#include <granum/core/stop_scope.hpp>
 
 namespace granum::sizes {
 
@@ -15,12 +16,16 @@ std::vector<double> sample_radii(const Distribution& sizes, std::size_t count, s
   boost::random::uniform_real_distribution<double> unit(0, 1);
   std::vector<double> radii(count);
   if (drawing == Drawing::plain) {
-    for (double& radius : radii)
-      radius = sizes.quantile(unit(bits));
+    for (std::size_t k = 0; k < count; ++k) {
+      stop_point(k);
+      radii[k] = sizes.quantile(unit(bits));
+    }
     return radii;
   }
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0; k < count; ++k) {
+    stop_point(k);
     radii[k] = sizes.quantile((static_cast<double>(k) + unit(bits)) / static_cast<double>(count));
+  }
   for (std::size_t k = count; k > 1; --k) // the standard library's shuffle differs between vendors
     std::swap(radii[k - 1], radii[boost::random::uniform_int_distribution<std::size_t>(0, k - 1)(bits)]);
   return radii;

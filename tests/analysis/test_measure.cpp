@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "packing/sample_packings.hpp"
@@ -79,6 +80,11 @@ TEST_CASE("counts of three spheres in a row, by hand") {
   CHECK(m.stress->symmetric(0, 0) == relative(4 * f_n * edge / 64e-9, 1e-13));
   REQUIRE(m.fabric);
   CHECK(m.fabric->tensor(0, 0) == relative(1, 1e-15));
+}
+
+TEST_CASE("a measurement ends on a stop request") {
+  const StopScope scope([] { return true; });
+  CHECK_THROWS_AS((void)measure(row()), Stopped);
 }
 
 TEST_CASE("a part is measured where it is wanted, and not elsewhere") {

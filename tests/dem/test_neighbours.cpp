@@ -10,6 +10,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 
 using namespace granum;
 using namespace granum::dem;
@@ -94,6 +95,14 @@ TEST_CASE("with a radius for each grain, the same pairs as a search over all ima
   const std::vector<Vec3> two{{0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}};
   CHECK_THROWS_AS((void)neighbour_pairs(cube, two, std::vector<double>{0.1}, 0.0), InvalidArgument);
   CHECK_THROWS_AS((void)neighbour_pairs(cube, two, std::vector<double>{0.1, 0.26}, 0.0), InvalidArgument);
+}
+
+TEST_CASE("a search for pairs ends on a stop request") {
+  const Mat3 cube = Mat3::diagonal(1, 1, 1);
+  const std::vector<Vec3> x = random_points(cube, 10, 7);
+  const StopScope scope([] { return true; });
+  CHECK_THROWS_AS((void)neighbour_pairs(cube, x, 0.2), Stopped);
+  CHECK_THROWS_AS((void)neighbour_pairs(cube, x, std::vector<double>(x.size(), 0.1), 0.0), Stopped);
 }
 
 TEST_CASE("wrapping moves by whole edge vectors into the cell") {

@@ -8,6 +8,7 @@
 #include <boost/random/normal_distribution.hpp>
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <gsl/gsl_errno.h>
 #include <relative.hpp>
 
@@ -273,6 +274,12 @@ TEST_CASE("rows that cannot be fitted are refused") {
   CHECK(refusal(fit, rows).starts_with("row 1: shear_modulus"));
   rows = measured(truth, triaxial_paths());
   CHECK_THROWS_AS((void)fit(rows, FitOptions{}), InvalidArgument); // no atmospheric pressure
+}
+
+TEST_CASE("a fit ends on a stop request") {
+  const auto rows = measured(equation(215, 0.273, 0.237), triaxial_paths());
+  const StopScope scope([] { return true; });
+  CHECK_THROWS_AS((void)fit(rows, with(Weights::relative)), Stopped);
 }
 
 TEST_CASE("a fit that was stopped gives its result out only on request") {

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/effective/contact_prior.hpp>
 
 #include "relative.hpp"
@@ -400,6 +401,23 @@ TEST_CASE("inference: pore water adds mass, and excludes the compression wave") 
   CHECK_THROWS_AS((void)answer.together->predict(Quantity::V_p, one.state), InvalidArgument);
   const Observation compression = measurement(Quantity::V_p, beads(1e6), 5.2, 0.01);
   CHECK_THROWS_AS((void)infer(std::span(&compression, 1), wet), InvalidArgument);
+}
+
+TEST_CASE("inference: a stop request ends it, whichever of several starts it reaches") {
+  const Observation m = measurement(Quantity::V_s, beads(1e6), 5);
+  InferenceOptions options = options_with();
+  int calls = 0, last = 1 << 30;
+  const StopScope scope([&] { return ++calls > last; });
+  for (const char* contacts : {"given", "power-law"}) {
+    options.contacts = unknown_contacts(contacts);
+    calls = 0, last = 1 << 30;
+    (void)infer(std::span(&m, 1), options);
+    const int all = calls;
+    for (const int quarter : {0, 1, 2, 3}) {
+      calls = 0, last = all * quarter / 4;
+      CHECK_THROWS_AS((void)infer(std::span(&m, 1), options), Stopped);
+    }
+  }
 }
 
 TEST_CASE("inference: refuses unusable measurements") {

@@ -10,6 +10,7 @@
 #include <granum/contact/minerals.hpp>
 #include <granum/contact/power_law.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <relative.hpp>
 
 using namespace granum;
@@ -51,6 +52,11 @@ TEST_CASE("a sand's own law gives level 1, its exponent and its ratio back") {
   CHECK(found.exponent().value == relative(sands::growth_exponent(sand.sand, 1e5).value, 1e-9));
   CHECK_FALSE(found.tells_contacts());
   CHECK(found.degrees_of_freedom() == 0);
+}
+
+TEST_CASE("the inference of a sand ends on a stop request") {
+  const StopScope scope([] { return true; });
+  CHECK_THROWS_AS((void)infer_sand(std::vector{measured(Quantity::G_vh, 1e8, 0.01, 1e5)}, quartz()), Stopped);
 }
 
 TEST_CASE("forecasts are the answers of estimate for the sand that was found, to the bit") {

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/network/linear_response.hpp>
 
 #include "large_networks.hpp"
@@ -70,6 +71,22 @@ TEST_CASE("the response has the same bits for any number of threads") {
   check_same_bits(samples::large_network(19, 0.8, 0), 2, {2});
   check_same_bits(samples::large_network(28, 0.8), 4, {3});  // with a coarse grid
   check_same_bits(samples::large_network(29, 0.27), 4, {3}); // and pivots judged
+}
+
+TEST_CASE("a stop request ends the response at every stop point, on one thread and on several") {
+  const packing::Assembly a = samples::large_network(28, 0.8); // with a coarse grid
+  for (const std::size_t threads : {std::size_t{1}, std::size_t{3}}) {
+    const network::ResponseOptions options{.tolerance = 1e-4, .threads = threads};
+    std::size_t calls = 0, last = 1 << 30;
+    const StopScope scope([&] { return ++calls > last; });
+    (void)network::linear_response(a, options);
+    const std::size_t all = calls;
+    CHECK(all > 100);
+    for (std::size_t part = 0; part < 8; ++part) {
+      calls = 0, last = all * part / 8;
+      CHECK_THROWS_AS((void)network::linear_response(a, options), Stopped);
+    }
+  }
 }
 
 TEST_CASE("without threads there is no response") {

@@ -8,6 +8,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/io/text/source.hpp>
+#include <granum/core/stop_scope.hpp>
 
 namespace granum::io {
 
@@ -257,6 +258,7 @@ CsvTable::CsvTable(std::string name, std::string_view text) : name_(std::move(na
       throw FileError(name_, heading_line_, "the heading '" + *heading + "' occurs twice");
   DecimalSigns signs;
   while (cursor.seek_record()) {
+    stop_point(rows_.size());
     const std::size_t line = cursor.line();
     std::vector<std::string> record = cursor.record();
     if (std::all_of(record.begin(), record.end(),
@@ -320,6 +322,7 @@ std::vector<double> CsvTable::numbers(std::string_view quantity, Dimension dimen
   std::vector<double> values;
   values.reserve(rows_.size());
   for (const Row& row : rows_) {
+    stop_point(values.size());
     const auto number = parse_number(row.fields[index]);
     if (!number || !std::isfinite(factor * *number))
       throw FileError(name_, row.line,

@@ -9,6 +9,7 @@
 #include <zlib.h>
 
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 
 namespace granum::io {
 
@@ -70,6 +71,7 @@ TextSource::~TextSource() = default;
 bool TextSource::fill() {
   if (!stream_ || stream_->ended)
     return false;
+  stop_point();
   if (begin_ > 0 && !keeping_) {
     dropped_ = true;
     std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
@@ -87,6 +89,8 @@ bool TextSource::fill() {
   const char* message = gzerror(stream_->file, &status);
   if (status == Z_BUF_ERROR)
     throw FileError(name_, line_number_, "the compressed data end too early: the file is cut off");
+  if (status == Z_ERRNO && errno == EINTR)
+    stop_point();
   if (count < 0 || (status != Z_OK && status != Z_STREAM_END))
     throw FileError(name_, line_number_,
                     std::string("cannot be read further: ") +
@@ -107,6 +111,7 @@ void TextSource::take(std::size_t end, std::size_t next) {
 }
 
 bool TextSource::next() {
+  stop_point(line_number_);
   if (held_) {
     held_ = false;
     return true;

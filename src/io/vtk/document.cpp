@@ -15,6 +15,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/core/stop_scope.hpp>
 
 #include "io/text/row.hpp"
 
@@ -412,6 +413,7 @@ void VtkDocument::read_text(const Array& array, const std::string& what, std::si
   const std::string_view text = array.text;
   std::size_t line = array.line;
   for (std::size_t at = 0; at < text.size();) {
+    stop_point(at);
     if (white_space(text[at])) {
       line += text[at++] == '\n' ? std::size_t{1} : 0;
       continue;

@@ -12,6 +12,8 @@
 #include <span>
 #include <vector>
 
+#include <granum/core/stop_scope.hpp>
+
 #include "core/vector/level.hpp"
 #include "network/contact_operator.hpp"
 
@@ -126,12 +128,14 @@ CoarseFactor coarse_stiffness(const Backbone& backbone, const CoarseGrid& grid, 
   const auto sum = std::make_unique<Couplings>();
   const std::vector<Block<Dof>> diagonal = diagonal_blocks<Dof>(backbone);
   for (std::size_t box = 0; box < grid.size(); ++box) {
+    stop_point();
     *sum = {};
     for (const std::uint32_t g : grid.grains_of(box))
       add_coarse(backbone, grid, diagonal[g], g, g, *sum);
     add_box(*sum, grid.nodes_of(box), factor);
   }
   for (auto first = links.begin(), last = first; first != links.end(); first = last) {
+    stop_point();
     *sum = {};
     for (; last != links.end() && same_boxes(*first, *last); ++last) {
       const Link& l = backbone.links[last->link];

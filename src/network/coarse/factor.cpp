@@ -10,6 +10,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
+#include <granum/core/stop_scope.hpp>
 #include <granum/elastic/eigen_system.hpp>
 
 #include "core/vector/level.hpp"
@@ -218,6 +219,7 @@ void CoarseFactor::factorise(const Workers& workers) {
       waiting[row_[entry]].push_back({column, entry});
   };
   for (std::uint32_t j = 0; j < n; ++j) {
+    stop_point();
     std::array<double, 6> size{};
     for (std::size_t r = 0; r < size.size(); ++r)
       size[r] = inverse_pivot_[j].at[r][r];
@@ -234,6 +236,7 @@ void CoarseFactor::factorise(const Workers& workers) {
     wait(j, column_start_[j]);
   }
   workers.each(n, [&](std::size_t k) {
+    stop_point(k);
     for (std::uint32_t e = column_start_[k]; e < column_start_[k + 1]; ++e)
       lower_[e] = stored(dense(lower_[e]) * dense(inverse_pivot_[k]));
   });

@@ -18,6 +18,7 @@
 #include <memory>
 
 #include <Eigen/Cholesky>
+#include <granum/core/stop_scope.hpp>
 
 #include "core/symmetric_eigen.hpp"
 #include "core/vector/level.hpp"
@@ -187,6 +188,7 @@ class Elimination {
     const std::uint32_t* const start = pattern_.row_start.data();
     lower.resize(start[piece.last] - start[piece.first]);
     for (std::uint32_t i = piece.first; i < piece.last; ++i) {
+      stop_point();
       Block<Dof>* const row = lower.data() + (start[i] - start[piece.first]);
       row_[i] = row;
       for (int r = 0; r < Dof && !by_motion(); ++r)
@@ -400,6 +402,7 @@ class Elimination {
     const double least = rule_.shift * mean_;
     std::vector<double> stiffness(deferred_.size());
     workers_.each(deferred_.size(), [&](std::size_t k) {
+      stop_point();
       std::vector<std::uint32_t> slot(backbone_.grain_count, absent);
       Rows<Dof> direction = {};
       for (int r = 0; r < Dof; ++r)
@@ -418,6 +421,7 @@ class Elimination {
   /// Makes L of R^-T L in the rows of a piece.
   void scale(Piece piece, std::vector<Block<Dof>>& lower) const {
     auto block = lower.begin();
+    stop_point();
     for (std::uint32_t i = piece.first; i < piece.last; ++i)
       for (std::uint32_t e = pattern_.row_start[i]; e < pattern_.row_start[i + 1]; ++e, ++block)
         *block = product(*block, made_.root[i]);

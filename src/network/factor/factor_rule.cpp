@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <granum/core/stop_scope.hpp>
+
 namespace granum::network {
 
 namespace {
@@ -75,6 +77,7 @@ FillPattern fill_pattern(const Backbone& backbone, int most_level) {
   for (const Link& l : backbone.links)
     couplings[l.a].push_back({l.b, 0});
   for (std::uint32_t j = 0; j < backbone.grain_count; ++j) {
+    stop_point(j);
     keep_least(couplings[j]);
     const std::vector<Later> later = std::exchange(couplings[j], {});
     for (const Later& k : later) {

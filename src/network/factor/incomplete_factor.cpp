@@ -4,6 +4,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <granum/core/stop_scope.hpp>
+
 #include "core/vector/level.hpp"
 #include "substitution.hpp"
 
@@ -114,6 +116,7 @@ IncompleteFactor<Dof> factor_with_soft_first(const packing::Assembly& assembly,
   if (add(soft_grains<Dof>(backbone, rule, workers)))
     backbone = load_bearing_network(assembly, options, first);
   for (int tries = 0;; ++tries) {
+    stop_point();
     bool more = false;
     {
       IncompleteFactor<Dof> factor(backbone, workers, rule);

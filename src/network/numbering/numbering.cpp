@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include <granum/core/stop_scope.hpp>
+
 #include "weakly_supported.hpp"
 
 namespace granum::network {
@@ -70,6 +72,7 @@ class Counter {
 
  private:
   void divide(std::vector<std::uint32_t>& grains, std::size_t halvings) {
+    stop_point();
     if (halvings == 0)
       return count(std::move(grains), 0);
     auto [first, second] = halves_of(grains);

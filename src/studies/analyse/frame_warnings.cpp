@@ -7,6 +7,7 @@
 #include <map>
 
 #include <granum/core/number.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/elastic/eigen_system.hpp>
 
 #include "mistakes.hpp"
@@ -85,8 +86,10 @@ void judge_boundary(const io::ImportedPacking& packing, bool interior, std::vect
 std::size_t largest_plane(const packing::Assembly& assembly, int axis) {
   std::map<double, std::size_t> planes;
   std::size_t largest = 0;
-  for (const Vec3& x : assembly.position)
-    largest = std::max(largest, ++planes[x[axis]]);
+  for (std::size_t g = 0; g < assembly.grain_count(); ++g) {
+    stop_point(g);
+    largest = std::max(largest, ++planes[assembly.position[g][axis]]);
+  }
   return largest;
 }
 
@@ -307,7 +310,9 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
   pass_on(packing, out);
   judge_digits(packing, out);
   judge_contacts(packing, frame, out);
+  stop_point();
   judge_mistakes(packing, frame, out);
+  stop_point();
   judge_boundary(packing, measured.interior.has_value(), out);
   judge_grains(packing, out);
   if (measured.fabric)

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <granum/contact/pair.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <granum/dem/neighbours.hpp>
 #include <granum/io/own_image.hpp>
 
@@ -130,6 +131,7 @@ class OverlapSearch {
 /// Normal forces by the law for equal grains of the pair's 2 R_i R_j/(R_i + R_j).
 void set_forces(Assembly& assembly, const analysis::Given& given) {
   for (Contact& c : assembly.contacts) {
+    stop_point(static_cast<std::size_t>(&c - assembly.contacts.data()));
     const contact::GrainMaterial grain =
         given.materials.empty()
             ? contact::GrainMaterial{given.grain_shear_modulus.value(), given.grain_poisson_ratio}

@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 #include <zlib.h>
 
 #include "io/import_support.hpp"
@@ -118,6 +119,15 @@ TEST_CASE("compressed data that end too early or are damaged are refused, not ta
   const auto path = written(folder, damaged);
   CHECK(samples::refusal([&] { lines(TextSource(path)); }).find("cannot be read further") !=
         std::string::npos);
+}
+
+TEST_CASE("reading ends on a stop request") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "t";
+  std::ofstream(path) << "one line\n";
+  TextSource source(path);
+  const StopScope scope([] { return true; });
+  CHECK_THROWS_AS((void)source.next(), Stopped);
 }
 
 TEST_CASE("a missing file and a folder are refused by name") {
