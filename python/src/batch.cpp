@@ -11,6 +11,7 @@
 
 #include "bindings.hpp"
 #include "docstrings.hpp"
+#include "errors.hpp"
 #include "estimate.hpp"
 #include "state.hpp"
 
@@ -100,7 +101,7 @@ class Batch {
   }
 
   Moduli run() && {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const effective::BatchReport report = solve(0, rows_);
     if (report.failed == report.errors.size()) {
       take_errors(report, 0);

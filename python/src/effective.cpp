@@ -40,8 +40,9 @@ py::object matrices(const Stiffnesses& rows) {
   shape.insert(shape.end(), {6, 6});
   py::array_t<double> out(shape);
   double* to = out.mutable_data();
-  for (const StiffnessRow& row : rows.rows) {
-    const elastic::Matrix6 matrix = elastic::voigt(row.stiffness).matrix;
+  for (std::size_t k = 0; k < rows.rows.size(); ++k) {
+    hear_signals(k);
+    const elastic::Matrix6 matrix = elastic::voigt(rows.rows[k].stiffness).matrix;
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j)
         *to++ = matrix(i, j);

@@ -14,6 +14,7 @@
 
 #include "bindings.hpp"
 #include "docstrings.hpp"
+#include "errors.hpp"
 #include "estimate.hpp"
 #include "rows.hpp"
 
@@ -59,7 +60,7 @@ Returns
 -------
 EngineeringModuli
     E is 0 along an axis with a zero-energy deformation.
-)" + raises_invalid("For another shape, or an entry that is not finite.") +
+)" + raises_invalid("For another shape, or a stiffness that is not symmetric and finite.") +
        notes("", "elastic::engineering_moduli", "elastic/engineering_moduli.hpp"))
           .c_str());
   module.def(
@@ -70,7 +71,7 @@ Returns
 -------
 SymmetryDistances
     Distances relative to the norm of the stiffness [1].
-)" + raises_invalid("For another shape, a stiffness of zero, or an entry that is not finite.") +
+)" + raises_invalid("For another shape, or a stiffness that is zero or not symmetric and finite.") +
        notes("[Moakher2006]", "elastic::symmetry_distances", "elastic/symmetry.hpp"))
           .c_str());
   module.def(
@@ -87,7 +88,7 @@ Returns
 -------
 (6, 6) ndarray
     Voigt matrix [Pa].
-)" + raises_invalid("For other shapes, or a matrix that is not a rotation.") +
+)" + raises_invalid("For other shapes, a stiffness that is not symmetric, or a matrix that is no rotation.") +
        notes("[Mehrabadi1990]", "elastic::rotate", "elastic/mandel.hpp"))
           .c_str());
 }
@@ -140,7 +141,9 @@ Isotropic
 Returns
 -------
 Isotropic
-)" + raises_invalid("For another shape, or if a resulting modulus is not positive and finite.") +
+)" +
+       raises_invalid("For another shape, a stiffness that is not symmetric, or a resulting modulus that is "
+                      "not positive.") +
        notes("Nearest in the norm that no rotation changes. [Moakher2006]", "elastic::isotropic_projection",
              "elastic/projection.hpp"))
           .c_str());
@@ -160,7 +163,7 @@ Returns
 -------
 Estimate
     In axes with the axis of symmetry as the third.
-)" + raises_invalid("For other shapes, or an axis of zero length.") +
+)" + raises_invalid("For other shapes, a stiffness that is not symmetric, or an axis of zero length.") +
        notes("Nearest in the norm that no rotation changes. [Moakher2006]",
              "elastic::transversely_isotropic_projection", "elastic/projection.hpp"))
           .c_str());
@@ -177,7 +180,7 @@ Estimate
 Returns
 -------
 IsotropicAverages
-)" + raises_invalid("For another shape, or unless the stiffness is positive definite.") +
+)" + raises_invalid("For another shape, or unless the stiffness is symmetric and positive definite.") +
        notes("[Hill1952]", "elastic::isotropic_averages", "elastic/averages.hpp"))
           .c_str());
 }
@@ -197,9 +200,11 @@ py::array speeds(const Waves& w) {
   shape.push_back(3);
   py::array_t<double> out(shape);
   double* to = out.mutable_data();
-  for (const PlaneWaves& waves : w.waves)
+  for (std::size_t k = 0; k < w.waves.size(); ++k) {
+    hear_signals(k);
     for (const auto wave : by_speed)
-      *to++ = (waves.*wave).speed;
+      *to++ = (w.waves[k].*wave).speed;
+  }
   return out;
 }
 
@@ -208,10 +213,12 @@ py::array polarisations(const Waves& w) {
   shape.insert(shape.end(), {3, 3});
   py::array_t<double> out(shape);
   double* to = out.mutable_data();
-  for (const PlaneWaves& waves : w.waves)
+  for (std::size_t k = 0; k < w.waves.size(); ++k) {
+    hear_signals(k);
     for (const auto wave : by_speed)
-      for (int k = 0; k < 3; ++k)
-        *to++ = (waves.*wave).polarisation[k];
+      for (int axis = 0; axis < 3; ++axis)
+        *to++ = (w.waves[k].*wave).polarisation[axis];
+  }
   return out;
 }
 
@@ -223,8 +230,12 @@ Waves plane_waves(const py::object& c, double bulk_density, const py::object& di
   const elastic::VoigtStiffness matrix = stiffness(c);
   Waves out{{directions.shape(), directions.shape() + directions.ndim() - 1}, {}};
   const double* from = directions.data();
-  for (py::ssize_t k = 0; k < directions.size() / 3; ++k, from += 3)
+  const auto count = static_cast<std::size_t>(directions.size() / 3);
+  const Unlocked unlocked;
+  for (std::size_t k = 0; k < count; ++k, from += 3) {
+    stop_point(k);
     out.waves.push_back(elastic::plane_waves(matrix, bulk_density, {from[0], from[1], from[2]}));
+  }
   return out;
 }
 
@@ -249,8 +260,8 @@ PlaneWaves
     Speeds (..., 3) and polarisations (..., 3, 3), from the fastest to the slowest.
 )" +
        raises_invalid(
-           "For other shapes, a density or direction out of range, or a stiffness that is not positive "
-           "semidefinite.") +
+           "For other shapes, a density or direction out of range, or a stiffness that is not symmetric and "
+           "positive semidefinite.") +
        notes("Small amplitudes, wave lengths far above the size of the grains. [Musgrave1970]",
              "elastic::plane_waves", "elastic/christoffel.hpp"))
           .c_str());
@@ -298,7 +309,9 @@ float
 Returns
 -------
 ThomsenParameters
-)" + raises_invalid("For another shape, or unless the stiffness is positive definite and C33 > C44.") +
+)" +
+       raises_invalid(
+           "For another shape, or unless the stiffness is symmetric, positive definite and C33 > C44.") +
        notes("[Thomsen1986]", "elastic::thomsen_parameters", "elastic/thomsen.hpp"))
           .c_str());
 }
@@ -326,7 +339,7 @@ Returns
 -------
 Estimate
     Stiffness with saturated pores, symmetrised about axis 3.
-)" + raises_invalid("For another shape, or a number out of range.") +
+)" + raises_invalid("For another shape, a stiffness that is not symmetric, or a number out of range.") +
        notes("One solid, connected pores; shear moduli do not change. [Gassmann1951] [Mavko2009]",
              "elastic::saturated", "elastic/saturation.hpp"))
           .c_str());

@@ -2,6 +2,7 @@
 #include "errors.hpp"
 
 #include <chrono>
+#include <filesystem>
 
 #include <granum/core/error.hpp>
 
@@ -18,14 +19,14 @@ void raise(const py::object& type, const py::object& error) { PyErr_SetObject(ty
 
 void raise(const char* name, const std::exception& error) {
   const py::object type = error_class(name);
-  raise(type, type(error.what()));
+  raise(type, type(decoded(error.what())));
 }
 
 void raise(const InvalidArgument& error) {
   const py::object type = error_class("InvalidArgument");
-  py::object object = type(error.what());
+  py::object object = type(decoded(error.what()));
   if (const auto& refused = error.refused()) {
-    object.attr("name") = refused->name;
+    object.attr("name") = decoded(refused->name);
     object.attr("value") = refused->value;
     object.attr("unit") = refused->unit;
     object.attr("range") = refused->range;
@@ -35,8 +36,9 @@ void raise(const InvalidArgument& error) {
 
 void raise(const FileError& error) {
   const py::object type = error_class("FileError");
-  py::object object = type(error.what());
-  object.attr("path") = error.path();
+  py::object object = type(decoded(error.what()));
+  object.attr("path") = py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefaultAndSize(
+      error.path().data(), static_cast<py::ssize_t>(error.path().size()))); // a name that open() takes
   if (error.line() > 0)
     object.attr("line") = error.line();
   raise(type, object);
@@ -63,11 +65,16 @@ void set_error(const std::exception_ptr& error) {
   } catch (const std::bad_alloc&) {
     PyErr_NoMemory();
   } catch (const std::exception& e) {
-    PyErr_SetString(PyExc_RuntimeError, e.what());
+    PyErr_SetObject(PyExc_RuntimeError, decoded(e.what()).ptr());
   }
 }
 
 } // namespace
+
+py::str decoded(std::string_view text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "backslashreplace"));
+}
 
 void set_python_error(std::exception_ptr error) noexcept {
   try {
@@ -80,7 +87,7 @@ void set_python_error(std::exception_ptr error) noexcept {
 StopRequest stop_on_signal() {
   using Clock = std::chrono::steady_clock;
   const auto pause = std::chrono::milliseconds(50); // asking for the lock may take another thread's turn
-  return [pause, next = Clock::now(), stopped = false]() mutable {
+  return [pause, next = Clock::now() + pause, stopped = false]() mutable {
     if (stopped || Clock::now() < next)
       return stopped;
     const py::gil_scoped_acquire lock;
@@ -95,6 +102,11 @@ void throw_if_signalled() {
     throw py::error_already_set();
 }
 
+void hear_signals(std::size_t step) {
+  if (step % 4096 == 0 && PyErr_CheckSignals() != 0)
+    throw py::error_already_set();
+}
+
 void bind_errors(py::module_&) {
   py::register_exception_translator([](std::exception_ptr error) {
     if (!error)
@@ -102,6 +114,8 @@ void bind_errors(py::module_&) {
     try {
       std::rethrow_exception(error);
     } catch (const Error&) {
+      set_python_error(error);
+    } catch (const std::filesystem::filesystem_error&) { // names files, too
       set_python_error(error);
     }
   });

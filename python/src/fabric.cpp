@@ -116,7 +116,7 @@ float or ndarray
   module.def(
       "sample_normals",
       [](double anisotropy, std::size_t count, std::uint64_t seed) {
-        return array_of(fabric::sample_normals(anisotropy, count, seed));
+        return array_of(unlocked([&] { return fabric::sample_normals(anisotropy, count, seed); }));
       },
       py::kw_only(), py::arg("anisotropy"), py::arg("count"), py::arg("seed"),
       (R"(Unit vectors drawn from E(gamma; a).
@@ -220,9 +220,15 @@ void bind_estimates(py::module_& module) {
       .def_property_readonly(
           "notes", [](const LikelihoodEstimate& e) { return e.validity.notes; },
           "Remarks on numbers outside the range of a formula, a sentence each.");
-  const auto normals = [](const py::object& value) { return vectors_of("normals", value); };
+  const auto of_normals = [](const py::object& value, const auto& function) {
+    const std::vector<Vec3> normals = vectors_of("normals", value);
+    return unlocked([&] { return function(normals); });
+  };
   module.def(
-      "estimate_anisotropy", [=](const py::object& n) { return fabric::estimate_anisotropy(normals(n)); },
+      "estimate_anisotropy",
+      [=](const py::object& n) {
+        return of_normals(n, [](const auto& all) { return fabric::estimate_anisotropy(all); });
+      },
       py::arg("normals"),
       (R"(a of E(gamma; a) from contact normals, by the mean of n3^2.
 )" + normals_parameter +
@@ -237,7 +243,9 @@ AnisotropyEstimate
           .c_str());
   module.def(
       "estimate_anisotropy_by_likelihood",
-      [=](const py::object& n) { return fabric::estimate_anisotropy_by_likelihood(normals(n)); },
+      [=](const py::object& n) {
+        return of_normals(n, [](const auto& all) { return fabric::estimate_anisotropy_by_likelihood(all); });
+      },
       py::arg("normals"),
       (R"(a of E(gamma; a) from contact normals, by maximum likelihood.
 )" + normals_parameter +
@@ -252,7 +260,10 @@ LikelihoodEstimate
              "fabric::estimate_anisotropy_by_likelihood", "fabric/likelihood_estimate.hpp"))
           .c_str());
   module.def(
-      "isotropy_p_value", [=](const py::object& n) { return fabric::test_isotropy(normals(n)).p_value; },
+      "isotropy_p_value",
+      [=](const py::object& n) {
+        return of_normals(n, [](const auto& all) { return fabric::test_isotropy(all).p_value; });
+      },
       py::arg("normals"),
       (R"(p-value: probability of directions at least as uneven as these, if the true fabric is isotropic.
 )" + normals_parameter +
@@ -267,7 +278,7 @@ float
   module.def(
       "rose",
       [=](const py::object& n, double anisotropy, std::size_t bins) {
-        return fabric::rose(normals(n), anisotropy, bins);
+        return of_normals(n, [&](const auto& all) { return fabric::rose(all, anisotropy, bins); });
       },
       py::arg("normals"), py::kw_only(), py::arg("anisotropy"), py::arg("bins"),
       (R"(Histogram of the angle between contact normals and axis 3, with E(gamma; a) for comparison.

@@ -85,9 +85,10 @@ py::object fit(const Arguments& a) {
                              .void_ratio_function = function_of(a, fit_keyword::void_ratio_function)};
   if (a.given(fit_keyword::weights))
     options.weights = weights_of(a.text(fit_keyword::weights));
-  return py::cast(
-      (a.flag(fit_keyword::sum_only) ? hardin::fit_exponent_sum(rows, options) : hardin::fit(rows, options))
-          .fit());
+  const bool sum_only = a.flag(fit_keyword::sum_only);
+  return py::cast(unlocked([&] {
+    return (sum_only ? hardin::fit_exponent_sum(rows, options) : hardin::fit(rows, options)).fit();
+  }));
 }
 
 py::array covariance(const hardin::Fit& fit) {

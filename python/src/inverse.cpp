@@ -8,6 +8,7 @@
 #include <granum/inverse/inference.hpp>
 
 #include "bindings.hpp"
+#include "errors.hpp"
 #include "inverse.hpp"
 #include "state.hpp"
 
@@ -217,7 +218,7 @@ py::object sphere_inference(const std::vector<inverse::Observation>& measurement
                             const inverse::InferenceOptions& options) {
   Answer answer{.found = {}, .first = measurements.front().state};
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     answer.found = inverse::infer(measurements, options);
   }
   return py::cast(std::move(answer));

@@ -11,6 +11,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "docstrings.hpp"
+#include "errors.hpp"
 #include "packing.hpp"
 
 namespace granum::python {
@@ -23,19 +24,23 @@ class Frames {
   explicit Frames(std::unique_ptr<io::PackingFiles> files) : files_(std::move(files)) {}
 
   SharedPacking next() {
+    const OneStep step(running_);
     std::optional<Packing> packing;
     {
-      const py::gil_scoped_release unlocked;
+      const Unlocked unlocked;
       packing = files_->next();
     }
+    skipped_ = files_->skipped();
     if (!packing)
       throw py::stop_iteration();
     return std::make_shared<Packing>(std::move(*packing));
   }
-  [[nodiscard]] std::size_t skipped() const { return files_->skipped(); }
+  [[nodiscard]] std::size_t skipped() const { return skipped_; }
 
  private:
   std::unique_ptr<io::PackingFiles> files_;
+  std::size_t skipped_ = 0; ///< before the step that may be running
+  bool running_ = false;
 };
 
 Frames open(const std::vector<std::filesystem::path>& files, const py::object& box,
@@ -46,7 +51,7 @@ Frames open(const std::vector<std::filesystem::path>& files, const py::object& b
     const Vec3 edges = vector_of("box", box);
     options.box = io::CsvBox{.cell = Mat3::diagonal(edges.x, edges.y, edges.z)};
   }
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return Frames(std::make_unique<io::PackingFiles>(files, std::move(options)));
 }
 
@@ -81,7 +86,7 @@ SharedPacking lammps_packing(const py::array_t<long, py::array::c_style | py::ar
         io::LammpsLocals{.columns = *column_names,
                          .values = std::span(values.data(), static_cast<std::size_t>(values.size())),
                          .map = {columns.begin(), columns.end()}};
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return std::make_shared<Packing>(io::lammps_packing(arrays));
 }
 

@@ -150,7 +150,7 @@ py::object measure(const Arguments& a) {
   wanted.window = window_of(a, *packing);
   MeasuredFrame frame;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     if (packing->has(io::Finding::contacts_unknown))
       frame = studies::measure_frame(studies::with_overlap_contacts(*packing, given), given, wanted);
     else
@@ -175,7 +175,7 @@ void define_overlap_contacts(py::module_& module) {
             }
             SharedPacking out;
             {
-              const py::gil_scoped_release unlocked;
+              const Unlocked unlocked;
               out = std::make_shared<Packing>(studies::with_overlap_contacts(*packing, given));
             }
             return py::cast(out);

@@ -11,6 +11,7 @@
 
 #include "bindings.hpp"
 #include "docstrings.hpp"
+#include "errors.hpp"
 #include "keywords.hpp"
 #include "rows.hpp"
 
@@ -80,10 +81,10 @@ py::array longs(const std::vector<long>& values, const py::object& self) {
   return view<long>({static_cast<py::ssize_t>(values.size())}, {sizeof(long)}, values.data(), self);
 }
 
-std::vector<std::string> notes_of(const Packing& packing) {
-  std::vector<std::string> out;
+py::list notes_of(const Packing& packing) {
+  py::list out;
   for (const io::ImportNote& note : packing.notes)
-    out.push_back(note.text);
+    out.append(decoded(note.text));
   return out;
 }
 
@@ -106,7 +107,7 @@ std::vector<Element> elements_of(const py::handle& bytes) {
 py::tuple state_of(const Packing& p) {
   py::list notes;
   for (const io::ImportNote& note : p.notes)
-    notes.append(py::make_tuple(static_cast<int>(note.finding), note.text));
+    notes.append(py::make_tuple(static_cast<int>(note.finding), decoded(note.text)));
   const packing::Assembly& a = p.assembly;
   return py::make_tuple(sizeof(Contact), array_of(a.cell), bytes_of(a.position), bytes_of(a.radius),
                         bytes_of(a.contacts), bytes_of(a.wall_contacts), bytes_of(p.id), bytes_of(p.type),
@@ -309,7 +310,7 @@ py::object packing_from(const Arguments& a) {
   }
   auto out = std::make_shared<Packing>();
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     *out = io::packing_of(arrays);
   }
   return py::cast(out);

@@ -60,9 +60,11 @@ py::object packing_answer(const Arguments& a) {
 /// The share of each input; 0 for elements without this input.
 py::dict shares(const Rows<AnswerRow>& rows) {
   std::set<std::string> inputs;
-  for (const AnswerRow& row : rows.rows)
-    for (const estimate::Share& share : row.shares)
+  for (std::size_t k = 0; k < rows.rows.size(); ++k) {
+    hear_signals(k);
+    for (const estimate::Share& share : rows.rows[k].shares)
       inputs.insert(share.input);
+  }
   py::dict out;
   for (const std::string& input : inputs)
     out[py::str(input)] = computed(rows, [&](const AnswerRow& row) {

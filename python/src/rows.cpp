@@ -75,13 +75,14 @@ py::dict errors_by_index(const std::map<std::size_t, std::string>& errors,
                          const std::vector<py::ssize_t>& shape) {
   py::dict out;
   for (const auto& [row, message] : errors) {
+    hear_signals(out.size());
     py::tuple index(shape.size());
     std::size_t rest = row;
     for (std::size_t axis = shape.size(); axis-- > 0;) {
       index[axis] = rest % static_cast<std::size_t>(shape[axis]);
       rest /= static_cast<std::size_t>(shape[axis]);
     }
-    out[index] = message;
+    out[index] = decoded(message);
   }
   return out;
 }

@@ -18,6 +18,7 @@
 #include <granum/core/validity.hpp>
 
 #include "arrays.hpp"
+#include "errors.hpp"
 
 /// Calls a function of the library for every element of arrays, broadcast as in numpy.
 namespace granum::python {
@@ -54,6 +55,8 @@ class Columns {
     std::array<const char*, most> place = first_;
     std::vector<py::ssize_t> index(shape_.size());
     for (std::size_t row = 0; row < rows_; ++row) {
+      if (row % 16 == 0) // a row may take a millisecond
+        stop_point();
       for (const std::size_t k : varying_)
         numbers[k] = *reinterpret_cast<const double*>(place[k]);
       see(row, numbers.data());
@@ -132,7 +135,7 @@ Rows<Row> answer_rows(std::span<const Argument> arguments, bool strict, const Ro
   }
   out.scalar = false;
   out.shape = columns.shape();
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   out.rows.resize(columns.rows(), refused);
   columns.for_each([&](std::size_t row, const double* numbers) {
     try {
@@ -176,9 +179,11 @@ template <class Row, class Get>
   if (rows.scalar)
     return py::float_(get(rows.front()));
   py::array_t<double> out(rows.shape);
-  double* to = out.mutable_data();
-  for (const Row& row : rows.rows)
-    *to++ = get(row);
+  double* const to = out.mutable_data();
+  for (std::size_t k = 0; k < rows.rows.size(); ++k) {
+    hear_signals(k);
+    to[k] = get(rows.rows[k]);
+  }
   return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "errors.hpp"
 #include "inverse.hpp"
 #include "range.hpp"
 
@@ -106,7 +107,7 @@ void bind_numbers(py::class_<Sand>& type) {
 py::object sand_inference(const std::vector<inverse::Observation>& measurements,
                           const estimate::Question& sand, inverse::SandGrowth growth) {
   const auto infer = [&] {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     return inverse::infer_sand(measurements, sand, growth);
   };
   return py::cast(Sand{infer(), measurements.front().state});

@@ -12,6 +12,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "docstrings.hpp"
+#include "errors.hpp"
 
 namespace granum::python {
 
@@ -119,7 +120,8 @@ void bind_sizes(py::module_& module) {
       .def(
           "sample",
           [](const Distribution& sizes, std::size_t count, std::uint64_t seed) {
-            const std::vector<double> radii = sizes::sample_radii(sizes, count, seed);
+            const std::vector<double> radii =
+                unlocked([&] { return sizes::sample_radii(sizes, count, seed); });
             return py::array_t<double>(static_cast<py::ssize_t>(radii.size()), radii.data());
           },
           py::kw_only(), py::arg("count"), py::arg("seed"), "Radii x of a number of grains, in random order.")

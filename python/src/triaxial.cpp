@@ -116,6 +116,7 @@ class Compression {
       : at_(std::move(start)), pressures_(std::move(pressures)) {}
 
   State next() {
+    const OneStep step(running_);
     if (next_ == pressures_.size())
       throw py::stop_iteration();
     dem::QuasistaticOptions options = triaxial::compression_options();
@@ -144,6 +145,7 @@ class Compression {
   Specimen at_;
   std::vector<double> pressures_;
   std::size_t next_ = 0;
+  bool running_ = false;
 };
 
 void bind_compression(py::module_& module) {
@@ -298,6 +300,7 @@ class Shearing {
   };
 
   Point next() {
+    const OneStep step(running_);
     if (finished_)
       throw py::stop_iteration();
     triaxial::ShearEvent event;
@@ -306,6 +309,8 @@ class Shearing {
       event = test_.advance();
     }
     throw_if_signalled();
+    if (event == triaxial::ShearEvent::stopped) // by Ctrl-C in an earlier step
+      throw Stopped();
     if (event == triaxial::ShearEvent::unstable)
       throw NotConverged("the specimen is unstable: a velocity or a stress is no longer finite");
     finished_ = event == triaxial::ShearEvent::finished;
@@ -316,7 +321,7 @@ class Shearing {
  private:
   dem::Material material_;
   triaxial::ShearTest test_;
-  bool finished_ = false;
+  bool finished_ = false, running_ = false;
 };
 
 /// Places of the keywords of shear().
