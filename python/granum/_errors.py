@@ -37,7 +37,7 @@ class FileError(Error, OSError):
     Attributes
     ----------
     path : str or None
-        Path of the file.
+        Path of the file, as open() takes it; in the message, bytes that are no UTF-8 are written "\\xff".
     line : int or None
         Number of the line, from 1, if the error concerns a line.
     """

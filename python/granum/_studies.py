@@ -7,6 +7,7 @@ import importlib
 import numbers
 import os
 
+from ._errors import FileError
 from ._granum import _text_in_si, _verify
 
 
@@ -40,7 +41,13 @@ def _scene(scene):
         return list(_settings(scene, numbers_in_si=True))
     toml = importlib.import_module("tomllib")  # of Python 3.11; a dict does without
     with open(os.fspath(scene), "rb") as file:
-        return list(_settings(toml.load(file), numbers_in_si=False))
+        try:
+            table = toml.load(file)
+        except ValueError as error:  # no TOML, or no UTF-8
+            refused = FileError(f"{os.fsdecode(scene).encode(errors='backslashreplace').decode()}: {error}")
+            refused.path = os.fsdecode(scene)
+            raise refused from None
+    return list(_settings(table, numbers_in_si=False))
 
 
 class _Bar:
@@ -77,6 +84,8 @@ def verify(scene=None, *, progress=None):
     ------
     InvalidArgument
         For an impossible scene, or a key without effect.
+    FileError
+        For a scene file that is no TOML.
 
     Notes
     -----

@@ -2,6 +2,7 @@
 """Packings out of files and of arrays, their views, and what is measured on them."""
 
 import copy
+import os
 import pickle
 import sys
 import threading
@@ -89,6 +90,32 @@ def test_a_file_error_has_path_and_line(tmp_path):
     with pytest.raises(granum.FileError) as refused:
         granum.read(table)
     assert (refused.value.path, refused.value.line) == (str(table), 3)
+
+
+def test_bytes_of_names_and_files_need_not_be_utf8(tmp_path):
+    table = os.path.join(os.fsencode(tmp_path), b"\xff.csv")
+    try:
+        open(table, "wb").close()
+    except OSError:
+        pytest.skip("this file system has names of UTF-8 only")
+    for text in (b"", b"id,x_mm\n1,bad\n", b"x_m,y_m,z_m,radius_m,\xe4\n0,0,\xe4,1,1\n", b"\xe4\n", b"<VTKFile \xe4=\x80>"):
+        with open(table, "wb") as file:
+            file.write(text)
+        for name in (table, os.fsdecode(table)):
+            with pytest.raises(granum.FileError) as refused:
+                granum.read(name)
+            assert refused.value.path == os.fsdecode(table)
+            assert "\\xff.csv" in str(refused.value) and str(refused.value).encode()
+
+
+def test_a_scene_that_is_no_toml_is_refused(tmp_path):
+    pytest.importorskip("tomllib")
+    scene = tmp_path / "scene.toml"
+    for text in (b"grains =", b"# \xe4\n"):
+        scene.write_bytes(text)
+        with pytest.raises(granum.FileError) as refused:
+            granum.verify(scene)
+        assert refused.value.path == str(scene)
 
 
 def test_several_states_are_not_read_as_one(tmp_path, source):
