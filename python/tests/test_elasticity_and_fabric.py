@@ -164,3 +164,30 @@ def test_sizes():
         law=law, radius=5e-4, void_ratio=0.6, coordination_number=5.0, pressure=1e5, contact_means=means
     )
     assert unequal.G_vh > 0
+
+
+OF_A_STIFFNESS = {
+    "engineering_moduli": {},
+    "isotropic_averages": {},
+    "isotropic_projection": {},
+    "plane_waves": dict(bulk_density=1650.0, direction=[0, 0, 1]),
+    "rotate": dict(rotation=np.eye(3)),
+    "saturated": dict(grain_bulk_modulus=37e9, fluid_bulk_modulus=2.2e9, void_ratio=0.6),
+    "symmetry_distances": {},
+    "thomsen_parameters": {},
+    "transversely_isotropic_projection": {},
+}
+
+
+@pytest.mark.parametrize("name", OF_A_STIFFNESS)
+def test_half_of_a_stiffness_is_refused(name, stiffness):
+    function, more = getattr(granum, name), OF_A_STIFFNESS[name]
+    function(stiffness, **more)
+    for half in (np.triu(stiffness), np.tril(stiffness)):
+        with pytest.raises(granum.InvalidArgument, match="stiffness"):
+            function(half, **more)
+
+
+def test_every_function_of_a_stiffness_is_among_those():
+    takes = {name for name in granum.__all__ if "stiffness : (6, 6)" in (getattr(granum, name).__doc__ or "")}
+    assert takes == OF_A_STIFFNESS.keys()
