@@ -7,6 +7,8 @@ classes, unless they define their own. Checked by python/tests/test_results.py
 
 from __future__ import annotations
 
+import copyreg
+
 import numpy as np
 
 from . import _granum
@@ -15,6 +17,14 @@ from ._errors import InvalidArgument, NotConverged
 _WIDTH = 100  # of a line of repr
 _ALIVE = ("Compression", "Frames", "Shearing", "Specimen")  # simulations and readers, which have no fixed value
 _INPUTS = ("ContactMeans", "Distribution", "Isotropic", "NormalLaw", "Packing")  # made by users
+# Results of many elements that do not state their shape: an array of one number, or vector of this length, each.
+_ELEMENTS = {
+    "Contacts": ("i", 0),
+    "Moduli": ("shear_modulus", 0),
+    "ModulusErrors": ("G_vh", 0),
+    "PlaneWaves": ("speed", 1),
+    "Range": ("value", 0),
+}
 _classes = {type_ for type_ in vars(_granum).values() if isinstance(type_, type)}
 _results = {type_ for type_ in _classes if type_.__name__ not in _ALIVE + _INPUTS}
 
@@ -79,8 +89,9 @@ def _flat(values, prefix=""):
 def to_columns(self):
     """The numbers of the result as columns of one length, as for pandas.DataFrame.
 
-    Each row is an element of the arrays in the call; a result without a shape is one row. Each component of a tensor
-    is a column: stiffness_11, stiffness_12. Lists, texts and arrays of another length are left out.
+    Each row is an element of the arrays in the call, a contact, or a state of a study; a result of one element is one
+    row. Each component of a vector or tensor is a column: branch_1, stiffness_12. Lists, texts and arrays of another
+    length are left out. Columns are numbered from 0: DataFrame(columns, index=table.index) joins them to a table.
 
     Returns
     -------
@@ -88,14 +99,22 @@ def to_columns(self):
         Of arrays (N,), by name.
     """
     values = to_dict(self)
-    shape = tuple(values.pop("shape", ()) or ())
+    if _kind(self) == "Study":
+        values = values["states"]
+        shape = (len(values["seed"]),)
+    elif _kind(self) in _ELEMENTS:
+        name, axes = _ELEMENTS[_kind(self)]
+        shape = np.shape(values[name])
+        shape = shape[: len(shape) - axes]
+    else:
+        shape = tuple(values.pop("shape", ()))
     values.pop("errors", None)
     rows = int(np.prod(shape))
     columns = {}
     for name, array in _flat(values):
         if array.shape[: len(shape)] != shape:
             array = np.broadcast_to(array, shape + array.shape) if array.ndim == 0 else None
-        elif not shape and (array.ndim != 2 or array.shape not in ((3, 3), (6, 6))):
+        elif not shape and _kind(self) not in _ELEMENTS and (array.ndim != 2 or array.shape not in ((3, 3), (6, 6))):
             array = array if array.ndim == 0 else None
         if array is None:
             continue
@@ -197,6 +216,14 @@ def _reduce(self):
     return Record, (vars(record)["_kind"], vars(record)["_values"])
 
 
+def _reduce_state(self):
+    return copyreg.__newobj__, (type(self),), self.__getstate__()
+
+
+def _refuse_to_reduce(self):
+    raise TypeError(f"a {type(self).__name__} cannot be pickled or copied")
+
+
 class Record:
     """A result restored from a pickle or a copy: the same names and numbers, without methods.
 
@@ -234,12 +261,15 @@ def _attach():
         own = vars(type_)
         if type_.__repr__ is object.__repr__:
             type_.__repr__ = _repr
+        # pybind11 ends the process in object.__reduce__, as protocols 0 and 1 call it: no class may inherit it.
         if type_.__name__ in _MADE_OF:
             type_.__reduce__ = _reduce_input
+        elif "__getstate__" in own:
+            type_.__reduce__ = _reduce_state
+        else:
+            type_.__reduce__ = _reduce if type_ in _results else _refuse_to_reduce
         if type_ not in _results:
             continue
         type_.to_dict, type_.to_columns = to_dict, to_columns
         if type_.__eq__ is object.__eq__:
             type_.__eq__, type_.__hash__ = _equal, None
-        if "__getstate__" not in own:
-            type_.__reduce__ = _reduce

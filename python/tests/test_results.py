@@ -63,6 +63,35 @@ def test_every_class_shows_its_numbers():
     assert [c.__name__ for c in classes if c.__repr__ is object.__repr__] == []
 
 
+def simulation(sphere, grains=40):
+    return granum.specimen(law=sphere, radius=5e-4, friction_coefficient=0.5, kind="dense", grains=grains)
+
+
+def test_no_pickle_ends_the_process(packing, sphere, dump):
+    """pybind11 ends it in object.__reduce__, which protocols 0 and 1 call, so no class may have that."""
+    classes = [c for c in vars(granum._granum).values() if isinstance(c, type)]
+    assert len(classes) > 45
+    assert [c.__name__ for c in classes if c.__reduce__ is object.__reduce__] == []
+    values = [sphere, packing, *(make() for make in INPUTS.values()), *results(packing, sphere)]
+    for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+        for value in values:
+            assert pickle.loads(pickle.dumps(value, protocol)) == value
+    start = simulation(sphere)
+    running = [
+        start,
+        granum.compress(start, [20e3]),
+        granum.shear(start, path="TXC", mean_stress=20e3),
+        granum.frames(*dump),
+    ]
+    for value in running:
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            with pytest.raises(TypeError, match=type(value).__name__):
+                pickle.dumps(value, protocol)
+        for refused in (copy.copy, lambda it: it.__reduce__()):
+            with pytest.raises(TypeError, match=type(value).__name__):
+                refused(value)
+
+
 def test_results_come_back_out_of_a_pickle_with_every_number(packing, sphere):
     for result in results(packing, sphere):
         record = pickle.loads(pickle.dumps(result))
@@ -116,3 +145,44 @@ def test_columns_are_a_table(sphere):
     assert np.array_equal(columns["G_vh"], found.G_vh.ravel())
     one = granum.symmetry_distances(found.stiffness[0, 0]).to_columns()
     assert {column.shape for column in one.values()} == {(1,)}
+
+
+def test_columns_have_a_row_for_each_contact_direction_and_state(packing, sphere):
+    contacts = packing.contacts
+    columns = contacts.to_columns()
+    assert np.array_equal(columns["i"], contacts.i) and np.array_equal(columns["branch_3"], contacts.branch[:, 2])
+    assert {column.shape for column in columns.values()} == {(len(contacts),)}
+    assert {"j", "normal_1", "overlap", "normal_force", "tangential_force_2", "sliding"} <= columns.keys()
+    record = pickle.loads(pickle.dumps(contacts)).to_columns()
+    assert all(np.array_equal(record[name], columns[name]) for name in columns)
+
+    pressure = np.geomspace(1e4, 1e6, 6).reshape(2, 3)
+    answer = granum.packing_answer(law=sphere, pressure=pressure, radius=5e-4, void_ratio=0.6)
+    assert np.array_equal(answer.bulk_modulus.to_columns()["high"], answer.bulk_modulus.high.ravel())
+    grains = dict(law=sphere, radius=5e-4, coordination_number=5.0, pressure=pressure)
+    moduli = granum.uniform_strain_moduli(porosity=0.4, **grains)
+    assert np.array_equal(moduli.to_columns()["shear_modulus"], moduli.shear_modulus.ravel())
+    errors = granum.relaxed(void_ratio=0.6, rattler_fraction=0.02, **grains).relative_error
+    assert np.array_equal(errors.to_columns()["G_vh"], errors.G_vh.ravel())
+    waves = granum.plane_waves(np.eye(6) * 1e8, bulk_density=1650.0, direction=np.eye(3)[:2])
+    assert np.array_equal(waves.to_columns()["speed_1"], waves.speed[:, 0])
+    assert np.array_equal(waves.to_columns()["polarisation_13"], waves.polarisation[:, 0, 2])
+    one = granum.plane_waves(np.eye(6) * 1e8, bulk_density=1650.0, direction=[0, 0, 1])
+    assert one.to_columns()["speed_3"] == [one.speed[2]]
+
+
+def test_columns_of_a_study_are_its_states():
+    study = granum.verify(
+        {"study.contacts": ["sphere"], "study.densities": ["dense"], "study.grains": 40,
+         "study.pressures": [20e3, 40e3, 80e3], "study.probe_pressures": [40e3]}
+    )  # fmt: skip
+    columns = study.to_columns()
+    numbers = {name: value for name, value in study.states.items() if isinstance(value, np.ndarray)}
+    assert columns.keys() == numbers.keys() and len(columns) > 5
+    for name, value in numbers.items():
+        assert np.array_equal(columns[name], value, equal_nan=True)
+
+
+def test_results_with_arrays_have_columns(packing, sphere):
+    for result in results(packing, sphere):
+        assert result.to_columns(), type(result)
