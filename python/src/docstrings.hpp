@@ -27,8 +27,8 @@ inline constexpr const char* stiffness_parameter = R"(
 Parameters
 ----------
 stiffness : (6, 6) array_like
-    Voigt matrix, order 11 22 33 23 13 12, engineering shear strains [Pa]. Symmetric: both halves may differ by
-    1e-3 of the largest entry, as if they were rounded to four digits.
+    Voigt matrix, order 11 22 33 23 13 12, engineering shear strains [Pa]. Symmetric: both halves may differ
+    by 1e-3 of the largest entry, as if they were rounded to four digits.
 )";
 
 /// Section Parameters of the classical models, a packing of equal spheres; more follow.

@@ -13,8 +13,8 @@ namespace granum::python {
 
 namespace py = pybind11;
 
-/// A text of the library: it may name files and their columns, which are bytes in any encoding. Bytes that are
-/// no UTF-8 become "\\xff".
+/// A text of the library: it may name files and their columns, which are bytes in any encoding. Bytes that
+/// are no UTF-8 become "\xff".
 [[nodiscard]] py::str decoded(std::string_view text);
 
 /// Sets Python's error indicator from a C++ exception.
@@ -30,7 +30,8 @@ void throw_if_signalled();
 /// Handles signals in loops of short steps that hold the interpreter's lock.
 void hear_signals(std::size_t step);
 
-/// Long work of the library: other threads of Python run meanwhile, and Ctrl-C ends it at its next stop_point.
+/// Long work of the library: other threads of Python run meanwhile, and Ctrl-C ends it at its next
+/// stop_point.
 class Unlocked {
  public:
   Unlocked() : scope_(stop_on_signal()) {}

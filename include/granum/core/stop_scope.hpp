@@ -10,8 +10,8 @@
 /// Checked by tests/core/test_stop_scope.cpp
 namespace granum {
 
-/// While it lives, long work of this thread ends with the exception Stopped once the request is true. An inner
-/// scope replaces an outer one until it ends. Threads that this one starts have none.
+/// While it lives, long work of this thread ends with the exception Stopped once the request is true. An
+/// inner scope replaces an outer one until it ends. Threads that this one starts have none.
 class StopScope {
  public:
   explicit StopScope(StopRequest stop_requested);
