@@ -14,8 +14,8 @@ namespace granum::estimate {
 
 namespace {
 
-constexpr Limits positive{.low = 0, .without_low = true};
-constexpr Limits not_negative{.low = 0};
+constexpr Limits above_zero{.low = 0, .without_low = true};
+constexpr Limits from_zero{.low = 0};
 constexpr Limits compression{.low = 0, .reason = "compression is positive"};
 /// Beyond these no formula of a void ratio means anything, and some overflow.
 constexpr double least_void_ratio = 1e-6, largest_void_ratio = 1e6;
@@ -27,9 +27,7 @@ constexpr const char *words_for_diameter =
                          "d D diameter grainsize particlesize graindiameter meandiameter meansize",
                      *words_for_limits = "between 0.1 and 5, e_max larger than e_min by 0.05";
 
-using Value = std::optional<double>;
-
-std::vector<InputRow> table() {
+std::vector<InputRow> input_rows() {
   return {
       {.input = Input::grain_shear_modulus,
        .key = "grain_shear_modulus",
@@ -40,9 +38,9 @@ std::vector<InputRow> table() {
                     {"G g Gg gg mug modulus grainmodulus shearmodulus"},
                     {"E Eg Es youngmodulus youngsmodulus grainyoungmodulus",
                      "of Young's modulus it is G_g = E_g/(2(1 + nu_g))"}},
-       .limits = positive,
+       .limits = above_zero,
        .by_default = 30e9,
-       .read = [](const Question& q) -> Value { return q.state.law.grain().shear_modulus; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.law.grain().shear_modulus; }},
       {.input = Input::grain_poisson_ratio,
        .key = "grain_poisson_ratio",
        .group = grains_group,
@@ -50,14 +48,14 @@ std::vector<InputRow> table() {
        .synonyms = {{"nu nug v poisson poissonratio poissonsratio"}},
        .limits = {.low = -1, .high = 0.5, .without_low = true},
        .by_default = 0.15,
-       .read = [](const Question& q) -> Value { return q.state.law.grain().poisson_ratio; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.law.grain().poisson_ratio; }},
       {.input = Input::grain_bulk_modulus,
        .key = "grain_bulk_modulus",
        .group = grains_group,
        .meaning = "Bulk modulus K_g of the grain's material, instead of --grain-poisson-ratio",
        .dimension = Dimension::pressure,
        .synonyms = {{"K k Kg Ks kg ks bulkmodulus grainbulkmodulus"}},
-       .limits = positive,
+       .limits = above_zero,
        .excludes = {{"grain_poisson_ratio", conflict::grain}}},
       {.input = Input::radius,
        .key = "radius",
@@ -68,7 +66,7 @@ std::vector<InputRow> table() {
        .limits = size_of_grains,
        .by_default = 0.5e-3,
        .excludes = {{"d50", conflict::size}},
-       .read = [](const Question& q) -> Value { return q.state.radius; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.radius; }},
       {.input = Input::d50,
        .key = "d50",
        .group = sizes_group,
@@ -76,14 +74,14 @@ std::vector<InputRow> table() {
        .dimension = Dimension::length,
        .synonyms = {{words_for_diameter}},
        .limits = size_of_grains,
-       .read = [](const Question& q) -> Value { return q.sand.d50; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.sand.d50; }},
       {.input = Input::tangential_ratio,
        .key = "tangential_ratio",
        .group = law_group,
        .meaning = "Tangential over normal contact stiffness, k_t/k_n; by default 2(1-nu_g)/(2-nu_g), no slip",
        .limits = {.low = 0, .high = 100},
        .implies = GrainShape::sphere,
-       .read = [](const Question& q) -> Value { return q.state.tangential_ratio; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.tangential_ratio; }},
       {.input = Input::void_ratio,
        .key = "void_ratio",
        .group = state_group,
@@ -92,7 +90,7 @@ std::vector<InputRow> table() {
        .synonyms = {{"e e0 voidratio"}, {"rho rhod density drydensity bulkdensity"}},
        .limits = {.low = least_void_ratio, .high = largest_void_ratio},
        .excludes = {{"porosity solid_fraction relative_density", conflict::density}},
-       .read = [](const Question& q) -> Value { return q.state.void_ratio; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.void_ratio; }},
       {.input = Input::porosity,
        .key = "porosity",
        .group = state_group,
@@ -117,7 +115,7 @@ std::vector<InputRow> table() {
            "stress",
        .symbols = "C_n Cn",
        .synonyms = {{"z cn nc coordination contacts contactnumber"}},
-       .limits = not_negative,
+       .limits = from_zero,
        .implies = GrainShape::sphere,
        .read = [](const Question& q) { return q.state.coordination_number; }},
       {.input = Input::mechanical_coordination_number,
@@ -126,7 +124,7 @@ std::vector<InputRow> table() {
        .meaning = "z*, contacts per grain without rattlers (grains that carry no load)",
        .symbols = "z_star z*",
        .synonyms = {{"z cn nc coordination contacts contactnumber zstar z* zm"}},
-       .limits = not_negative,
+       .limits = from_zero,
        .implies = GrainShape::sphere,
        .read = [](const Question& q) { return q.state.mechanical_coordination_number; }},
       {.input = Input::rattler_fraction,
@@ -146,7 +144,7 @@ std::vector<InputRow> table() {
        .synonyms = {{"a anisotropy"}},
        .limits = {.low = -7.0 / 3, .high = 7.0 / 5, .without_low = true, .without_high = true},
        .by_default = 0,
-       .read = [](const Question& q) -> Value { return q.state.fabric_anisotropy; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.fabric_anisotropy; }},
       {.input = Input::pressure,
        .key = "pressure",
        .group = state_group,
@@ -168,7 +166,7 @@ std::vector<InputRow> table() {
                     {"depth z",
                      "the effective one there, with --k0; granum sweep --depth 0m..10m computes it"}},
        .limits = compression,
-       .read = [](const Question& q) -> Value { return q.state.stress_v; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.stress_v; }},
       {.input = Input::stress_h,
        .key = "stress_h",
        .group = state_group,
@@ -178,7 +176,7 @@ std::vector<InputRow> table() {
        .synonyms = {{"sigmah sigmar sh horizontalstress radialstress"},
                     {"k0 ko stressratio", "sigma_h = K_0 sigma_v"}},
        .limits = compression,
-       .read = [](const Question& q) -> Value { return q.state.stress_h; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.stress_h; }},
       {.input = Input::grain_density,
        .key = "grain_density",
        .group = grains_group,
@@ -189,7 +187,7 @@ std::vector<InputRow> table() {
                     {"specificgravity rhos rhog soliddensity gamma gammad gammasat bulkunitweight"},
                     {"rho rhod density drydensity bulkdensity",
                      "rho_s of the solid; from the dry density of the packing, e = rho_s/rho_d - 1"}},
-       .limits = positive,
+       .limits = above_zero,
        .by_default = 2650,
        .read = [](const Question& q) { return q.grain_density; }},
       {.input = Input::relative_density,
@@ -232,14 +230,14 @@ std::vector<InputRow> table() {
        .synonyms = {{"s sr"}},
        .limits = {.low = 0, .high = 1},
        .by_default = 0,
-       .read = [](const Question& q) -> Value { return q.saturation; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.saturation; }},
       {.input = Input::k0,
        .key = "k0",
        .group = state_group,
        .meaning = "K_0 = sigma_h/sigma_v, instead of --stress-h",
        .symbols = "K_0 K0",
        .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}},
-       .limits = positive},
+       .limits = above_zero},
       {.input = Input::shear_strain,
        .key = "strain",
        .group = state_group,
@@ -277,7 +275,7 @@ std::string InputRow::option() const {
 }
 
 std::span<const InputRow> inputs() {
-  static const std::vector<InputRow> rows = table();
+  static const std::vector<InputRow> rows = input_rows();
   return rows;
 }
 

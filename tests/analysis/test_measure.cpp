@@ -7,8 +7,8 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/effective/relaxation.hpp>
 #include <granum/core/stop_scope.hpp>
+#include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "packing/sample_packings.hpp"

@@ -7,8 +7,8 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
-#include <granum/io/text/source.hpp>
 #include <granum/core/stop_scope.hpp>
+#include <granum/io/text/source.hpp>
 
 namespace granum::io {
 
