@@ -145,6 +145,12 @@ class Attack {
                1e-9 * std::abs(number->value * unit->factor);
   }
 
+  void judge_refusal(const Ended& ended) {
+    demand(!contradicts_itself(ended.said), "a refused value is within the range it is refused by");
+    if (ended.refused && here_->has(ended.refused->name))
+      demand(is_typed(*ended.refused), "an option is refused for a value that was not typed");
+  }
+
   /// What is true of any run.
   void judge(const Ended& ended) {
     demand(ended.code >= 0 && ended.code <= 4, "an exit code that no page lists");
@@ -152,9 +158,7 @@ class Attack {
     demand(ended.code != 0 || !ended.out.empty(), "an answer without a word");
     demand(ended.code == 0 || !ended.said.empty(), "an error without a word");
     demand(ended.code != 2 || ended.out.empty(), "a usage error with an answer");
-    demand(!contradicts_itself(ended.said), "a refused value is within the range it is refused by");
-    if (ended.refused && here_->has(ended.refused->name))
-      demand(is_typed(*ended.refused), "an option is refused for a value that was not typed");
+    judge_refusal(ended);
     for (const std::string* text : {&ended.out, &ended.said})
       demand(!attack::speaks_of_no_number(*text), "nan or inf is printed");
     if (!here_->json || ended.out.empty())
@@ -165,14 +169,15 @@ class Attack {
                           [&](bool holds, const std::string& promise) { demand(holds, promise); });
   }
 
-  /// An option that was refused, at the ends of its range and beside them.
+  /// An option that was refused, at the ends of its range and beside them. Answers there are not judged: they
+  /// are of packings that have no stiffness.
   void try_ends(const Line& line, const RefusedNumber& refused) {
     for (const char* before : {"(", "[", ", "})
       if (const std::size_t at = refused.range.find(before); at != std::string::npos)
         if (const auto end = leading_number(refused.range.substr(at + std::string_view(before).size())))
           for (const double value : around(end->value))
             if (random_.one_in(4))
-              judge(run(line.with(refused.name, value, refused.unit)));
+              judge_refusal(run(line.with(refused.name, value, refused.unit)));
   }
 
   /// The same packing asked in another way, or with one number larger.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loaded before the program's libraries (LD_PRELOAD), lets one call of the system fail, as a disk with a fault does:
-// of the calls of the kind GRANUM_TEST_CALL that concern files below GRANUM_TEST_FOLDER, number GRANUM_TEST_NUMBER
-// (from 0). GRANUM_TEST_FAULT is the error, or "short": the call then does a part of its work, which is no error. The
-// path is written to the file GRANUM_TEST_FIRED; of the kind "all" none fails, and the kinds are written there.
+// Loaded before the program's libraries (LD_PRELOAD), lets one call of the system fail, as a disk with a
+// fault does: of the calls of the kind GRANUM_TEST_CALL that concern files below GRANUM_TEST_FOLDER, number
+// GRANUM_TEST_NUMBER (from 0). GRANUM_TEST_FAULT is the error, or "short": the call then does a part of its
+// work, which is no error. The path is written to the file GRANUM_TEST_FIRED; of the kind "all" none fails,
+// and the kinds are written there.
 #include <cerrno>
 #include <cstdarg>
 #include <cstdio>

@@ -24,7 +24,7 @@ namespace detail {
 [[nodiscard]] std::string open_range(double low, double high, double refused);
 /// Whether a range that begins as "[0, 1)" contains a value; false if an end is in words.
 [[nodiscard]] bool contains(std::string_view range, double value);
-/// A value that a range refuses, with `digits` digits, or with all where rounding would move it into the range.
+/// A value that a range refuses, with `digits` digits, or all where rounding would move it into the range.
 [[nodiscard]] std::string refused_text(double value, std::string_view range, int digits);
 inline constexpr double largest = std::numeric_limits<double>::max();
 } // namespace detail
