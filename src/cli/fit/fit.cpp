@@ -62,12 +62,11 @@ void add_column_options(Command& command, FitQuestion& question) {
         .meaning = "Column of the modulus; by default the first of G, G_max, G_0, G_vh, ... in the table"},
        {.name = "--stress-i-column",
         .value = text(question.stress_i_column),
-        .meaning =
-            "Column of sigma_i; by default sigma_v, or by the name of the modulus: sigma_h for G_hv; p in "
-            "tables with only a mean stress"},
+        .meaning = "Column of sigma_i, whose exponent is m; by default sigma_h; p in tables with only a mean "
+                   "stress"},
        {.name = "--stress-j-column",
         .value = text(question.stress_j_column),
-        .meaning = "Column of sigma_j; by default sigma_h, or by the name of the modulus: sigma_v for G_hv"},
+        .meaning = "Column of sigma_j, whose exponent is n; by default sigma_v; sigma_h for a column G_hh"},
        {.name = "--void-ratio-column",
         .value = text(question.void_ratio_column),
         .meaning = "Column of the void ratio; by default e or void_ratio"}});

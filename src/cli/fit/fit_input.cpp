@@ -69,11 +69,12 @@ std::string quantity_of(const io::CsvTable& table, const std::string& given, Dim
   return given;
 }
 
-/// The direction in the name of a modulus, 'v' or 'h', of i (place 0) or j (place 1); G is treated as G_vh.
+/// The direction, 'v' or 'h', of the stress i (place 0) or j (place 1): of G_hh and G_vv that in the name; of
+/// G, G_hv and G_vh i is horizontal and j vertical, as everywhere in granum.
 char direction_of(const std::string& modulus, std::size_t place) {
-  const std::size_t end = modulus.size();
-  const bool named = end > 2 && modulus.find_first_not_of("hv", end - 2) == std::string::npos;
-  return named ? modulus[end - 2 + place] : "vh"[place];
+  const char last = modulus.back();
+  const bool of_one_direction = modulus.ends_with("hh") || modulus.ends_with("vv");
+  return of_one_direction ? last : "hv"[place];
 }
 
 void fill_in_columns(const io::CsvTable& table, FitQuestion& question) {
