@@ -8,7 +8,6 @@
 #include <granum/analysis/counted_part.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
-#include <granum/core/stop_scope.hpp>
 #include <granum/core/units.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 #include <granum/packing/bodies.hpp>
@@ -119,15 +118,11 @@ class Measuring {
       out_.bulk_density =
           elastic::bulk_density({.grain_density = *given_.grain_density, .void_ratio = out_.void_ratio});
     out_.sizes = sizes_of(assembly_);
-    stop_point();
     measure_load();
-    stop_point();
     find_law();
-    stop_point();
     out_.counts = out_.law && forces_known_
                       ? count(counted_part(moving(), *out_.law), assembly_.grain_count())
                       : count(moving(), assembly_.grain_count());
-    stop_point();
     if (out_.counts.contacts >= 2)
       out_.fabric = measure_fabric(contact_normals(assembly_), wanted_);
     if (wanted_.interior_layer)
@@ -136,11 +131,9 @@ class Measuring {
       out_.interior =
           interior_measures(moving(), out_.counts.mechanical,
                             packing::Interior(assembly_.cell, wanted_.window->low, wanted_.window->high));
-    stop_point();
     if (wanted_.work && out_.law)
       out_.pressure_by_work = pressure_by_cell_work(assembly_, *out_.law,
                                                     out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
-    stop_point();
     make_state();
     if (wanted_.closed_forms && out_.state) {
       out_.closed_forms = closed_forms(*out_.state);
@@ -199,7 +192,6 @@ class Measuring {
       return;
     if (wanted_.force_bins)
       out_.forces = measure_forces(assembly_, given_, *wanted_.force_bins);
-    stop_point();
     judge_moments();
     if (!given_.tangential_forces)
       out_.notes.emplace_back("tangential forces are missing: equilibrium cannot be checked, and the "

@@ -11,9 +11,9 @@
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/symmetric.hpp>
 #include <granum/elastic/mandel.hpp>
 
-#include "core/symmetric.hpp"
 #include "core/symmetric_eigen.hpp"
 #include "direction.hpp"
 

@@ -5,9 +5,8 @@
 #include <numbers>
 
 #include <granum/core/error.hpp>
+#include <granum/core/symmetric.hpp>
 #include <granum/elastic/eigen_system.hpp>
-
-#include "core/symmetric.hpp"
 
 namespace granum::elastic {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/projection.hpp>
 
+#include <granum/core/symmetric.hpp>
 #include <granum/elastic/mandel.hpp>
 
-#include "core/symmetric.hpp"
 #include "direction.hpp"
 #include "isotropic_part.hpp"
 

@@ -2,10 +2,10 @@
 #include <granum/elastic/symmetry.hpp>
 
 #include <granum/core/error.hpp>
+#include <granum/core/symmetric.hpp>
 #include <granum/elastic/mandel.hpp>
 #include <granum/elastic/projection.hpp>
 
-#include "core/symmetric.hpp"
 #include "isotropic_part.hpp"
 
 namespace granum::elastic {

@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include <granum/core/check.hpp>
+#include <granum/core/symmetric.hpp>
 #include <granum/fabric/orientation.hpp>
-
-#include "core/symmetric.hpp"
 
 namespace granum::fabric {
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <granum/core/error.hpp>
+#include <granum/core/stop_scope.hpp>
 
 namespace granum::packing {
 
@@ -60,6 +61,7 @@ void require_valid(const Assembly& assembly) {
   if (!(assembly.volume() > 0) || !std::isfinite(assembly.volume()))
     throw InvalidArgument("cell volume", assembly.volume(), "m^3", "(0, inf)");
   for (std::size_t g = 0; g < n; ++g) {
+    stop_point(g);
     if (!finite(assembly.position[g]))
       reject("grain", g, "its position is not finite");
     if (!(assembly.radius[g] > 0) || !std::isfinite(assembly.radius[g]))
@@ -67,6 +69,7 @@ void require_valid(const Assembly& assembly) {
   }
   require_bodies(assembly.body, n);
   for (std::size_t k = 0; k < assembly.contacts.size(); ++k) {
+    stop_point(k);
     const Contact& c = assembly.contacts[k];
     if (!(c.i < c.j) || c.j >= n)
       reject("contact", k, "needs grain indices i < j < number of grains");

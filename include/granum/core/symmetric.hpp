@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
+/// Checked by tests/elastic/test_mandel.cpp and tests/fabric/test_measures.cpp
 namespace granum {
 
 /// How far two entries that should be equal may differ, over the largest entry. A solver leaves less than
