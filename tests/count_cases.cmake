@@ -20,9 +20,7 @@ endforeach()
 execute_process(COMMAND "${PROGRAM}" --list-test-cases --no-intro OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE ";" "," text "\n${text}")
 string(REGEX REPLACE "\n(=====|\\[doctest\\])[^\n]*" "" text "${text}")
-string(REGEX MATCHALL "\n[^\n]*>" instances "\n${text}")
 string(REGEX MATCHALL "\n[^\n]+" listed "${text}")
-list(LENGTH instances instances)
 list(LENGTH listed listed)
 
 file(GLOB lists "${CTESTS}")
@@ -34,9 +32,9 @@ foreach(list IN LISTS lists)
   math(EXPR run "${run} + ${count}")
 endforeach()
 
-math(EXPR plain "${listed} - ${instances}")
-if(listed EQUAL 0 OR NOT plain EQUAL defined OR instances LESS templates OR NOT run EQUAL listed)
-  message(FATAL_ERROR "the sources define ${defined} test cases and ${templates} templates; the program lists ${plain} and "
-    "${instances} of templates; ctest runs ${run}")
+math(EXPR instances "${listed} - ${defined}")
+if(listed EQUAL 0 OR instances LESS templates OR (templates EQUAL 0 AND NOT instances EQUAL 0) OR NOT run EQUAL listed)
+  message(FATAL_ERROR "the sources define ${defined} test cases and ${templates} templates; the program lists ${listed}; "
+    "ctest runs ${run}")
 endif()
 message(STATUS "${run} test cases, all of them run")

@@ -8,11 +8,11 @@ class Granum(CMakePackage):
     """Stiffness of granular packings: closed forms, contact networks and a compact DEM verifier."""
 
     homepage = "https://OWNER/granum"  # for the owner
-    url = "https://OWNER/granum-0.1.0.tar.gz"
+    url = "https://OWNER/granum-0.2.0.tar.gz"
 
     license("GPL-3.0-or-later")
 
-    version("0.1.0", sha256="HASH")
+    version("0.2.0", sha256="HASH")
 
     variant("shared", default=False, description="Build shared libraries")
 

@@ -54,13 +54,13 @@ void require_valid(const Question& q) {
   for (const InputRow& row : inputs())
     if (const std::optional<double> value = row.read != nullptr ? row.read(q) : std::nullopt)
       require_within(row, *value, row.key);
-  require_possible(q);
   sands::require_density(q.sand, q.state.void_ratio);
   constexpr double highest = 70 * degree;
   if (mobilised_friction_angle(q) > highest)
     throw InvalidArgument(
         "k0", q.state.stress_h / q.state.stress_v, "",
         "[0.0311, 32.2], the ratios stress_h/stress_v that a friction angle of 70 degrees holds");
+  require_possible(q);
 }
 
 void note_strength(const Question& q, Validity& validity) {

@@ -78,7 +78,7 @@ foreach(stresses "sigma'v (kPa),sigma'h (kPa)" "σ′v [kPa],σ′h [kPa]" "sigm
   number(found sand predictions 0 stress_v)
   run(0 "${stresses},Gmax (MPa),e${two}" sweep --grain-shape sand)
   run(0 "${stresses},G0 [MPa],e${two}" fit)
-  number(fitted m)
+  number(fitted n)
   if(NOT (found EQUAL 100000 AND fitted GREATER 0.3 AND fitted LESS 0.4))
     message(FATAL_ERROR "${stresses}: ${found}, ${fitted}")
   endif()

@@ -29,7 +29,7 @@ granum_cli_test("fit: truncated file" EXIT 3
   STDERR "^granum: error: truncated\\.csv:5: expected 4 fields \\(G_MPa, sigma_v_kPa, sigma_h_kPa, e\\), found 2"
   ARGS fit truncated.csv)
 granum_cli_test("fit: negative stress" EXIT 3
-  STDERR "^granum: error: negative_stress\\.csv:4: stress_j = -80000 Pa is outside .*stress_j is sigma_h"
+  STDERR "^granum: error: negative_stress\\.csv:4: stress_i = -80000 Pa is outside .*stress_i is sigma_h"
   ARGS fit negative_stress.csv)
 granum_cli_test("fit: missing column" EXIT 3
   STDERR "isotropic\\.csv:2: expected a column 'G_hh_Pa' \\(or another unit\\)"
