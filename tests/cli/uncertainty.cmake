@@ -39,6 +39,9 @@ granum_uncertainty_test(porosity 36% 2% 35.28% 36.72% ARGS ${counted} --pressure
 granum_uncertainty_test(fabric 0.1 0.05 0.05 0.15 ARGS ${spheres} --pressure 100kPa)
 granum_uncertainty_test(stress-v 200kPa 10kPa 190kPa 210kPa ARGS ${spheres} --stress-h 100kPa)
 granum_uncertainty_test(stress-h 100kPa 10kPa 90kPa 110kPa ARGS ${spheres} --stress-v 200kPa)
+# sigma_h follows from sigma_v and K_0, whichever of them moves
+granum_uncertainty_test(stress-v 200kPa 10kPa 190kPa 210kPa ARGS ${spheres} --k0 0.5)
+granum_uncertainty_test(k0 0.5 0.1 0.4 0.6 ARGS ${spheres} --stress-v 200kPa)
 # one number of the contacts at the other that is told with it, and alone
 set(state --void-ratio 0.56 --pressure 100kPa)
 granum_uncertainty_test(rattler-fraction 2% 0.01 1% 3% ARGS ${state} --coordination-number 5.9)

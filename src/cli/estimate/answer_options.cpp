@@ -109,6 +109,8 @@ bool in_use(const PackingOptions& o, const AnswerOptions& answer, const Number& 
   const bool of_contact = std::any_of(o.law_numbers.begin(), o.law_numbers.end(), [&](const LawNumber& of) {
     return &of.number == &n && of.row->shape == o.contact;
   });
+  if (&n == &answer.earth_pressure_at_rest)
+    return n.given() && o.stress_h.preset; // else it changes nothing
   return n.given() || by_default || of_contact;
 }
 
@@ -202,6 +204,7 @@ std::vector<Number*> movable(PackingOptions& packing, AnswerOptions& options) {
   std::vector<Number*> all = numbers(packing);
   all.push_back(&options.grain_density);
   all.push_back(&options.relative_density);
+  all.push_back(&options.earth_pressure_at_rest);
   return all;
 }
 
@@ -327,6 +330,9 @@ std::vector<estimate::UncertainInput> uncertain_inputs_of(const PackingOptions& 
                             const auto [least, largest] = void_ratio_limits(moved_options);
                             moved.void_ratio.value = largest - number.value * (largest - least);
                           }
+                          if (moved_options.earth_pressure_at_rest.given() && moved.stress_h.preset)
+                            moved.stress_h.value =
+                                moved_options.earth_pressure_at_rest.value * moved.stress_v.value;
                           return question_of(moved, moved_options);
                         }});
   }
