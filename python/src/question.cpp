@@ -7,6 +7,7 @@
 
 #include <granum/core/check.hpp>
 #include <granum/core/number.hpp>
+#include <granum/estimate/inputs.hpp>
 
 namespace granum::python {
 
@@ -53,7 +54,7 @@ constexpr const char* inputs_in_order[] = {of_modulus,
 std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more) {
   std::vector<Keyword> all = state_keywords(
       {{"preparation", "None"}, {"grain_density", "None"}, {"saturation", "0.0"}, {"uncertainty", "None"}});
-  all.insert(all.end(), {{"grain_shape", "'sphere'"}, {"sand", "None"}});
+  all.insert(all.end(), {{"grain_shape", "None"}, {"sand", "None"}});
   for (const SandNumber& number : numbers_of_sand)
     all.push_back({number.keyword, "None"});
   all.push_back({"shear_strain", "None"});
@@ -73,8 +74,9 @@ uncertainty : dict, optional
     Standard deviations by the names of numbers above, grain_shear_modulus and grain_poisson_ratio:
     {"void_ratio": 0.01} [their units]. A fabric_anisotropy that is not given is 0, with a deviation of 0.05
     or more under unequal stresses, as in granum estimate.
-grain_shape : str
-    "sphere", the model of spheres, or "sand", laws measured on sands; both give the same fields.
+grain_shape : str, optional
+    "sphere", the model of spheres, or "sand", laws measured on sands; both give the same fields. By default
+    "sand" if a number or the name of a sand is given, else "sphere".
 sand : str, optional
     A sand by name, "toyoura", with its published limits of the void ratio, C_u, d50 and tests; implies
     grain_shape "sand" unless that is given.
@@ -122,6 +124,16 @@ QuestionArguments::QuestionArguments(const Arguments& a)
   columns_.push_back({"shear_strain", 0.0});
   if (has_strain_)
     columns_.back().value = a[shear_strain_at];
+  // A sand has these numbers, and nothing else of a packing.
+  const bool told_of_sand =
+      std::any_of(std::begin(numbers_of_sand), std::end(numbers_of_sand), [&](const SandNumber& number) {
+        const estimate::InputRow* const row = estimate::find_input(number.keyword);
+        const bool implied =
+            row == nullptr || row->implies == estimate::GrainShape::sand; // C_u has no row yet
+        return implied && has_number_of_sand_[static_cast<std::size_t>(&number - numbers_of_sand)];
+      });
+  if (!a.given(grain_shape_at) && (told_of_sand || has_strain_))
+    grains_.shape = estimate::GrainShape::sand;
   if (!a.given(uncertainty_at))
     return;
   for (const auto& [name, deviation] : a.as<std::map<std::string, double>>(
@@ -150,8 +162,12 @@ estimate::Question QuestionArguments::question(const double* x) const {
   question.grain_shape = grains_.shape;
   question.sand = grains_.known();
   for (std::size_t k = 0; k < has_number_of_sand_.size(); ++k)
-    if (has_number_of_sand_[k])
+    if (has_number_of_sand_[k]) {
       question.sand.*numbers_of_sand[k].member = x[sand_column + k];
+      if (numbers_of_sand[k].member != &sands::Sand::d50 &&
+          numbers_of_sand[k].member != &sands::Sand::relative_density)
+        question.sand.tests.reset(); // those of the named sand are of another batch
+    }
   if (has_strain_)
     question.shear_strain = x[strain_column];
   return question;

@@ -195,4 +195,4 @@ def test_a_sand_has_the_fields_of_a_packing_from_measured_laws():
     with pytest.raises(granum.InvalidArgument, match="sphere or sand"):
         granum.packing_answer(**state, grain_shape="cube")
     with pytest.raises(granum.InvalidArgument, match="measured on sands"):
-        granum.packing_answer(**state, shear_strain=1e-4)
+        granum.packing_answer(**state, grain_shape="sphere", shear_strain=1e-4)

@@ -103,7 +103,10 @@ def test_relative_density_is_what_a_sand_without_limits_follows():
     ratios = [G(relative_density=D_r) / G(relative_density=0.3) for D_r in (0.5, 0.9)]
     assert ratios == pytest.approx([10 ** (0.241 * 0.2), 10 ** (0.241 * 0.6)], rel=1e-12)
     limits = dict(least_void_ratio=0.6, largest_void_ratio=0.98)
-    assert G(**limits, relative_density=0.9) == G(**limits)
+    assert G(**limits, relative_density=0.61) == G(**limits)
+    with pytest.raises(granum.InvalidArgument, match="relative_density"):
+        G(**limits, relative_density=0.9)  # that of e 0.75 is 0.605
+    assert granum.packing_answer(**state, relative_density=0.5).shear_modulus.value == G(relative_density=0.5)
     with pytest.raises(granum.InvalidArgument, match="relative_density"):
         G(relative_density=60)
 

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::contact {
@@ -212,8 +213,11 @@ NormalLaw law_of(const Shape& shape, const GrainMaterial& grain, double radius, 
   require_known(numbers);
   const LawRow& row = row_of(shape);
   std::vector<double> own;
-  for (const LawParameter& parameter : row.parameters)
+  for (const LawParameter& parameter : row.parameters) {
     own.push_back(value_of(parameter, numbers));
+    if (parameter.within_grain && radius > 0) // a law that needs the radius refuses another
+      require_closed(parameter.name, own.back(), 0, radius, "m");
+  }
   return row.make(grain, radius, own);
 }
 

@@ -158,7 +158,9 @@ RoughStiffness rough_stiffness(double X) {
 
 RoughSphere::RoughSphere(const GrainMaterial& grain, double radius, double roughness)
     : RoughSphere(PowerLaw::sphere(grain, radius),
-                  require_closed("roughness", roughness, 0, std::min(largest_roughness, radius), "m")) {}
+                  require_closed("roughness", roughness, 0,
+                                 std::min(largest_roughness, require_positive("radius", radius, "m")), "m")) {
+}
 
 RoughSphere::RoughSphere(const PowerLaw& smooth, double roughness)
     : smooth_(smooth), roughness_(roughness),

@@ -2,6 +2,8 @@
 #include <granum/elastic/saturation.hpp>
 
 #include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 
 namespace granum::elastic {
 
@@ -27,6 +29,10 @@ TransverselyIsotropic saturated(const TransverselyIsotropic& c, const SaturatedP
   const double K_s = require_positive("grain_bulk_modulus", pores.grain_bulk_modulus, "Pa");
   const double K_f = require_positive("fluid_bulk_modulus", pores.fluid_bulk_modulus, "Pa");
   const double n = require_positive("void_ratio", pores.void_ratio) / (1 + pores.void_ratio);
+  if (!(c.bulk_modulus() <= K_s))
+    throw InvalidArgument("grain_bulk_modulus", K_s, "Pa",
+                          "[" + short_text(c.bulk_modulus()) +
+                              ", inf): no skeleton is stiffer than its grains");
   const double a_h = 1 - (c.C11 + c.C12 + c.C13) / (3 * K_s);
   const double a_v = 1 - (2 * c.C13 + c.C33) / (3 * K_s);
   const double M = 1 / ((1 - c.bulk_modulus() / K_s - n) / K_s + n / K_f);

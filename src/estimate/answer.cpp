@@ -8,6 +8,7 @@
 #include <granum/contact/minerals.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/relaxed_exponents.hpp>
 #include <granum/elastic/saturation.hpp>
@@ -249,6 +250,10 @@ Answer possible_answer(const Question& question, std::span<const Spread> spreads
   all.validity_ = contacts.validity;
   all.validity_.merge(middle.estimate.validity);
   note_strength(question, all.validity_);
+  constexpr double most_rattlers = 0.25; // loose packings of hard friction have 0.2
+  if (contacts.middle.rattler_fraction > most_rattlers)
+    all.validity_.add("a share of rattlers of " + percent_text(contacts.middle.rattler_fraction) +
+                      ": packings that were tested have 25 % at most");
   all.validity_.keep_each_once();
   return all;
 }

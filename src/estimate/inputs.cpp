@@ -9,13 +9,14 @@
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/stress/axial_stress.hpp>
 
 namespace granum::estimate {
 
 namespace {
 
 constexpr Limits above_zero{.low = 0, .without_low = true};
-constexpr Limits from_zero{.low = 0};
+constexpr Limits contacts_per_grain{.low = 0, .high = 100, .reason = "equal spheres have 12 at most"};
 constexpr Limits compression{.low = 0, .reason = "compression is positive"};
 /// Beyond these no formula of a void ratio means anything, and some overflow.
 constexpr double least_void_ratio = 1e-6, largest_void_ratio = 1e6;
@@ -115,7 +116,7 @@ std::vector<InputRow> input_rows() {
            "stress",
        .symbols = "C_n Cn",
        .synonyms = {{"z cn nc coordination contacts contactnumber"}},
-       .limits = from_zero,
+       .limits = contacts_per_grain,
        .implies = GrainShape::sphere,
        .read = [](const Question& q) { return q.state.coordination_number; }},
       {.input = Input::mechanical_coordination_number,
@@ -124,7 +125,7 @@ std::vector<InputRow> input_rows() {
        .meaning = "z*, contacts per grain without rattlers (grains that carry no load)",
        .symbols = "z_star z*",
        .synonyms = {{"z cn nc coordination contacts contactnumber zstar z* zm"}},
-       .limits = from_zero,
+       .limits = contacts_per_grain,
        .implies = GrainShape::sphere,
        .read = [](const Question& q) { return q.state.mechanical_coordination_number; }},
       {.input = Input::rattler_fraction,
@@ -144,7 +145,8 @@ std::vector<InputRow> input_rows() {
        .synonyms = {{"a anisotropy"}},
        .limits = {.low = -7.0 / 3, .high = 7.0 / 5, .without_low = true, .without_high = true},
        .by_default = 0,
-       .read = [](const Question& q) -> std::optional<double> { return q.state.fabric_anisotropy; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.fabric_anisotropy; },
+       .argument = "fabric_anisotropy"},
       {.input = Input::pressure,
        .key = "pressure",
        .group = state_group,
@@ -237,7 +239,9 @@ std::vector<InputRow> input_rows() {
        .meaning = "K_0 = sigma_h/sigma_v, instead of --stress-h",
        .symbols = "K_0 K0",
        .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}},
-       .limits = above_zero},
+       .limits = {.low = stress::least_stress_ratio,
+                  .high = stress::largest_stress_ratio,
+                  .reason = "friction of 70 degrees holds no other"}},
       {.input = Input::shear_strain,
        .key = "strain",
        .group = state_group,
@@ -247,7 +251,8 @@ std::vector<InputRow> input_rows() {
        .synonyms = {{"shearstrain"}},
        .limits = {.low = 0, .high = 0.05 * (1 + 1e-12), .without_low = true}, // 5 % in any unit
        .implies = GrainShape::sand,
-       .read = [](const Question& q) { return q.shear_strain; }},
+       .read = [](const Question& q) { return q.shear_strain; },
+       .argument = "shear_strain"},
   };
 }
 
@@ -282,8 +287,8 @@ std::span<const InputRow> inputs() {
 const InputRow& row_of(Input input) { return inputs()[static_cast<std::size_t>(input)]; }
 
 const InputRow* find_input(std::string_view key) {
-  const auto found =
-      std::find_if(inputs().begin(), inputs().end(), [&](const InputRow& row) { return row.key == key; });
+  const auto found = std::find_if(inputs().begin(), inputs().end(),
+                                  [&](const InputRow& row) { return row.key == key || row.name() == key; });
   return found == inputs().end() ? nullptr : &*found;
 }
 

@@ -53,13 +53,15 @@ void require_possible(const Question& q) {
 void require_valid(const Question& q) {
   for (const InputRow& row : inputs())
     if (const std::optional<double> value = row.read != nullptr ? row.read(q) : std::nullopt)
-      require_within(row, *value, row.key);
+      require_within(row, *value, row.name(), true); // a hint on signs is the door's
   sands::require_density(q.sand, q.state.void_ratio);
-  constexpr double highest = 70 * degree;
-  if (mobilised_friction_angle(q) > highest)
-    throw InvalidArgument(
-        "k0", q.state.stress_h / q.state.stress_v, "",
-        "[0.0311, 32.2], the ratios stress_h/stress_v that a friction angle of 70 degrees holds");
+  constexpr double rounding = 1e-9;
+  const double v = q.state.stress_v, least = stress::least_stress_ratio * v * (1 - rounding),
+               largest = stress::largest_stress_ratio * v * (1 + rounding);
+  if (v > 0 && !(q.state.stress_h >= least && q.state.stress_h <= largest))
+    throw InvalidArgument("stress_h", q.state.stress_h, "Pa",
+                          detail::closed_range(least, largest, q.state.stress_h) +
+                              ": friction of 70 degrees holds no other beside this stress_v");
   require_possible(q);
 }
 
@@ -67,7 +69,7 @@ void note_strength(const Question& q, Validity& validity) {
   constexpr double strongest_soil = 50 * degree;
   if (const double angle = mobilised_friction_angle(q); angle > strongest_soil)
     validity.add("stress_h is " + short_text(q.state.stress_h / q.state.stress_v) +
-                 " stress_v (K_0): only a friction angle of " + short_text(angle / degree, 2) +
+                 " stress_v (K_0): only a friction angle of " + short_text(angle / degree, 3) +
                  " degrees holds that, and soils have at most 50");
 }
 

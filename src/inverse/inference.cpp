@@ -72,13 +72,19 @@ void note_unexplained(const Observation& m, const InferenceOptions& options,
                  "; the contacts may be rough or damaged, or the grains softer than given");
 }
 
-/// Notes of rung 3 on the states; only those of the first are listed, since a table may have thousands.
+/// A measured state without its contacts, which are to be inferred.
+effective::State uncounted(effective::State state) {
+  state.coordination_number.reset();
+  state.mechanical_coordination_number.reset();
+  return state;
+}
+
+/// Notes on the states; only those of the first are listed, since a table may have thousands.
 void note_states(const Inference& all, std::span<const Observation> measurements, Validity& validity) {
   std::size_t noted = 0;
   for (const Observation& m : measurements) {
     stop_point();
-    const Validity own =
-        effective::answer(effective::rung(effective::RungName::relaxed), all.state(m.state)).validity;
+    const Validity own = all.doubts(uncounted(m.state));
     if (!own.ok() && ++noted == 1)
       validity.merge(own);
   }
@@ -151,6 +157,8 @@ Validity Inference::doubts(const effective::State& at, AskedPacking specimen) co
 InferenceAnswer infer(std::span<const Observation> measurements, const InferenceOptions& options) {
   const auto model = std::make_shared<const detail::ContactModel>(measurements, options);
   detail::require_possible_together(measurements, options.grain_density);
+  for (const Observation& m : measurements)
+    estimate::require_valid({.state = uncounted(m.state)});
   InferenceOptions one_alone = options;
   one_alone.growth = GrowthRule::fixed;
   one_alone.contacts = {};

@@ -46,7 +46,8 @@ Quantity quantity_of(std::string_view key) {
 
 void require_measured(const QuantityRow& row, const Measured& value) {
   const char* const unit = row.speed ? "m/s" : "Pa";
-  require_open(row.key, value.value, 0, row.speed ? 1e5 : 1e14, unit); // above those of any solid
+  // Outside of these, nothing is a solid.
+  require_open(row.key, value.value, row.speed ? 0.01 : 1, row.speed ? 1e5 : 1e14, unit);
   require_closed(std::string(row.key) + " error", value.standard_error, 0, value.value, unit);
 }
 

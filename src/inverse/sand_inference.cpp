@@ -51,6 +51,10 @@ bool compresses(Quantity quantity) {
 /// The sand at the void ratio and stresses of a state, with changed level, exponent and Poisson's ratio.
 Question moved(const Question& known, const effective::State& at, const Parameters& x) {
   Question q = known;
+  if (q.sand.relative_density) // it moves with the void ratio, between usual limits or those of the sand
+    *q.sand.relative_density -= (at.void_ratio - known.state.void_ratio) /
+                                (q.sand.largest_void_ratio.value_or(sands::usual_largest_void_ratio) -
+                                 q.sand.least_void_ratio.value_or(sands::usual_least_void_ratio));
   q.state.void_ratio = at.void_ratio;
   q.state.stress_v = at.stress_v;
   q.state.stress_h = at.stress_h;
@@ -194,6 +198,7 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
   SandInference found(sand);
   found.known_.grain_shape = estimate::GrainShape::sand;
   found.known_.shear_strain.reset();
+  found.known_.state.void_ratio = all.front().state.void_ratio;
   const effective::State& first = all.front().state;
   const double p = first.mean_stress();
   const double s_deviation = sands::growth_exponent(sand.sand, p).deviation;
@@ -241,6 +246,9 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
   found.poisson_ratio_ = {sands::poisson_ratio(found.known_.sand, p).value, std::sqrt(covariance(2, 2))};
   found.tells_contacts_ = std::sqrt(fit.covariance(2, 2)) < 0.7 * nu_deviation;
 
+  for (const Observation& one : all)
+    found.validity_.merge(found.doubts(one.state));
+  found.validity_.keep_each_once();
   constexpr double unlikely = 0.01;
   if (found.probability_ < unlikely)
     found.validity_.add(

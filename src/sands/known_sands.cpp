@@ -91,10 +91,11 @@ const KnownSand& known_sand(std::string_view key) {
 void require_void_ratio_limits(double least, double largest) {
   constexpr double densest = 0.1, loosest = 5, least_distance = 0.05;
   require_closed("least_void_ratio", least, densest, loosest - least_distance);
-  if (!(largest >= least + least_distance && largest <= loosest))
+  constexpr double rounding = 1e-9;
+  if (!(largest >= least + least_distance - rounding && largest <= loosest))
     throw InvalidArgument("largest_void_ratio", largest, "",
-                          "[" + short_text(least + least_distance) + ", " + short_text(loosest) +
-                              "]: e_max is larger than e_min, " + short_text(least) + ", by " +
+                          detail::closed_range(least + least_distance, loosest, largest) +
+                              ": e_max is larger than e_min, " + short_text(least) + ", by " +
                               short_text(least_distance) + " at least");
 }
 

@@ -33,6 +33,14 @@ double beyond(double value, double low, double high) { return largest(low - valu
 
 bool has_limits(const Sand& sand) { return sand.least_void_ratio && sand.largest_void_ratio; }
 
+/// Whether e_min and e_max are like those of the sands tested: 0.37 to 0.80, 0.69 to 1.09, 0.24 to 0.47 apart.
+bool limits_tested(const Sand& sand) {
+  const double least = *sand.least_void_ratio, largest = *sand.largest_void_ratio;
+  constexpr double near = 0.05; // of the ends of the tests
+  return beyond(least, 0.37 - near, 0.80 + near) == 0 && beyond(largest, 0.69 - near, 1.09 + near) == 0 &&
+         beyond(largest - least, 0.24 - near, 0.47 + near) == 0;
+}
+
 void require_valid(const Sand& sand, double void_ratio, double mean_stress) {
   require_positive("void_ratio", void_ratio);
   require_non_negative("mean_stress", mean_stress, "Pa");
@@ -91,8 +99,16 @@ std::optional<double> relative_density_of(const Sand& sand, double void_ratio) {
 }
 
 void require_density(const Sand& sand, double void_ratio) {
-  constexpr double densest = 1.2, rounding = 1e-9;
+  constexpr double densest = 1.2, rounding = 1e-9, agreement = 0.02;
+  // One limit alone: no sand is looser than e_max, or denser than e_min by a fifth of a usual distance.
+  constexpr double below = 0.2 * (usual_largest_void_ratio - usual_least_void_ratio);
+  if (!sand.least_void_ratio && sand.largest_void_ratio)
+    require_closed("void_ratio", void_ratio, 0, *sand.largest_void_ratio + rounding);
+  if (sand.least_void_ratio && !sand.largest_void_ratio)
+    require_closed("void_ratio", void_ratio, *sand.least_void_ratio - below, 1e6);
   const std::optional<double> D_r = relative_density_of(sand, void_ratio);
+  if (D_r && sand.relative_density)
+    require_closed("relative_density", *sand.relative_density, *D_r - agreement, *D_r + agreement);
   if (!D_r || (*D_r >= -rounding && *D_r <= densest + rounding))
     return;
   if (!has_limits(sand))
@@ -100,8 +116,8 @@ void require_density(const Sand& sand, double void_ratio) {
   const double least = *sand.least_void_ratio, largest = *sand.largest_void_ratio;
   require_void_ratio_limits(least, largest);
   throw InvalidArgument("void_ratio", void_ratio, "",
-                        "[" + short_text(largest - densest * (largest - least)) + ", " + short_text(largest) +
-                            "], a relative density of 0 to 1.2 between e_min " + short_text(least) +
+                        detail::closed_range(largest - densest * (largest - least), largest, void_ratio) +
+                            ", a relative density of 0 to 1.2 between e_min " + short_text(least) +
                             " and e_max " + short_text(largest));
 }
 
@@ -166,7 +182,8 @@ double extrapolated_shear_modulus(const Sand& sand, double void_ratio, double me
 double stated_factor(const Sand& sand, double void_ratio, double mean_stress) {
   constexpr double most = 1.6;
   const bool unusual = sand.uniformity.value_or(uniform_sand) > largest_tested_uniformity || !sand.quartz ||
-                       sand.d50.value_or(mm) > gravel;
+                       sand.d50.value_or(mm) > gravel ||
+                       (form_of(sand) == PooledForm::density_and_limits && !limits_tested(sand));
   if (unusual)
     return most;
   double within = 1.3;
@@ -204,8 +221,13 @@ Validity outside_of_tests(const Sand& sand, double void_ratio, double mean_stres
                 " lies outside of the sands tested, " + short_text(low) + " to " + short_text(high) + unit);
   };
   note("a void ratio", void_ratio, least_e, largest_e, "");
-  if (const double D_r = relative_density_of(sand, void_ratio).value_or(0); D_r > 1 + 1e-9)
+  if (const double D_r = relative_density_of(sand, void_ratio).value_or(0); D_r > 1.005)
     notes.add("a relative density of " + percent_text(D_r) + " is beyond the densest state of its sand");
+  if (has_limits(sand) && !limits_tested(sand))
+    notes.add(
+        "limits of the void ratio of " + short_text(*sand.least_void_ratio) + " and " +
+        short_text(*sand.largest_void_ratio) +
+        " lie outside of the sands tested, e_min 0.37 to 0.80 and e_max 0.69 to 1.09, 0.24 to 0.47 apart");
   if (mean_stress > noted_above)
     notes.add("a mean stress of " + pretty(mean_stress, Dimension::pressure) +
               " lies far outside of the sands tested, 25 to 500 kPa");

@@ -13,7 +13,8 @@ namespace {
 void require_valid(const Ground& g) {
   require_non_negative("unit_weight", g.unit_weight, "N/m3");
   require_positive("water_unit_weight", g.water_unit_weight, "N/m3");
-  require_positive("earth_pressure_at_rest", g.earth_pressure_at_rest);
+  require_closed("earth_pressure_at_rest", g.earth_pressure_at_rest, least_stress_ratio,
+                 largest_stress_ratio);
   require_non_negative("surcharge", g.surcharge, "Pa");
   if (!g.water_table)
     return;

@@ -164,7 +164,7 @@ granum_estimate_refuses("unknown contact" "--contact: egg not in {cone,sphere,fl
 granum_estimate_refuses("unknown option" "[^\n]*--pressur" ${state} --pressur 5kPa)
 granum_estimate_refuses("huge k_t" "--tangential-ratio = 1e\\+20 is outside \\[0, 100\\]" ${state} --tangential-ratio 1e20)
 granum_estimate_refuses("overflow" "the moduli exceed the range of a double" ${state}
-  --contact flat --punch-radius 1m --radius 1nm --grain-shear-modulus 1e300Pa)
+  --contact flat --punch-radius 1nm --radius 1nm --grain-shear-modulus 1.7e308Pa)
 
 granum_cli_test("estimate: unwritable output" EXIT 3 STDERR "no such folder/estimate\\.json: cannot be written"
   ARGS estimate ${state} --json --out "no such folder/estimate.json")

@@ -22,6 +22,7 @@ TEST_CASE("inputs: rows are in the order of their names, with keys and symbols o
     CHECK(static_cast<std::size_t>(row.input) == k);
     CHECK(&row_of(row.input) == &row);
     CHECK(find_input(row.key) == &row);
+    CHECK(find_input(row.name()) == &row);
     CHECK(keys.insert(row.key).second);
     CHECK(row.limits.low < row.limits.high);
     CHECK((!row.by_default || row.limits.contain(*row.by_default)));
@@ -89,7 +90,7 @@ TEST_CASE("inputs: every limit of a question is demanded by its answer, whatever
           } catch (const InvalidArgument& error) {
             refused = error.refused() ? error.refused()->name : "?";
           }
-          CHECK(refused == row_of(input).key);
+          CHECK(refused == row_of(input).name());
         }
     }
 }

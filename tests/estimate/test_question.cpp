@@ -79,10 +79,46 @@ TEST_CASE("question: limits of the void ratio that no soil has are refused") {
     return refused(of_sand(least, {.least_void_ratio = least, .largest_void_ratio = largest}));
   };
   CHECK(refused_limits(0.6, 0.65) == "");
+  CHECK(refused_limits(0.65, 0.7) == ""); // 0.05 apart up to rounding
+  CHECK(refused_limits(0.1, 0.9) == "");
   CHECK(refused_limits(0.6, 0.649) == "largest_void_ratio");
   CHECK(refused_limits(0.9, 0.6) == "largest_void_ratio");
   CHECK(refused_limits(0.6, 5.1) == "largest_void_ratio");
   CHECK(refused_limits(0.09, 0.6) == "least_void_ratio");
+}
+
+TEST_CASE(
+    "question: limits unlike those of the sands tested are noted, and their answer is as uncertain as any") {
+  const auto with = [](double least, double largest) {
+    return of_sand((least + largest) / 2, {.least_void_ratio = least, .largest_void_ratio = largest});
+  };
+  CHECK_FALSE(is_noted(with(0.6, 0.95)));
+  for (const auto& [least, largest] : {std::pair(0.5, 1.6), std::pair(0.25, 0.6), std::pair(0.62, 0.7)}) {
+    CHECK(is_noted(with(least, largest)));
+    CHECK(estimate::answer(with(least, largest))[Field::shear_modulus].relative_error() >
+          1.5 * estimate::answer(with(0.6, 0.95))[Field::shear_modulus].relative_error());
+  }
+}
+
+TEST_CASE(
+    "question: one limit of the void ratio excludes what lies beyond it, a relative density what it is not") {
+  CHECK(refused(of_sand(0.85, {.largest_void_ratio = 0.8})) == "void_ratio");
+  CHECK(refused(of_sand(0.8, {.largest_void_ratio = 0.8})) == "");
+  CHECK(refused(of_sand(0.5, {.least_void_ratio = 0.6})) == "void_ratio");
+  CHECK(refused(of_sand(0.55, {.least_void_ratio = 0.6})) == "");
+  sands::Sand both = limited;
+  both.relative_density = 0.9; // e 0.7 is 0.75
+  CHECK(refused(of_sand(0.7, both)) == "relative_density");
+  both.relative_density = 0.76;
+  CHECK(refused(of_sand(0.7, both)) == "");
+}
+
+TEST_CASE("question: shares of rattlers that no packing has are noted") {
+  Question q = test::grains_of(2, 0, 100e3, 100e3);
+  q.rattler_fraction = 0.15;
+  CHECK_FALSE(is_noted(q));
+  q.rattler_fraction = 0.3;
+  CHECK(is_noted(q));
 }
 
 TEST_CASE("question: a standard deviation may lead beyond the limits, and widens the range") {
@@ -103,7 +139,7 @@ TEST_CASE("question: a standard deviation may lead beyond the limits, and widens
 TEST_CASE("question: stresses that no friction can hold are refused, those of no soil noted") {
   for (const GrainShape shape : estimate::all_grain_shapes) {
     for (const double k0 : {0.031, 1 / 0.031})
-      CHECK(refused(with_ratio(shape, k0)) == "k0");
+      CHECK(refused(with_ratio(shape, k0)) == "stress_h");
     for (const double k0 : {0.032, 0.13, 1 / 0.13, 1 / 0.032}) {
       CHECK(refused(with_ratio(shape, k0)) == "");
       CHECK(is_noted(with_ratio(shape, k0)));

@@ -148,6 +148,16 @@ TEST_CASE("inference: a compression wave too slow for its shear wave is refused"
                            doctest::Contains(inverse::row_of(wave).key), InvalidArgument);
 }
 
+TEST_CASE("inference: a measured state is within the limits of any question") {
+  const auto at = [](const State& state) {
+    Observation one = measurement(Quantity::V_s, beads(1e6), 5.2, 0.02);
+    one.state = state;
+    return infer(std::vector{one}, options_with());
+  };
+  CHECK_THROWS_WITH_AS((void)at(beads(1e6, 1e4)), doctest::Contains("stress_h"), InvalidArgument);
+  CHECK_THROWS_WITH_AS((void)at(beads(1e6, 1e6, 2e6)), doctest::Contains("void_ratio"), InvalidArgument);
+}
+
 TEST_CASE("inference: z* grows as in granum's packings, and the void ratio decreases") {
   const State at_rest = beads(1e6, 1e6, 0.6);
   const double z = 5.3;

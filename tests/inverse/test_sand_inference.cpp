@@ -226,3 +226,20 @@ TEST_CASE("an exponent that fitted measurements do not determine, or that no san
   CHECK_THROWS_AS((void)fitted(90e6, 4e5, 90e6 * std::pow(4, -0.4), 0.01), InvalidArgument);
   CHECK(fitted(90e6, 4e5, 180e6, 0.02).exponent().standard_error < 0.05);
 }
+
+TEST_CASE(
+    "a sand whose relative density is known is forecast at another void ratio by the one that this is") {
+  const SandInference found =
+      infer_sand(std::vector{measured(Quantity::G_vh, 80e6, 0.02, 1e5)}, quartz({.relative_density = 0.6}));
+  effective::State denser = at(1e5);
+  denser.void_ratio -= 0.1;
+  const double here = found.predict(Quantity::G_vh, at(1e5)).value;
+  CHECK(here == relative(80e6, 1e-9));
+  CHECK(found.predict(Quantity::G_vh, denser).value ==
+        relative(here * std::pow(10, 0.241 * 0.1 / 0.33), 1e-9));
+  // Measured states are looked at as predicted ones are.
+  CHECK(found.validity().ok());
+  Observation far = measured(Quantity::G_vh, 2e9, 0.02, 1e5);
+  far.state.stress_v = far.state.stress_h = 50e6;
+  CHECK_FALSE(infer_sand(std::vector{far}, quartz()).validity().ok());
+}

@@ -40,7 +40,7 @@ struct SaturatedPores {
 /// [Gassmann1951; Mavko2009]
 /// Assumes   one solid, connected pores, frequencies at which the fluid moves with the grains.
 /// \param    skeleton   dry, or drained [Pa]
-/// \throws   InvalidArgument for pores out of their ranges
+/// \throws   InvalidArgument for pores out of their ranges, and for a skeleton stiffer than its grains
 /// Accuracy  4 ulp of C33.  Checked by tests/elastic/test_saturation.cpp
 [[nodiscard]] TransverselyIsotropic saturated(const TransverselyIsotropic& skeleton,
                                               const SaturatedPores& pores);

@@ -88,7 +88,7 @@ inline constexpr const char *state_group = "Density and stress", *grains_group =
 
 struct InputRow {
   Input input;
-  const char* key; ///< in JSON and Python, and of the heading of its column: "void_ratio"
+  const char* key; ///< in JSON, and of the heading of its column: "void_ratio"
   const char* group;
   const char* meaning;
   Dimension dimension = Dimension::dimensionless;
@@ -99,18 +99,21 @@ struct InputRow {
   std::optional<double> by_default = {};  ///< in SI; without one it is not used unless it is given
   std::optional<GrainShape> implies = {}; ///< what the grains are, for who gives it
   std::vector<Conflict> excludes = {};    ///< one of two rows lists the other
-  std::optional<double> (*read)(const Question& question) =
-      nullptr; ///< its value there; of derived ones none
+  /// Its value in a question; null for inputs that others follow from.
+  std::optional<double> (*read)(const Question& question) = nullptr;
+  const char* argument = nullptr; ///< its name in C++ and Python, where that is not the key
 
   /// "--void-ratio".
   [[nodiscard]] std::string option() const;
+  /// In messages of the library: "fabric_anisotropy".
+  [[nodiscard]] std::string_view name() const { return argument != nullptr ? argument : key; }
 };
 
 /// All rows, in the order of Input.
 [[nodiscard]] std::span<const InputRow> inputs();
 /// The row of an input.
 [[nodiscard]] const InputRow& row_of(Input input);
-/// The row of a key, or null.
+/// The row of a key, or of the name of an argument; null for another text.
 [[nodiscard]] const InputRow* find_input(std::string_view key);
 
 /// \throws   InvalidArgument naming the number as `name`, if the row's limits do not contain it

@@ -37,7 +37,7 @@ struct QuantityRow {
 /// \throws   InvalidArgument with all keys for another text
 [[nodiscard]] Quantity quantity_of(std::string_view key);
 
-/// \throws   InvalidArgument unless the value is positive and below 1e5 m/s or 1e14 Pa (no solid has more),
+/// \throws   InvalidArgument unless the value is between 0.01 and 1e5 m/s or 1 and 1e14 Pa, as of any solid,
 ///           and its standard error from 0 to the value: with a larger one every positive number is possible.
 /// Checked by tests/inverse/test_inference.cpp
 void require_measured(const QuantityRow& row, const Measured& value);

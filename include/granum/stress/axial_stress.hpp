@@ -25,4 +25,7 @@ struct AxialStress {
 /// Accuracy  8 ulp.  Checked by tests/stress/test_shear_path.cpp
 [[nodiscard]] double mobilised_friction_angle(const AxialStress& stress);
 
+/// Horizontal over vertical stress that friction of 70 degrees holds, more than any soil or packing has.
+inline constexpr double least_stress_ratio = 0.031091204125576, largest_stress_ratio = 1 / least_stress_ratio;
+
 } // namespace granum::stress

@@ -15,9 +15,10 @@ struct Ground {
   double saturated_unit_weight = 0; ///< below it, of grains and water together, >= water_unit_weight [N/m3]
   /// Depth of the water table [m]; none: the ground is dry. Negative: height of water above the ground.
   std::optional<double> water_table = std::nullopt;
-  double water_unit_weight = 0;      ///< > 0 [N/m3]
-  double earth_pressure_at_rest = 1; ///< K_0, horizontal over vertical effective stress, > 0 [1]
-  double surcharge = 0;              ///< on the surface, >= 0 [Pa]
+  double water_unit_weight = 0; ///< > 0 [N/m3]
+  /// K_0, horizontal over vertical effective stress, from least_stress_ratio to largest_stress_ratio [1].
+  double earth_pressure_at_rest = 1;
+  double surcharge = 0; ///< on the surface, >= 0 [Pa]
 };
 
 /// Compression positive [Pa].

@@ -61,16 +61,15 @@ void apply_earth_pressure(PackingOptions& packing, const AnswerOptions& o) {
   if (!k0.given())
     return;
   require_within(k0);
-  if (!packing.stress_v.given())
-    throw InvalidArgument("--k0 needs --stress-v");
   if (packing.stress_h.given() && !packing.stress_h.preset) {
     constexpr double rounding = 0.01; // a row of a table may have both, as far as they agree
     if (k0.in_table && std::abs(k0.value * packing.stress_v.value - packing.stress_h.value) <=
                            rounding * packing.stress_h.value)
       return;
-    throw InvalidArgument(
-        fmt::format("--k0 {} sets --stress-h from --stress-v: give one of the two", short_text(k0.value)));
+    throw InvalidArgument("--k0 sets --stress-h from --stress-v: give one of the two");
   }
+  if (!packing.stress_v.given())
+    throw InvalidArgument("--k0 needs --stress-v");
   packing.stress_h.value = k0.value * packing.stress_v.value;
   packing.stress_h.preset = true;
 }
@@ -187,6 +186,9 @@ sands::Sand sand_of(const PackingOptions& packing, const AnswerOptions& o) {
       sand.uniformity = o.sand->uniformity;
     sand.tests = o.sand->tests;
   }
+  const auto typed = [](const Number& number) { return number.typed || number.in_table; };
+  if (packing.sizes || typed(o.least_void_ratio) || typed(o.largest_void_ratio))
+    sand.tests.reset(); // of another batch
   const auto given = [](const Number& number) {
     return number.given() ? std::optional(number.value) : std::nullopt;
   };

@@ -207,10 +207,15 @@ InvalidArgument as_typed(const InvalidArgument& error, const std::vector<TypedAr
   const auto& refused = error.refused();
   if (!refused || !std::string_view(error.what()).starts_with(refused->name))
     return error;
-  const std::string option = refused->name == "fabric_anisotropy" ? "--fabric" : option_of(refused->name);
+  const estimate::InputRow* const row = estimate::find_input(refused->name);
+  const std::string option = row != nullptr ? row->option() : option_of(refused->name);
   for (const TypedArgument& typed : arguments)
     if (typed.option != nullptr && is_named(*typed.option, option) && is_number(typed, refused->value))
       return {option, refused->value, refused->unit, refused->range};
+  for (const TypedArgument& typed : arguments)
+    if (refused->name == "void_ratio" && typed.option != nullptr &&
+        (is_named(*typed.option, "--porosity") || is_named(*typed.option, "--solid-fraction")))
+      return InvalidArgument(typed.word + " " + typed.values.at(0) + ": " + error.what());
   return error;
 }
 

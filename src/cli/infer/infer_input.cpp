@@ -168,9 +168,11 @@ std::vector<PredictedState> predicted_states(const InferOptions& o, const State&
         "--predict-pressure", parse_quantity("--predict-pressure", text, Dimension::pressure), "Pa"));
   if (pressures.empty())
     pressures.push_back(first.mean_stress());
-  const double ratio = o.predict_stress_ratio.given()
-                           ? require_positive(o.predict_stress_ratio.name, o.predict_stress_ratio.value)
-                           : first.stress_h / first.stress_v;
+  double ratio = first.stress_h / first.stress_v;
+  if (o.predict_stress_ratio.given()) {
+    ratio = o.predict_stress_ratio.value;
+    estimate::require_within(estimate::row_of(Input::k0), ratio, o.predict_stress_ratio.name);
+  }
   std::vector<PredictedState> states;
   for (const double p : pressures) {
     PredictedState predicted{.state = first};
@@ -234,6 +236,8 @@ void resolve_shape(const InferOptions& o, const PackingOptions& packing, InferCa
                                       plural(*shape)));
   if (of_growth)
     shape = of_growth;
+  if (!shape && (!o.uncertain.empty() || o.contacts != "given"))
+    shape = GrainShape::sphere; // a sand would ignore them
   question.of_spheres = shape != GrainShape::sand;
   if (shape == GrainShape::sphere)
     return;
@@ -313,11 +317,13 @@ Validity doubts_of(const PredictedState& predicted, const std::function<Validity
       placed.add(place + note);
   } catch (const InvalidArgument& error) {
     const auto& refused = error.refused();
-    if (predicted.specimen == inverse::AskedPacking::prepared_alike && refused &&
-        refused->name == "void_ratio")
-      throw InvalidArgument("--predict-void-ratio", refused->value, refused->unit, refused->range);
-    if (refused && refused->name == "k0") // that of the measurements was answered
-      throw InvalidArgument("--predict-stress-ratio", refused->value, refused->unit, refused->range);
+    if (predicted.specimen == inverse::AskedPacking::prepared_alike && refused) {
+      if (refused->name == "void_ratio")
+        throw InvalidArgument("--predict-void-ratio", refused->value, refused->unit, refused->range);
+      if (refused->name == "relative_density")
+        throw InvalidArgument(
+            fmt::format("--predict-void-ratio {}: {}", short_text(predicted.state.void_ratio), error.what()));
+    }
     throw InvalidArgument(place + error.what());
   }
   return placed;

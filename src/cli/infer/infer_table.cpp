@@ -87,10 +87,10 @@ void require_stress(const io::CsvTable& table, PackingRows& rows) {
                               rows.columns().heading("--depth").value_or("")));
 }
 
+using Material = decltype(material_values(PackingOptions(), AnswerOptions()));
+
 /// \throws   InvalidArgument naming the column, or the option, in which a row is of another material
-void require_same_material(const AnswerOptions& first, const AnswerOptions& here,
-                           const NumberColumns& columns) {
-  const auto expected = material_values(first), found = material_values(here);
+void require_same_material(const Material& expected, const Material& found, const NumberColumns& columns) {
   for (std::size_t k = 0; k < found.size(); ++k)
     if (found[k].value != expected[k].value) {
       const std::optional<std::string> heading = columns.heading(found[k].option);
@@ -107,7 +107,7 @@ class MeasuredRows {
  public:
   MeasuredRows(const io::CsvTable& table, const InferOptions& options)
       : packings_(table, options.packing), grains_(options.grains),
-        material_(table, packings_.columns(), grains_) {
+        names_(table, packings_.columns(), grains_) {
     packings_.columns().bind(grains_.earth_pressure_at_rest);
     require_stress(table, packings_);
   }
@@ -118,12 +118,15 @@ class MeasuredRows {
   PackingOptions row(std::size_t row) {
     PackingOptions packing = packings_.packing(row);
     AnswerOptions grains = grains_;
-    material_.take_names(row, grains);
+    names_.take_names(row, grains);
     apply_presets(packing, grains);
+    const Material material = material_values(packing, grains);
     if (of_all_)
-      require_same_material(*of_all_, grains, columns());
-    else
+      require_same_material(material_, material, columns());
+    else {
       of_all_ = grains;
+      material_ = material;
+    }
     return packing;
   }
 
@@ -133,8 +136,9 @@ class MeasuredRows {
  private:
   PackingRows packings_;
   AnswerOptions grains_;
-  AnswerColumns material_;
+  AnswerColumns names_;
   std::optional<AnswerOptions> of_all_;
+  Material material_ = {}; ///< of the first row
 };
 
 } // namespace

@@ -170,7 +170,8 @@ GroundCase resolve_ground(const SweepOptions& o) {
                              require_positive("--grain-density", o.answer.grain_density.value, "kg/m3"),
                          .void_ratio = resolve_state(o.packing, {any_stress, any_stress}).void_ratio};
   const Number& k0 = o.ground.earth_pressure_at_rest;
-  c.ground.earth_pressure_at_rest = require_positive(k0.name, k0.value);
+  estimate::require_within(estimate::row_of(Input::k0), k0.value, k0.name);
+  c.ground.earth_pressure_at_rest = k0.value;
   c.ground.surcharge = require_non_negative(o.ground.surcharge.name, o.ground.surcharge.value, "Pa");
   c.ground.water_unit_weight =
       require_positive(o.ground.water_unit_weight.name, o.ground.water_unit_weight.value, "N/m3");

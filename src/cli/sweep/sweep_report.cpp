@@ -72,8 +72,9 @@ void add_rungs(SweptState& state, const Rungs& rungs) {
   for (const Rung* rung : rungs) {
     try {
       state.rungs.emplace_back(answer_with_exponents(*rung, state.answer->answer.state()));
-      for (const std::string& note : state.rungs.back()->validity.notes)
-        add_once(state.notes, note);
+      if (state.answer->question.grain_shape == estimate::GrainShape::sphere) // a sand has measured laws
+        for (const std::string& note : state.rungs.back()->validity.notes)
+          add_once(state.notes, note);
     } catch (const Error& error) {
       state.rungs.emplace_back(std::nullopt);
       add_once(errors, error.what());

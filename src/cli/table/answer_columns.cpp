@@ -28,7 +28,7 @@ void AnswerColumns::take_names(std::size_t row, AnswerOptions& answer) const {
     answer.grain_shape = estimate::grain_shape_of(name);
 }
 
-std::array<MaterialValue, 8> material_values(const AnswerOptions& o) {
+std::array<MaterialValue, 11> material_values(const PackingOptions& packing, const AnswerOptions& o) {
   const auto number = [](const Number& one) { return one.given() ? short_text(one.value) : ""; };
   const bool limits = o.least_void_ratio.given() && o.largest_void_ratio.given();
   return {{{"--sand", o.sand != nullptr ? std::string(o.sand->key) : ""},
@@ -38,7 +38,10 @@ std::array<MaterialValue, 8> material_values(const AnswerOptions& o) {
            {"--saturation", number(o.saturation)},
            {"--least-void-ratio", number(o.least_void_ratio)},
            {"--largest-void-ratio", number(o.largest_void_ratio)},
-           {"--relative-density", limits ? "" : number(o.relative_density)}}}; // else one more density
+           {"--relative-density", limits ? "" : number(o.relative_density)}, // else one more density
+           {"--radius", number(packing.radius)},
+           {"--d50", number(packing.d50)},
+           {"--uniformity", packing.uniformity ? short_text(*packing.uniformity) : ""}}};
 }
 
 } // namespace granum::cli

@@ -35,6 +35,7 @@ struct MaterialValue {
   std::string value;
 };
 /// What is one and the same for all states of a sand, after apply_presets.
-[[nodiscard]] std::array<MaterialValue, 8> material_values(const AnswerOptions& answer);
+[[nodiscard]] std::array<MaterialValue, 11> material_values(const PackingOptions& packing,
+                                                            const AnswerOptions& answer);
 
 } // namespace granum::cli
