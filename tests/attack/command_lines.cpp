@@ -237,12 +237,12 @@ class Attack {
         return;
     Line row = line;
     std::string headings = "run", cells = "1";
-    for (const attack::Told& told : lines_.told(line)) {
-      if (!random_.one_in(2) && told.option != "--pressure")
+    for (const attack::Given& given : lines_.given(line)) {
+      if (!random_.one_in(2) && given.option != "--pressure")
         continue;
-      headings += ',' + told.heading;
-      cells += ',' + told.cell;
-      row = row.without(told.option);
+      headings += ',' + given.heading;
+      cells += ',' + given.cell;
+      row = row.without(given.option);
     }
     std::ofstream(row_) << headings << '\n' << cells << '\n';
     row.name = "sweep";
@@ -266,13 +266,13 @@ class Attack {
 
   /// Nothing beyond its limits is answered.
   void judge_limits(const Line& line) {
-    std::map<std::string, double> told;
-    for (const attack::Told& one : lines_.told(line))
+    std::map<std::string, double> given;
+    for (const attack::Given& one : lines_.given(line))
       if (one.value)
-        told[one.option] = *one.value;
+        given[one.option] = *one.value;
     const auto value = [&](const char* option) {
-      const auto found = told.find(option);
-      return found == told.end() ? std::nullopt : std::optional(found->second);
+      const auto found = given.find(option);
+      return found == given.end() ? std::nullopt : std::optional(found->second);
     };
     constexpr double rounding = 1e-9;
     const auto e = value("--void-ratio"), least = value("--least-void-ratio"),

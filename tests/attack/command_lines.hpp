@@ -52,7 +52,7 @@ struct Line {
 };
 
 /// An option of a line as a column of a table.
-struct Told {
+struct Given {
   std::string option, heading, cell;
   std::optional<double> value; ///< of a number, in SI
 };
@@ -122,11 +122,11 @@ class Lines {
   }
 
   /// Options of a line that tables have as columns: all numbers, and texts on the grains and their contacts.
-  [[nodiscard]] std::vector<Told> told(const Line& line) const {
+  [[nodiscard]] std::vector<Given> given(const Line& line) const {
     constexpr std::array texts{"--contact", "--preparation", "--grain", "--sand", "--grain-shape", "--sizes"};
     const cli::Command& command = *std::find_if(program_->within.begin(), program_->within.end(),
                                                 [&](const cli::Command& c) { return c.name == line.name; });
-    std::vector<Told> all;
+    std::vector<Given> all;
     for (const cli::OptionRow& row : command.options) {
       const std::string name = long_name(row);
       const bool text = std::find(texts.begin(), texts.end(), name) != texts.end();

@@ -12,8 +12,8 @@
 namespace granum {
 
 /// How far two entries that should be equal may differ, over the largest entry. A solver leaves less than
-/// 1e-6, and two halves rounded to four digits, each by itself, differ by 1e-3 at most. A matrix of which
-/// only one half was filled is far above, unless the missing half does not matter.
+/// 1e-6, and two halves rounded to four digits, each by itself, differ by 1e-3 at most. A matrix in
+/// which one half was left out is far above, unless that half does not matter.
 inline constexpr double largest_asymmetry = 1e-3;
 
 /// Any finite, symmetric matrix.

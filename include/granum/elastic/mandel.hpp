@@ -7,8 +7,8 @@
 /// Operations on the orthonormal (Mandel) basis: change of basis, rotation, definiteness, distance.
 /// Functions of a full stiffness refuse one that is not symmetric: |C_ab - C_ba| above 1e-3 of the largest
 /// entry. Solvers leave less than 1e-6, and two halves printed with four digits, each rounded by itself,
-/// differ by 1e-3 at most; up to there the symmetric part is used. A matrix of which one half is missing is
-/// far above.
+/// differ by 1e-3 at most; up to there the symmetric part is used. A matrix in which one half was
+/// left out is far above.
 /// Checked by tests/elastic/test_mandel.cpp
 namespace granum::elastic {
 

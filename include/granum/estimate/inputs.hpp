@@ -63,7 +63,7 @@ struct OtherWords {
 };
 
 /// Other inputs by their keys, separated by blanks, beside which an input contradicts itself, and the sentence
-/// for both. A key in braces stands for the name that the input has where it was told.
+/// for both. A key in braces is replaced by the name of that input at the door.
 struct Conflict {
   const char* keys;
   const char* sentence;
