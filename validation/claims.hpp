@@ -12,7 +12,8 @@ class Claims {
     std::printf("%s  %s\n", holds ? "ok    " : "FAILED", claim.c_str());
     failed_ += !holds;
   }
-  /// A goal that the record is known to miss, with the reason in its README.md: printed as missed, not counted.
+  /// A goal that the record is known to miss, with the reason in its README.md: printed as missed, not
+  /// counted.
   static void aim(bool reached, const std::string& goal) {
     std::printf("%s  %s\n", reached ? "ok    " : "MISSED", goal.c_str());
   }

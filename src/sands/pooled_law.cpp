@@ -33,7 +33,8 @@ double beyond(double value, double low, double high) { return largest(low - valu
 
 bool has_limits(const Sand& sand) { return sand.least_void_ratio && sand.largest_void_ratio; }
 
-/// Whether e_min and e_max are like those of the sands tested: 0.37 to 0.80, 0.69 to 1.09, 0.24 to 0.47 apart.
+/// Whether e_min and e_max are like those of the sands tested: 0.37 to 0.80, 0.69 to 1.09, 0.24 to 0.47
+/// apart.
 bool limits_tested(const Sand& sand) {
   const double least = *sand.least_void_ratio, largest = *sand.largest_void_ratio;
   constexpr double near = 0.05; // of the ends of the tests

@@ -4,6 +4,8 @@
 //   attack_command_lines <lines> <seed> <data of tests/cli> <scratch folder>
 // Exit code 1, with the first lines that broke a promise, if any did.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -67,8 +69,13 @@ class Attack {
     const Line line = lines_.any();
     const Ended ended = run(line);
     judge(ended);
-    if (ended.code == 0)
-      judge_limits(line);
+    if (ended.code == 0) {
+      std::map<std::string, double> given;
+      for (const attack::Given& one : lines_.given(line))
+        if (one.value)
+          given[one.option] = *one.value;
+      judge_limits(given);
+    }
     if (line.name != "estimate")
       return;
     if (line.json && (ended.code == 0 || ended.code == 2) && random_.one_in(2))
@@ -86,7 +93,8 @@ class Attack {
         std::fprintf(report_, "  %d: %zu", code, count);
       std::fprintf(report_, "\n");
     }
-    std::fprintf(report_, "%zu runs, %zu comparisons, %zu promises broken\n", runs_, comparisons_, broken_);
+    std::fprintf(report_, "%zu runs, %zu rows of tables, %zu comparisons, %zu promises broken\n", runs_,
+                 rows_, comparisons_, broken_);
     for (const auto& [promise, count] : count_)
       std::fprintf(report_, "%9zu  %s\n", count, promise.c_str());
     bool answered = true; // of each command a fifth or more of the lines has an answer
@@ -188,8 +196,9 @@ class Attack {
     const double G = answer.at("shear_modulus").at("value");
     const double K = answer.at("bulk_modulus").at("value"), compression = 1e3 * line.pressure / K;
     const bool rigid = G > 0.03 * K;
+    const auto share = answer.find("rattler_fraction"); // null for a sand
     const double rattlers =
-        answer.contains("rattler_fraction") ? answer["rattler_fraction"].at("value").get<double>() : 0;
+        share != answer.end() && share->is_object() ? share->at("value").get<double>() : 0;
     ++comparisons_;
     switch (random_.below(4)) {
     case 0:
@@ -209,8 +218,8 @@ class Attack {
                 "shear_modulus", G, "more contacts soften");
       return;
     case 2:
-      // At the edge of rigidity overlaps, which grow with e, decide by 1e-3 of a contact; with more rattlers than
-      // any packing that was tested z* stays at that edge.
+      // At the edge of rigidity overlaps, which grow with e, decide by 1e-3 of a contact; with more rattlers
+      // than any packing that was tested z* stays at that edge.
       if (line.has("--void-ratio") && rigid && rattlers < 0.25)
         stiffer(line.with("--void-ratio", line.void_ratio / (1 + random_.decades(-3, -0.5)), ""),
                 "shear_modulus", G, "denser is softer");
@@ -229,47 +238,79 @@ class Attack {
              promise);
   }
 
-  /// The same question as a row of a table: some of its options are columns.
+  /// The same question as the last row of a table, some of its options being columns; the rows before are of
+  /// other void ratios and pressures.
   void ask_row(const Line& line, const Ended& ended) {
     for (const char* other :
          {"--uncertainty", "--tolerance", "--bounds", "--cement", "--cement-friction", "--report"})
       if (line.has(other)) // which sweep does not take, or answers otherwise
         return;
+    constexpr std::size_t others = 6;
     Line row = line;
-    std::string headings = "run", cells = "1";
+    std::string headings = "run";
+    std::array<std::string, others + 1> cells;
+    std::array<std::map<std::string, double>, others + 1> numbers;
     for (const attack::Given& given : lines_.given(line)) {
-      if (!random_.one_in(2) && given.option != "--pressure")
-        continue;
-      headings += ',' + given.heading;
-      cells += ',' + given.cell;
-      row = row.without(given.option);
+      const bool moves = given.option == "--pressure" || given.option == "--void-ratio";
+      const bool column = given.option == "--pressure" || random_.one_in(2);
+      if (column) {
+        headings += ',' + given.heading;
+        row = row.without(given.option);
+      }
+      for (std::size_t k = 0; k <= others; ++k) {
+        const double here =
+            given.value.value_or(0) * (moves && column && k < others ? random_.decades(-0.4, 0.4) : 1);
+        if (column)
+          cells[k] += ',' + (given.value ? exact_text(here) : given.cell);
+        if (given.value)
+          numbers[k][given.option] = here;
+      }
     }
-    std::ofstream(row_) << headings << '\n' << cells << '\n';
+    std::ofstream table(row_);
+    table << headings << '\n';
+    for (const std::string& one : cells)
+      table << '1' << one << '\n';
+    table.close();
     row.name = "sweep";
     row.json = false;
     row.words.erase(std::remove(row.words.begin(), row.words.end(), "--json"), row.words.end());
     row.words.insert(row.words.end(), {"--table", row_});
     const Ended swept = run(row);
     judge(swept);
+    const std::vector<std::map<std::string, double>> found = attack::cells_of_rows(swept.out);
+    rows_ += found.size();
+    for (std::size_t k = 0; k < std::min(found.size(), numbers.size()); ++k)
+      judge_row(found[k], numbers[k]);
+    const bool answered = found.size() == cells.size() && found.back().contains("G_answer_Pa");
     if (ended.code == 2)
-      return demand(swept.code != 0, "a row of a table is answered where estimate refuses: " + headings);
-    demand(swept.code == 0, "a row of a table is refused where estimate answers: " + headings);
-    if (swept.code != 0)
+      return demand(!answered, "a row of a table is answered where estimate refuses: " + headings);
+    demand(answered, "a row of a table is refused where estimate answers: " + headings);
+    if (!answered)
       return;
     const json answer = json::parse(ended.out).at("answer");
-    const std::map<std::string, double> found = attack::cells_of_last_row(swept.out);
     for (const auto& [heading, key, member] : attack::cells_of_answer)
-      if (const auto cell = found.find(heading); cell != found.end() && answer.contains(key))
+      if (const auto cell = found.back().find(heading); cell != found.back().end() && answer.contains(key))
         demand(cell->second == answer.at(key).at(member).get<double>(),
                "a row differs from estimate: " + heading + " of " + headings);
   }
 
+  /// An answered row has its numbers in their ranges, and nothing beyond its limits.
+  void judge_row(const std::map<std::string, double>& cells, const std::map<std::string, double>& given) {
+    if (!cells.contains("G_answer_Pa"))
+      return;
+    for (const char* of : {"G", "V_s"}) {
+      const std::string unit = *of == 'G' ? "_Pa" : "_m/s";
+      const auto low = cells.find(of + ("_low" + unit)), value = cells.find(of + ("_answer" + unit)),
+                 high = cells.find(of + ("_high" + unit));
+      if (low != cells.end() && value != cells.end() && high != cells.end())
+        demand(low->second <= value->second && value->second <= high->second && std::isfinite(high->second),
+               "a row's number is not within its range");
+    }
+    judge_limits(given);
+  }
+
   /// Nothing beyond its limits is answered.
-  void judge_limits(const Line& line) {
-    std::map<std::string, double> given;
-    for (const attack::Given& one : lines_.given(line))
-      if (one.value)
-        given[one.option] = *one.value;
+  void judge_limits(const std::map<std::string, double>& given) {
     const auto value = [&](const char* option) {
       const auto found = given.find(option);
       return found == given.end() ? std::nullopt : std::optional(found->second);
@@ -308,7 +349,7 @@ class Attack {
   Caught out_, said_;
   std::string row_;
   const Line* here_ = nullptr;
-  std::size_t runs_ = 0, comparisons_ = 0, broken_ = 0;
+  std::size_t runs_ = 0, rows_ = 0, comparisons_ = 0, broken_ = 0;
   std::map<std::string, std::size_t> count_;
   std::map<std::string, std::map<int, std::size_t>> codes_;
 };

@@ -86,8 +86,8 @@ inline const std::array<std::array<std::string, 3>, 8> cells_of_answer{
      {"V_p_answer_m/s", "compression_wave_speed", "value"},
      {"V_p_high_m/s", "compression_wave_speed", "high"}}};
 
-/// By heading, those that are numbers; comments begin with #.
-inline std::map<std::string, double> cells_of_last_row(const std::string& csv) {
+/// Of each row by heading, those that are numbers; comments begin with #.
+inline std::vector<std::map<std::string, double>> cells_of_rows(const std::string& csv) {
   std::vector<std::vector<std::string>> rows;
   std::istringstream text(csv);
   for (std::string line; std::getline(text, line);)
@@ -97,13 +97,14 @@ inline std::map<std::string, double> cells_of_last_row(const std::string& csv) {
       for (std::string field; std::getline(fields, field, ',');)
         rows.back().push_back(field);
     }
-  std::map<std::string, double> cells;
-  if (rows.size() < 2)
-    return cells;
+  std::vector<std::map<std::string, double>> cells;
   // Notes come last and may hold commas of their own.
-  for (std::size_t k = 0; k < std::min(rows.front().size(), rows.back().size()); ++k)
-    if (!rows.back()[k].empty())
-      cells[rows.front()[k]] = std::strtod(rows.back()[k].c_str(), nullptr);
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    cells.emplace_back();
+    for (std::size_t k = 0; k < std::min(rows.front().size(), rows[row].size()); ++k)
+      if (!rows[row][k].empty())
+        cells.back()[rows.front()[k]] = std::strtod(rows[row][k].c_str(), nullptr);
+  }
   return cells;
 }
 

@@ -155,10 +155,10 @@ TEST_CASE("every function of a full stiffness refuses one that is not symmetric,
   mistyped.matrix(5, 4) += 2e-3 * whole.matrix(2, 2);
   four_digits.matrix(1, 0) += 0.1e6; // of 118 MPa
   infinite.matrix(3, 2) = infinite.matrix(2, 3) = std::numeric_limits<double>::infinity();
-  for (const auto& [name, call] : functions) {
-    CAPTURE(name);
+  for (const auto& function : functions) {
+    CAPTURE(function.first);
     for (const VoigtStiffness& wrong : {upper, lower, mistyped, infinite})
-      CHECK_THROWS_AS(call(wrong), InvalidArgument);
-    CHECK_NOTHROW(call(four_digits));
+      CHECK_THROWS_AS(function.second(wrong), InvalidArgument);
+    CHECK_NOTHROW(function.second(four_digits));
   }
 }

@@ -73,16 +73,17 @@ TEST_CASE("inputs: every limit of a question is demanded by its answer, whatever
     read += row.read != nullptr;
   CHECK(std::size(places) + 2 == read); // the grains' moduli are checked by their own type
   for (const GrainShape shape : all_grain_shapes)
-    for (const auto& [input, set] : places) {
-      const Limits& limits = row_of(input).limits;
+    for (const auto& place : places) {
+      const InputRow& row = row_of(place.first);
+      const Limits& limits = row.limits;
       const double below = limits.without_low ? limits.low : limits.low - 1e-3,
                    above = limits.without_high ? limits.high : limits.high + 1e-3;
       for (const double outside : {below, above})
         if (std::isfinite(outside)) {
           Question q = test::grains_of(2, 0, 100e3, 100e3);
           q.grain_shape = shape;
-          set(q, outside);
-          CAPTURE(row_of(input).key);
+          place.second(q, outside);
+          CAPTURE(row.key);
           CAPTURE(outside);
           std::string refused;
           try {
@@ -90,7 +91,7 @@ TEST_CASE("inputs: every limit of a question is demanded by its answer, whatever
           } catch (const InvalidArgument& error) {
             refused = error.refused() ? error.refused()->name : "?";
           }
-          CHECK(refused == row_of(input).name());
+          CHECK(refused == row.name());
         }
     }
 }

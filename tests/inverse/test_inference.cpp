@@ -419,7 +419,7 @@ TEST_CASE("inference: a stop request ends it, whichever of several starts it rea
   int calls = 0, last = 1 << 30;
   const StopScope scope([&] { return ++calls > last; });
   for (const char* contacts : {"given", "power-law"}) {
-    options.contacts = unknown_contacts(contacts);
+    options.contacts = inverse::unknown_contacts(contacts);
     calls = 0, last = 1 << 30;
     (void)infer(std::span(&m, 1), options);
     const int all = calls;

@@ -164,9 +164,9 @@ struct Measurement {
   [[nodiscard]] const Network& solved_network() const;
 };
 
-/// Moves K of rung 3, an estimate, into the bounds of the network, with a note; its shear moduli stay. Rungs below
-/// are formulas of one motion and are compared with the network as they are. Nothing without a network, or where an
-/// interior was measured.
+/// Moves K of rung 3, an estimate, into the bounds of the network, with a note; its shear moduli stay. Rungs
+/// below are formulas of one motion and are compared with the network as they are. Nothing without a network,
+/// or where an interior was measured.
 /// Checked by tests/analysis/test_measure.cpp
 void keep_within_bounds(Measurement& measurement);
 

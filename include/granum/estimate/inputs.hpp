@@ -62,8 +62,8 @@ struct OtherWords {
   const char* remark = "";
 };
 
-/// Other inputs by their keys, separated by blanks, beside which an input contradicts itself, and the sentence
-/// for both. A key in braces is replaced by the name of that input at the door.
+/// Other inputs by their keys, separated by blanks, beside which an input contradicts itself, and the
+/// sentence for both. A key in braces is replaced by the name of that input at the door.
 struct Conflict {
   const char* keys;
   const char* sentence;

@@ -47,8 +47,8 @@ struct Question {
 /// Refuses what no packing and no sand can be. Every answer begins with it, whatever program or table the
 /// question comes from; a question that is changed by a standard deviation may be beyond these limits.
 /// \throws   InvalidArgument as effective::require_valid and sands::require_density, for a saturation or
-///           density out of its range, for stresses that friction of 70 degrees cannot hold, and, for spheres,
-///           for a shear strain and C_u above sphere_uniformity_limit
+///           density out of its range, for stresses that friction of 70 degrees cannot hold, and, for
+///           spheres, for a shear strain and C_u above sphere_uniformity_limit
 /// Checked by tests/estimate/test_question.cpp
 void require_valid(const Question& question);
 

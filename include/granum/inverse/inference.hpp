@@ -147,8 +147,8 @@ struct InferenceAnswer {
 /// Assumes   independent, normal errors of ln values; one packing with one contact law.
 ///           `alone` uses the contact law of the state of each measurement.
 /// \throws   InvalidArgument without measurements, for values or states out of range, for V_p of less than
-///           sqrt(4/3) V_s at one state, for a fitted exponent of growth that the measurements do not determine
-///           (its standard error above 0.5) or that lies outside of 0 to 1, for a speed without
+///           sqrt(4/3) V_s at one state, for a fitted exponent of growth that the measurements do not
+///           determine (its standard error above 0.5) or that lies outside of 0 to 1, for a speed without
 ///           grain density, for a compression wave in wet pores, and for GrowthRule::fitted at one stress;
 ///           NotConverged if least squares fail
 /// Accuracy  a modulus computed at z* gives z* back to 1e-10. Errors: to first order

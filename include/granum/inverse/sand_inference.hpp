@@ -73,9 +73,9 @@ class SandInference {
 /// tested sands for the last two, with their deviations, enter as additional measurements.
 /// Assumes   dry or drained sand; values from one ground, with a scatter from test to test of 5 % of G
 /// \param    sand   its properties; the state in it is not used
-/// \throws   InvalidArgument without measurements, for values not positive, for V_p of less than sqrt(4/3) V_s
-///           at one state, for an exponent that fitted measurements do not determine (its standard error above
-///           0.25) or that lies outside of 0 to 1, for a speed without the density
+/// \throws   InvalidArgument without measurements, for values not positive, for V_p of less than sqrt(4/3)
+///           V_s at one state, for an exponent that fitted measurements do not determine (its standard error
+///           above 0.25) or that lies outside of 0 to 1, for a speed without the density
 ///           of the grains, for a compression wave or K in wet pores, and for SandGrowth::fitted at one
 ///           stress
 /// Accuracy  a modulus of the pooled law gives level 1 to 1e-9.

@@ -41,10 +41,10 @@ struct Sand {
 /// D_r at a void ratio: between the limits if both are known, else that of the sand, if it is known [1].
 [[nodiscard]] std::optional<double> relative_density_of(const Sand& sand, double void_ratio);
 
-/// Refuses a sand that is looser than its loosest state, or far denser than its densest, and a relative density
-/// that is not that of the void ratio between known limits.
-/// \throws   InvalidArgument as require_void_ratio_limits, for D_r outside of [0, 1.2] or off by more than 0.02,
-///           and for a void ratio that one known limit excludes
+/// Refuses a sand that is looser than its loosest state, or far denser than its densest, and a relative
+/// density that is not that of the void ratio between known limits.
+/// \throws   InvalidArgument as require_void_ratio_limits, for D_r outside of [0, 1.2] or off by more than
+///           0.02, and for a void ratio that one known limit excludes
 /// Checked by tests/sands/test_pooled_law.cpp
 void require_density(const Sand& sand, double void_ratio);
 

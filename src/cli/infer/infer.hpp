@@ -118,7 +118,8 @@ inline constexpr std::string_view sand_growth_name = "sand";
 [[nodiscard]] std::string place_text(const effective::State& state);
 
 [[nodiscard]] std::string infer_table(const InferCase& question, const inverse::InferenceAnswer& answer);
-/// Measured and predicted states with both forecasts, of a sand and of spheres; null for one that there is not.
+/// Measured and predicted states with both forecasts, of a sand and of spheres; null for one that there is
+/// not.
 [[nodiscard]] std::string infer_csv(const InferCase& of_sand, const inverse::SandInference* sand,
                                     const InferCase& of_beads, const inverse::InferenceAnswer* beads);
 [[nodiscard]] nlohmann::ordered_json infer_json(const InferCase& question,

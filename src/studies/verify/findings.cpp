@@ -91,8 +91,8 @@ void judge_worst(std::vector<Verdict>& out, const std::string& claim, const Wors
 
 double relative_difference(double a, double b) { return std::abs(a / b - 1); }
 
-/// Forces are included to first order. States whose first order exceeds the limit have a motion that is stable
-/// by forces and not by stiffness; they are left out: 3 of some 330 loose ones.
+/// Forces are included to first order. States whose first order exceeds the limit have a motion that is
+/// stable by forces and not by stiffness; they are left out: 3 of some 330 loose ones.
 void judge_probes(std::vector<Verdict>& out, const Scene& scene,
                   const std::vector<SpecimenResult>& specimens) {
   for (const Density density : scene.study.densities) {

@@ -42,10 +42,10 @@ struct Packing {
   std::string failure;
 };
 
-/// Probes at rest by the usual tolerances, or, where their moduli differ from those of the network by more than
-/// the limit, by ones a tenth as large. Soft modes of loose packings relax slowly: at the usual tolerances
-/// some are still under way, at the smaller ones the probe is within 0.2 % of the network. A difference that
-/// remains is a fault of one of the two.
+/// Probes at rest by the usual tolerances, or, where their moduli differ from those of the network by more
+/// than the limit, by ones a tenth as large. Soft modes of loose packings relax slowly: at the usual
+/// tolerances some are still under way, at the smaller ones the probe is within 0.2 % of the network. A
+/// difference that remains is a fault of one of the two.
 void probe_to_the_end(const Scene& scene, const dem::Specimen& state, const dem::Material& material,
                       const SpecimenResult& specimen, const StopRequest& stop_requested,
                       CompressedState& out) {
