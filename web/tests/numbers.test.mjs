@@ -131,7 +131,7 @@ test("a forecast for a sand equals that of the shown command to 1e-12, its error
   assert.throws(() => sandInferenceOf(granum, { ...sandsInferred[0], value: -1 }), /V_s = -1/);
   assert.throws(() => inferredPath(granum, sandsInferred[0], 1e5, 2e5, 3), /nothing was inferred/);
   for (const [change, message] of [[{ voidRatio: 3.2 }, /void_ratio = 3\.2/], [{ uniformity: 0.5 }, /uniformity = 0\.5/], [{ strain: 0.2 }, /strain = 0\.2/],
-    [{ leastVoidRatio: 0.9, largestVoidRatio: 0.5 }, /largest_void_ratio - least_void_ratio/], [{ densityBy: "relativeDensity", sand: "toyoura", relativeDensity: 1.4 }, /relative_density = 1\.4/]])
+    [{ leastVoidRatio: 0.9, largestVoidRatio: 0.5 }, /largest_void_ratio = 0\.5/], [{ densityBy: "relativeDensity", sand: "toyoura", relativeDensity: 1.4 }, /relative_density = 1\.4/]])
     assert.throws(() => sandAnswerOf(granum, { ...sandsAsked[0], ...change }), message);
 });
 
@@ -139,7 +139,7 @@ test("likely mistakes give the warnings of the program, and correct numbers none
   const granum = await startModule();
   for (const known of asked) assert.deepEqual(slipsOf(granum, known), [], JSON.stringify(known));
   for (const known of sandsAsked) assert.deepEqual(sandSlipsOf(granum, known), [], JSON.stringify(known));
-  for (const change of [{ voidRatio: 0.38 }, { pressure: 50 }, { stressRatio: 0.5, pressure: 60 }, { density: 2.48 }, { sand: "toyoura", voidRatio: 0.38 }]) {
+  for (const change of [{ voidRatio: 0.38 }, { pressure: 50 }, { stressRatio: 0.5, pressure: 60 }, { density: 2.48 }]) {
     const known = { ...sandsAsked[0], ...change }, ours = sandSlipsOf(granum, known);
     assert.ok(ours.length > 0, JSON.stringify(change));
     const { stderr } = spawnSync(program, typed(sameSand.commandLine(known)), { encoding: "utf8" });
