@@ -66,7 +66,10 @@ void take_from_file(const std::string& path, std::vector<FrameAnswer>& frames) {
 void take_code_stress(const std::vector<std::string>& given, std::vector<FrameAnswer>& frames) {
   if (given.empty())
     return;
-  if (given.size() == 1 && given.front().find(',') == std::string::npos)
+  const auto is_file = [](const std::string& text) { // whose name may hold commas, and begins with no number
+    return text.find(',') == std::string::npos || !leading_number(trimmed(text));
+  };
+  if (given.size() == 1 && is_file(given.front()))
     return take_from_file(given.front(), frames);
   if (given.size() != frames.size())
     throw InvalidArgument(fmt::format(
