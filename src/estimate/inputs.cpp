@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
-#include <granum/stress/axial_stress.hpp>
+#include <granum/estimate/input_values.hpp>
+#include <granum/sizes/distribution_text.hpp>
 
 namespace granum::estimate {
 
@@ -24,11 +26,13 @@ constexpr Limits part_of_volume{.low = 0, .high = 1, .without_low = true, .witho
 constexpr Limits size_of_grains{
     .low = 0, .high = 1e3, .without_low = true, .without_high = true, .reason = "no grain is larger"};
 
+const char* const table_1 = "as the grains of Chung et al. 2014, Table 1";
+
 constexpr const char *words_for_diameter =
                          "d D diameter grainsize particlesize graindiameter meandiameter meansize",
                      *words_for_limits = "between 0.1 and 5, e_max larger than e_min by 0.05";
 
-std::vector<InputRow> input_rows() {
+std::vector<InputRow> number_rows() {
   return {
       {.input = Input::grain_shear_modulus,
        .key = "grain_shear_modulus",
@@ -41,7 +45,12 @@ std::vector<InputRow> input_rows() {
                      "of Young's modulus it is G_g = E_g/(2(1 + nu_g))"}},
        .limits = above_zero,
        .by_default = 30e9,
-       .read = [](const Question& q) -> std::optional<double> { return q.state.law.grain().shear_modulus; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.law.grain().shear_modulus; },
+       .deviation =
+           [](const InputValues& v) {
+             return assumed_deviations.grain_shear_modulus * v.number(Input::grain_shear_modulus);
+           },
+       .origin = table_1},
       {.input = Input::grain_poisson_ratio,
        .key = "grain_poisson_ratio",
        .group = grains_group,
@@ -49,7 +58,9 @@ std::vector<InputRow> input_rows() {
        .synonyms = {{"nu nug v poisson poissonratio poissonsratio"}},
        .limits = {.low = -1, .high = 0.5, .without_low = true},
        .by_default = 0.15,
-       .read = [](const Question& q) -> std::optional<double> { return q.state.law.grain().poisson_ratio; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.law.grain().poisson_ratio; },
+       .deviation = [](const InputValues&) { return assumed_deviations.grain_poisson_ratio; },
+       .origin = table_1},
       {.input = Input::grain_bulk_modulus,
        .key = "grain_bulk_modulus",
        .group = grains_group,
@@ -67,7 +78,8 @@ std::vector<InputRow> input_rows() {
        .limits = size_of_grains,
        .by_default = 0.5e-3,
        .excludes = {{"d50", conflict::size}},
-       .read = [](const Question& q) -> std::optional<double> { return q.state.radius; }},
+       .read = [](const Question& q) -> std::optional<double> { return q.state.radius; },
+       .origin = table_1},
       {.input = Input::d50,
        .key = "d50",
        .group = sizes_group,
@@ -146,7 +158,13 @@ std::vector<InputRow> input_rows() {
        .limits = {.low = -7.0 / 3, .high = 7.0 / 5, .without_low = true, .without_high = true},
        .by_default = 0,
        .read = [](const Question& q) -> std::optional<double> { return q.state.fabric_anisotropy; },
-       .argument = "fabric_anisotropy"},
+       .argument = "fabric_anisotropy",
+       .deviation =
+           [](const InputValues& v) {
+             const stress::AxialStress stress = stresses_of(v);
+             return assumed_fabric_deviation(stress.v, stress.h);
+           },
+       .origin = "isotropic contact directions"},
       {.input = Input::pressure,
        .key = "pressure",
        .group = state_group,
@@ -191,7 +209,8 @@ std::vector<InputRow> input_rows() {
                      "rho_s of the solid; from the dry density of the packing, e = rho_s/rho_d - 1"}},
        .limits = above_zero,
        .by_default = 2650,
-       .read = [](const Question& q) { return q.grain_density; }},
+       .read = [](const Question& q) { return q.grain_density; },
+       .deviation = [](const InputValues&) { return assumed_deviations.grain_density; }},
       {.input = Input::relative_density,
        .key = "relative_density",
        .group = state_group,
@@ -212,7 +231,8 @@ std::vector<InputRow> input_rows() {
        .synonyms = {{"emin"}},
        .limits = {.low = 0.1, .high = 4.95, .reason = words_for_limits},
        .implies = GrainShape::sand,
-       .read = [](const Question& q) { return q.sand.least_void_ratio; }},
+       .read = [](const Question& q) { return q.sand.least_void_ratio; },
+       .uncertain = false},
       {.input = Input::largest_void_ratio,
        .key = "largest_void_ratio",
        .group = state_group,
@@ -221,7 +241,8 @@ std::vector<InputRow> input_rows() {
        .synonyms = {{"emax"}},
        .limits = {.low = 0.15, .high = 5, .reason = words_for_limits},
        .implies = GrainShape::sand,
-       .read = [](const Question& q) { return q.sand.largest_void_ratio; }},
+       .read = [](const Question& q) { return q.sand.largest_void_ratio; },
+       .uncertain = false},
       {.input = Input::saturation,
        .key = "saturation",
        .group = state_group,
@@ -252,8 +273,148 @@ std::vector<InputRow> input_rows() {
        .limits = {.low = 0, .high = 0.05 * (1 + 1e-12), .without_low = true}, // 5 % in any unit
        .implies = GrainShape::sand,
        .read = [](const Question& q) { return q.shear_strain; },
-       .argument = "shear_strain"},
+       .argument = "shear_strain",
+       .uncertain = false},
   };
+}
+
+template <class Items>
+std::vector<std::string> keys_of(const Items& items) {
+  std::vector<std::string> keys;
+  for (const auto& item : items)
+    keys.emplace_back(item.key);
+  return keys;
+}
+
+InputRow contact_row() {
+  InputRow row{.input = Input::contact,
+               .key = "contact",
+               .group = law_group,
+               .meaning = "Shape of the grains near their contacts",
+               .kind = Kind::word,
+               .synonyms = {{"shape law model contactlaw contactmodel"}},
+               .implies = GrainShape::sphere,
+               .take = [](InputValues& values, const std::string& text) {
+                 const std::optional<contact::Shape> shape = contact::find_shape(text);
+                 if (!shape)
+                   throw InvalidArgument("contact '" + text + "' is not one of " + contact::shape_names());
+                 values.contact = *shape;
+               }};
+  for (const contact::LawRow& law : contact::laws()) {
+    row.words.emplace_back(contact::name(law.shape));
+    for (const std::string& other : law.synonyms)
+      row.aliases.push_back({other, row.words.back()});
+  }
+  return row;
+}
+
+constexpr const char* words_for_sizes = "psd gsd sievecurve sizedistribution";
+
+/// In the order of Input.
+std::vector<InputRow> text_rows() {
+  return {
+      contact_row(),
+      {.input = Input::preparation,
+       .key = "preparation",
+       .group = contacts_group,
+       .meaning = "How the packing was made, which determines its contacts: dense, loose (friction 0.3 to "
+                  "0.5), friction:0.3",
+       .kind = Kind::word,
+       .synonyms = {{"mu friction frictioncoefficient"}},
+       .words = {"dense", "loose", "friction:NUMBER"},
+       .take = [](InputValues& values,
+                  const std::string& text) { values.preparation = effective::preparation_of(text); }},
+      {.input = Input::grain,
+       .key = "grain",
+       .group = grains_group,
+       .meaning = "Mineral of the grains: sets G_g, nu_g and density unless they are given",
+       .kind = Kind::word,
+       .synonyms = {{"mineral material solid"}},
+       .words = keys_of(contact::minerals()),
+       .take = [](InputValues& values,
+                  const std::string& text) { values.mineral = &contact::mineral(text); }},
+      {.input = Input::sand,
+       .key = "sand",
+       .group = grains_group,
+       .meaning = "Sand by name: sets --grain, d50, C_u for laws measured on sands, and e_min and e_max, "
+                  "as far as published",
+       .kind = Kind::word,
+       .implies = GrainShape::sand,
+       .words = keys_of(sands::known_sands()),
+       .take = [](InputValues& values,
+                  const std::string& text) { values.known_sand = &sands::known_sand(text); }},
+      {.input = Input::grain_shape,
+       .key = "grain_shape",
+       .group = grains_group,
+       .meaning = "sand: result from laws measured on sands; sphere: result from the model of spheres; by "
+                  "default as implied by other options, else both results",
+       .kind = Kind::word,
+       .words = {"sphere", "sand"},
+       .take = [](InputValues& values,
+                  const std::string& text) { values.grain_shape = grain_shape_of(text); }},
+      {.input = Input::sizes,
+       .key = "sizes",
+       .group = sizes_group,
+       .meaning =
+           "Grain-size distribution: " + sizes::distribution_forms() +
+           ". Sizes are radii by number: RATIO, large over small; SHARE, of large grains (0.5 if left "
+           "out); SIGMA, standard deviation of ln radius; EXPONENT, of a density radius^-EXPONENT; "
+           "SIZE_RATIO, largest over smallest, where the distribution is cut. By mass: C_U, d60/d10 of a "
+           "lognormal distribution; PASSING, share finer than the diameter D",
+       .kind = Kind::distribution,
+       .synonyms = {{words_for_sizes}},
+       .excludes = {{"sieve uniformity", conflict::sizes}},
+       .take = [](InputValues& values,
+                  const std::string& text) { values.set_sizes(sizes::parse_distribution(text)); }},
+      {.input = Input::sieve,
+       .key = "sieve",
+       .group = sizes_group,
+       .meaning = "Sieve curve of the grains, a CSV file with columns d_mm and passing_%; sets --radius as "
+                  "well",
+       .kind = Kind::distribution,
+       .synonyms = {{words_for_sizes}},
+       .implies = GrainShape::sand,
+       .excludes = {{"uniformity", conflict::sizes}}},
+      {.input = Input::uniformity,
+       .key = "uniformity",
+       .group = sizes_group,
+       .meaning = "Uniformity coefficient C_u = d60/d10 of grains that are lognormal by mass",
+       .symbols = "C_u Cu",
+       .synonyms = {{"cu uniformitycoefficient gradation"}},
+       .implies = GrainShape::sand,
+       .uncertain = false}};
+}
+
+/// "Cone: A_1, tangent of the flank angle".
+std::string meaning_of(const contact::LawRow& law, const contact::LawParameter& parameter) {
+  std::string shape(contact::name(law.shape));
+  shape.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(shape.front())));
+  return shape + ": " + parameter.symbol + ", " + parameter.help +
+         (parameter.unit.empty() ? "" : "; in SI, " + parameter.unit);
+}
+
+/// The numbers of all contact laws, those of the first law first.
+std::vector<InputRow> law_rows() {
+  std::vector<InputRow> rows;
+  for (const contact::LawRow& law : contact::laws())
+    for (const contact::LawParameter& parameter : law.parameters)
+      rows.push_back({.input = static_cast<Input>(static_cast<std::size_t>(Input::of_laws) + rows.size()),
+                      .key = parameter.name.c_str(),
+                      .group = law_group,
+                      .meaning = meaning_of(law, parameter),
+                      .dimension = parameter.dimension,
+                      .by_default = parameter.value,
+                      .origin = parameter.origin,
+                      .law = &law,
+                      .parameter = &parameter});
+  return rows;
+}
+
+std::vector<InputRow> input_rows() {
+  std::vector<InputRow> rows = number_rows();
+  for (const std::vector<InputRow>& more : {text_rows(), law_rows()})
+    rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
 }
 
 } // namespace
@@ -274,9 +435,9 @@ std::string Limits::text(double refused) const {
 }
 
 std::string InputRow::option() const {
-  std::string words = key;
-  std::replace(words.begin(), words.end(), '_', '-');
-  return "--" + words;
+  std::string text = key;
+  std::replace(text.begin(), text.end(), '_', '-');
+  return "--" + text;
 }
 
 std::span<const InputRow> inputs() {

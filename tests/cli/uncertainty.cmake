@@ -83,7 +83,7 @@ function(granum_uncertainty_refuses what message)
   granum_cli_test("estimate --uncertainty: ${what}" EXIT 2 STDERR "^granum: error: --uncertainty ${message}"
     ARGS estimate --void-ratio 0.6 --pressure 100kPa ${ARGN})
 endfunction()
-granum_uncertainty_refuses("unknown key" "mood: [^\n]* grain-shear-modulus, [^\n]*, pressure, grain-density\n" --uncertainty mood=1)
+granum_uncertainty_refuses("unknown key" "mood: [^\n]* grain-shear-modulus, [^\n]*, pressure, grain-density, saturation\n" --uncertainty mood=1)
 granum_uncertainty_refuses("input of another packing" "porosity: [^\n]*void-ratio" --uncertainty porosity=0.01)
 granum_uncertainty_refuses("contacts that are not given" "coordination-number: [^\n]*void-ratio" --uncertainty coordination-number=0.1)
 granum_uncertainty_refuses("k_t that follows Poisson's ratio" "tangential-ratio: [^\n]*void-ratio"

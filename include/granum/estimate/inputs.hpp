@@ -8,16 +8,20 @@
 #include <string_view>
 #include <vector>
 
+#include <granum/contact/laws.hpp>
 #include <granum/core/units.hpp>
 #include <granum/estimate/question.hpp>
 
-/// The numbers that a question is made of, a row each: what they mean, their limits, defaults and names.
-/// Options, columns of tables and messages of the program are made of these rows.
+/// What a question is made of, a row each: what it means, its limits, default and names. Options, columns of
+/// tables, keywords of Python and messages are made of these rows; values of them are in input_values.hpp.
 /// Checked by tests/estimate/test_inputs.cpp
 namespace granum::estimate {
 
-/// The inputs, in the order in which the effects of uncertain ones are added up: sums keep their bits.
-enum class Input {
+class InputValues;
+
+/// The inputs, in the order in which the effects of uncertain ones are added up: sums keep their bits. Those
+/// of the contact laws have no names here: they follow the others in the table, and are added up first.
+enum class Input : std::size_t {
   grain_shear_modulus,
   grain_poisson_ratio,
   grain_bulk_modulus,
@@ -40,7 +44,23 @@ enum class Input {
   largest_void_ratio,
   saturation,
   k0,
-  shear_strain
+  shear_strain,
+  contact,
+  preparation,
+  grain,
+  sand,
+  grain_shape,
+  sizes,
+  sieve,
+  uniformity,
+  of_laws ///< the first number of a contact law
+};
+
+/// What the value of an input is.
+enum class Kind {
+  number,
+  word,        ///< one of a few words, or begins with one
+  distribution ///< of sizes, as sizes::parse_distribution reads it, or a file
 };
 
 /// The values that an input may have, and why no others.
@@ -76,6 +96,8 @@ inline constexpr const char* density =
     "{relative_density}";
 inline constexpr const char* stress = "{pressure} sets both stresses: leave out {stress_v} and {stress_h}";
 inline constexpr const char* size = "{radius} and {d50} are alternatives: give one";
+inline constexpr const char* sizes =
+    "{sizes}, {sieve} and {uniformity} are alternatives: give one of them, once";
 inline constexpr const char* grain =
     "{grain_poisson_ratio} and {grain_bulk_modulus} are alternatives: give one, "
     "besides the shear modulus";
@@ -86,11 +108,17 @@ inline constexpr const char *state_group = "Density and stress", *grains_group =
                             *contacts_group = "Contacts", *sizes_group = "Sizes of the grains",
                             *law_group = "Shape of the contacts";
 
+/// Another word for one of the words of an input: "hertz" for "sphere".
+struct WordAlias {
+  std::string other, word;
+};
+
 struct InputRow {
   Input input;
   const char* key; ///< in JSON, and of the heading of its column: "void_ratio"
   const char* group;
-  const char* meaning;
+  std::string meaning;
+  Kind kind = Kind::number;
   Dimension dimension = Dimension::dimensionless;
   bool share = false;       ///< a value above 1 probably lacks a per cent sign
   const char* symbols = ""; ///< other headings of its column, separated by blanks
@@ -102,6 +130,16 @@ struct InputRow {
   /// Its value in a question; null for inputs that others follow from.
   std::optional<double> (*read)(const Question& question) = nullptr;
   const char* argument = nullptr; ///< its name in C++ and Python, where that is not the key
+  /// Standard deviation of the default, which is an assumption; null: none.
+  double (*deviation)(const InputValues& values) = nullptr;
+  std::string origin = {};             ///< of the default: "isotropic contact directions"
+  bool uncertain = true;               ///< a number that may have a standard deviation
+  std::vector<std::string> words = {}; ///< of which a word is one, or with which it begins: "friction:NUMBER"
+  std::vector<WordAlias> aliases = {}; ///< of these words
+  /// Sets the value of a text. \throws InvalidArgument that does not name the input
+  void (*take)(InputValues& values, const std::string& text) = nullptr;
+  const contact::LawRow* law = nullptr; ///< to which a number of a contact law belongs
+  const contact::LawParameter* parameter = nullptr;
 
   /// "--void-ratio".
   [[nodiscard]] std::string option() const;
@@ -109,7 +147,7 @@ struct InputRow {
   [[nodiscard]] std::string_view name() const { return argument != nullptr ? argument : key; }
 };
 
-/// All rows, in the order of Input.
+/// All rows, in the order of Input, then the numbers of the contact laws.
 [[nodiscard]] std::span<const InputRow> inputs();
 /// The row of an input.
 [[nodiscard]] const InputRow& row_of(Input input);

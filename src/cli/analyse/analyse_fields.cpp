@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <granum/core/number.hpp>
 
-#include "cli/options/size_options.hpp"
+#include "cli/options/packing_json.hpp"
 
 namespace granum::cli {
 

@@ -2,7 +2,7 @@
 #include "analyse_fields.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/frame/json_members.hpp"
-#include "cli/options/size_options.hpp"
+#include "cli/options/packing_json.hpp"
 
 namespace granum::cli {
 

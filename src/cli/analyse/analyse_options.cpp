@@ -34,14 +34,9 @@ std::size_t frame_number(const std::string& text, const std::string& all) {
 }
 
 /// The contact law that the options describe, for any material and radius.
-analysis::LawFamily law_family(const PackingOptions& options) {
-  return [options = options](const contact::GrainMaterial& grain, double radius) mutable {
-    options.grain_shear_modulus.value = grain.shear_modulus;
-    options.grain_poisson_ratio.value = grain.poisson_ratio;
-    options.grain_bulk_modulus = {};
-    options.radius.value = radius;
-    return resolve_law(options);
-  };
+analysis::LawFamily law_family(const InputValues& values) {
+  return
+      [values](const contact::GrainMaterial& grain, double radius) { return law_of(values, grain, radius); };
 }
 
 /// Quantities with their units between commas.
@@ -220,16 +215,15 @@ std::optional<packing::TurningSpring> parse_turning(const std::string& name, con
 }
 
 studies::MeasureOptions measure_options(const AnalyseOptions& o) {
-  if (o.packing.grain_bulk_modulus.given() && !o.packing.grain_shear_modulus.given())
+  const InputValues& values = o.inputs;
+  if (values.given(Input::grain_bulk_modulus) && !values.given(Input::grain_shear_modulus))
     throw InvalidArgument("--grain-bulk-modulus goes with --grain-shear-modulus");
-  analysis::Given out{.law_family = law_family(o.packing),
-                      .grain_poisson_ratio = grain_of(o.packing).poisson_ratio};
-  if (o.packing.grain_shear_modulus.given())
-    out.grain_shear_modulus = o.packing.grain_shear_modulus.value;
-  if (o.grain_density.given())
-    out.grain_density = require_within(o.grain_density);
-  if (o.packing.tangential_ratio.given())
-    out.tangential_ratio = o.packing.tangential_ratio.value;
+  analysis::Given out{.law_family = law_family(values),
+                      .grain_poisson_ratio = grain_of(values).poisson_ratio};
+  out.grain_shear_modulus = values.if_given(Input::grain_shear_modulus);
+  if (values.given(Input::grain_density))
+    out.grain_density = values.within(Input::grain_density);
+  out.tangential_ratio = values.if_given(Input::tangential_ratio);
   out.rolling = parse_turning("--rolling-stiffness", o.rolling_stiffness);
   out.twisting = parse_turning("--twisting-stiffness", o.twisting_stiffness);
   if (o.friction_angle.given())
@@ -238,7 +232,7 @@ studies::MeasureOptions measure_options(const AnalyseOptions& o) {
     out.stiffness_from = o.stiffness_from == "force"     ? packing::StiffnessFrom::force
                          : o.stiffness_from == "overlap" ? packing::StiffnessFrom::overlap
                                                          : packing::StiffnessFrom::ratio;
-  out.law_assumed = !o.packing.contact_given();
+  out.law_assumed = !values.given(Input::contact);
   analysis::Wanted wanted = analysis::everything();
   if (o.no_network)
     wanted.network.reset();
@@ -260,8 +254,8 @@ Value spaced(Value value, std::optional<Dimension> dimension) {
 }
 
 void add_grain_options(Command& command, AnalyseOptions& o) {
-  OptionRow density = input_option(o.grain_density);
-  density.value = number_without_default(o.grain_density);
+  OptionRow density = input_option(o.inputs, Input::grain_density);
+  density.value.by_default.clear();
   density.meaning =
       "Density rho_s of the grain mineral, such as 2650kg/m3; no default; needed for wave speeds";
   command.add(std::move(density));
@@ -364,10 +358,10 @@ void add_analyse_options(Command& command, AnalyseOptions& o) {
                .meaning = "Files with grains and, if available, contacts; all of one format",
                .required = true});
   command.options.back().value.several = true;
-  add_law_options(command, o.packing, "--law,--contact");
+  add_law_options(command, o.inputs, "--law,--contact");
   command.row("--grain-shear-modulus").value.by_default = "from forces and overlaps";
   add_grain_options(command, o);
-  add_packing_number(command, o.packing, "--tangential-ratio");
+  add_input(command, o.inputs, Input::tangential_ratio);
   add_moment_options(command, o);
   add_file_options(command, o);
   add_measuring_options(command, o);

@@ -13,15 +13,14 @@
 #include <granum/io/packing_format.hpp>
 
 #include "analyse.hpp"
-#include "cli/options/packing_options.hpp"
+#include "cli/options/input_options.hpp"
 
 /// The command line of granum analyse.
 namespace granum::cli {
 
 struct AnalyseOptions {
   std::vector<std::string> files;
-  PackingOptions packing; ///< contact law and grains
-  Number grain_density = number_of(estimate::Input::grain_density);
+  InputValues inputs; ///< contact law and grains
   std::string rolling_stiffness, twisting_stiffness;
   Number friction_angle{0, Dimension::angle};
   std::string column_map;

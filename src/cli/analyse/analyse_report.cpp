@@ -7,7 +7,7 @@
 #include <granum/core/units.hpp>
 
 #include "analyse_fields.hpp"
-#include "cli/options/size_options.hpp"
+#include "cli/options/packing_json.hpp"
 
 namespace granum::cli {
 

@@ -12,15 +12,9 @@
 
 namespace granum::cli {
 
-PackingOptions at_stress(PackingOptions packing, const stress::AxialStress& stress) {
-  packing.pressure.typed = packing.pressure.in_table = packing.pressure.preset = false;
-  for (const auto& [number, value] :
-       {std::pair{&packing.stress_v, stress.v}, {&packing.stress_h, stress.h}}) {
-    number->value = value;
-    number->typed = number->in_table = false;
-    number->preset = true;
-  }
-  return packing;
+InputValues at_stress(InputValues values, const stress::AxialStress& stress) {
+  values.set_stresses(stress);
+  return values;
 }
 
 std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic) {
@@ -75,16 +69,16 @@ void mark(plot::Chart& chart, std::vector<double> at, std::vector<double> answer
                           .colour = plot::Colour::closed_form});
 }
 
-plot::Chart over_strain(const PackingOptions& packing, AnswerOptions options,
-                        const std::vector<std::string>& uncertainties, const AnswerCase& here) {
+plot::Chart over_strain(InputValues values, const std::vector<std::string>& uncertainties,
+                        const AnswerCase& here) {
   constexpr double least = 1e-6, most = 5e-3; // range of the laws of strain
   plot::Chart chart = chart_of("shear modulus over strain", {.title = "shear strain [%]", .unit = 0.01});
   const double asked = *here.question.shear_strain, G0 = here.answer[Field::shear_modulus].value;
   Band band;
   for (const double strain : spread(least, std::max(most, asked), points_of_a_curve, true)) {
-    options.strain.value = strain;
+    values.set(Input::shear_strain, strain);
     band.at.push_back(strain);
-    band.ranges.push_back(bare_answer(packing, options, uncertainties).answer[Field::strained_shear_modulus]);
+    band.ranges.push_back(bare_answer(values, uncertainties).answer[Field::strained_shear_modulus]);
   }
   for (const sands::StrainLaw& law : sands::strain_laws()) {
     plot::Series line{.name = law.key,
@@ -105,20 +99,20 @@ plot::Chart over_strain(const PackingOptions& packing, AnswerOptions options,
 }
 
 /// The given stresses stay the given ones, for they may be uncertain.
-PackingOptions with_stresses_times(double factor, PackingOptions packing) {
-  for (Number* stress : {&packing.pressure, &packing.stress_v, &packing.stress_h})
-    if (stress->given())
-      stress->value *= factor;
-  return packing;
+InputValues with_stresses_times(double factor, InputValues values) {
+  for (const Input stress : {Input::pressure, Input::stress_v, Input::stress_h})
+    if (values.given(stress))
+      values.set(stress, values.number(stress) * factor);
+  return values;
 }
 
-plot::Chart over_stress(const PackingOptions& packing, const AnswerOptions& options,
-                        const std::vector<std::string>& uncertainties, const AnswerCase& here) {
+plot::Chart over_stress(const InputValues& values, const std::vector<std::string>& uncertainties,
+                        const AnswerCase& here) {
   const auto& s = here.question.state;
   plot::Chart chart = chart_of("shear modulus over stress", {.title = "p' [kPa]", .unit = 1e3});
   Band answers, of_sand;
   for (const double factor : spread(0.1, 10, points_of_a_curve, true)) {
-    const AnswerCase there = bare_answer(with_stresses_times(factor, packing), options, uncertainties);
+    const AnswerCase there = bare_answer(with_stresses_times(factor, values), uncertainties);
     answers.at.push_back(factor * s.mean_stress());
     answers.ranges.push_back(there.answer[Field::shear_modulus]);
     if (there.sand_answer) {
@@ -139,12 +133,12 @@ plot::Chart over_stress(const PackingOptions& packing, const AnswerOptions& opti
 
 } // namespace
 
-plot::Chart answer_chart(const PackingOptions& packing, const AnswerOptions& options,
-                         const std::vector<std::string>& uncertainties, const AnswerCase& here) {
+plot::Chart answer_chart(const InputValues& values, const std::vector<std::string>& uncertainties,
+                         const AnswerCase& here) {
   if (!(here.question.state.mean_stress() > 0))
     throw InvalidArgument("a picture of G needs a state under stress; the mean stress is 0");
-  return here.question.shear_strain ? over_strain(packing, options, uncertainties, here)
-                                    : over_stress(packing, options, uncertainties, here);
+  return here.question.shear_strain ? over_strain(values, uncertainties, here)
+                                    : over_stress(values, uncertainties, here);
 }
 
 } // namespace granum::cli

@@ -12,8 +12,8 @@
 /// Answers with their ranges as pictures.
 namespace granum::cli {
 
-/// Options with the stresses replaced by those of a state.
-[[nodiscard]] PackingOptions at_stress(PackingOptions packing, const stress::AxialStress& stress);
+/// Values with the stresses replaced by those of a state.
+[[nodiscard]] InputValues at_stress(InputValues values, const stress::AxialStress& stress);
 
 /// n values from first to last, with exact ends.
 [[nodiscard]] std::vector<double> spread(double first, double last, std::size_t n, bool logarithmic);
@@ -31,7 +31,7 @@ void add_band(plot::Chart& chart, const Band& band, bool sideways, const std::st
 /// G and its range around the state of the answer: over the shear strain with each published law, if a strain
 /// is given; else over the mean stress, from a tenth to tenfold.
 /// \throws   InvalidArgument without stress
-[[nodiscard]] plot::Chart answer_chart(const PackingOptions& packing, const AnswerOptions& options,
+[[nodiscard]] plot::Chart answer_chart(const InputValues& values,
                                        const std::vector<std::string>& uncertainties, const AnswerCase& here);
 
 } // namespace granum::cli

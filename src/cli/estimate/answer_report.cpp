@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/estimate/notes.hpp>
 
 namespace granum::cli {
 
@@ -18,18 +19,6 @@ using estimate::Field;
 using estimate::FieldRow;
 using estimate::Range;
 using nlohmann::ordered_json;
-
-/// "assumed --grain-shear-modulus 30 GPa +- 9 GPa, as ...".
-std::vector<std::string> with_deviations(std::vector<std::string> notes, const PackingOptions& packing,
-                                         const AnswerOptions& options, const AnswerCase& c) {
-  for (const estimate::UncertainInput& input : c.inputs)
-    for (std::string& note : notes) {
-      const std::string begin = "assumed --" + input.input + " ";
-      if (input.assumed && note.starts_with(begin))
-        note.insert(std::min(note.find(','), note.size()), " +- " + deviation_text(packing, options, input));
-    }
-  return notes;
-}
 
 bool anisotropic(const estimate::Question& q) {
   return q.state.stress_v != q.state.stress_h || q.state.fabric_anisotropy != 0;
@@ -141,20 +130,16 @@ io::Columns<Answer> answer_columns(bool all, bool strained, const std::string& b
   return columns;
 }
 
-AnswerCase bare_answer(const PackingOptions& packing, const AnswerOptions& options,
-                       const std::vector<std::string>& uncertainties) {
-  estimate::Question question = question_of(packing, options);
-  std::vector<estimate::UncertainInput> inputs = uncertain_inputs_of(packing, options, uncertainties);
+AnswerCase bare_answer(const InputValues& values, const std::vector<std::string>& uncertainties) {
+  estimate::Question question = question_of(values);
+  std::vector<estimate::UncertainInput> inputs = uncertain_inputs(values, uncertainties);
   std::optional<estimate::Answer> of_sand;
   double sand_grain_modulus = 0;
-  if (!told_shape(packing, options)) {
-    AnswerOptions sand = options;
-    sand.grain_shape = estimate::GrainShape::sand;
-    PackingOptions of_quartz = packing;
-    apply_presets(of_quartz, sand);
+  if (!told_shape(values)) {
     try {
-      const estimate::Question of_grains = question_of(of_quartz, sand);
-      of_sand = estimate::answer(of_grains, uncertain_inputs_of(of_quartz, sand, uncertainties));
+      const InputValues sand = as_sand(values);
+      const estimate::Question of_grains = question_of(sand);
+      of_sand = estimate::answer(of_grains, uncertain_inputs(sand, uncertainties));
       sand_grain_modulus = of_grains.state.law.grain().shear_modulus;
     } catch (const InvalidArgument&) { // a sand cannot be so, but a packing of spheres can
     }
@@ -167,24 +152,11 @@ AnswerCase bare_answer(const PackingOptions& packing, const AnswerOptions& optio
           .sand_grain_modulus = sand_grain_modulus};
 }
 
-AnswerCase solve_answer(const PackingOptions& packing, const AnswerOptions& options,
-                        const std::vector<std::string>& uncertainties) {
-  AnswerCase c = bare_answer(packing, options, uncertainties);
-  const auto& s = c.question.state;
+AnswerCase solve_answer(const InputValues& values, const std::vector<std::string>& uncertainties) {
+  AnswerCase c = bare_answer(values, uncertainties);
   add_measured_laws(c);
-  if (c.question.grain_shape == estimate::GrainShape::sphere)
-    c.assumptions = assumed_grains(packing, s);
-  if (!options.grain_density.given())
-    c.assumptions.push_back(
-        fmt::format("assumed --grain-density {}", pretty(options.grain_density.value, Dimension::density)));
-  c.assumptions = with_deviations(std::move(c.assumptions), packing, options, c);
-  if (options.mineral != nullptr)
-    c.assumptions.push_back(fmt::format("grains of {} [{}]", options.mineral->name, options.mineral->source));
-  for (const std::string& note : sand_notes(c, options))
-    c.assumptions.push_back(note);
-  if (c.question.saturation > 0 && c.question.saturation < 1)
-    c.assumptions.emplace_back(
-        "air and water share one pressure in the pores; menisci between grains are left out");
+  for (const estimate::Note& note : notes_of(values, c.question, c.inputs, answer_of_sand(c) != nullptr))
+    c.assumptions.push_back(note.sentence());
   return c;
 }
 

@@ -9,7 +9,7 @@
 #include <granum/sands/measured_sands.hpp>
 #include <nlohmann/json.hpp>
 
-#include "answer_options.hpp"
+#include "cli/options/input_options.hpp"
 
 /// The answer of granum estimate in words, in JSON and as columns of a table.
 namespace granum::cli {
@@ -44,11 +44,11 @@ void add_measured_laws(AnswerCase& answer);
 
 /// Computes the answer, without laws measured on sands and without assumptions.
 /// \throws   InvalidArgument as estimate::answer
-[[nodiscard]] AnswerCase bare_answer(const PackingOptions& packing, const AnswerOptions& options,
+[[nodiscard]] AnswerCase bare_answer(const InputValues& values,
                                      const std::vector<std::string>& uncertainties = {});
 /// Computes the answer.
 /// \throws   InvalidArgument as estimate::answer
-[[nodiscard]] AnswerCase solve_answer(const PackingOptions& packing, const AnswerOptions& options,
+[[nodiscard]] AnswerCase solve_answer(const InputValues& values,
                                       const std::vector<std::string>& uncertainties);
 
 /// The object "answer", SI.
@@ -65,8 +65,6 @@ void add_measured_laws(AnswerCase& answer);
 [[nodiscard]] const char* title_of(estimate::GrainShape shape);
 /// Published laws for comparison with an answer, and laws of strain.
 [[nodiscard]] std::string sands_text(const AnswerCase& answer);
-/// The basis of the answer for a sand, one sentence each.
-[[nodiscard]] std::vector<std::string> sand_notes(const AnswerCase& answer, const AnswerOptions& options);
 /// Columns of a table, each number with the ends of its range.
 /// \param    before   prefix of the headings: "sand_" for the answer for a sand next to that for spheres
 /// \param    all        every number; else only G, V_s, V_p, z* and s

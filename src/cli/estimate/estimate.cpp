@@ -9,12 +9,12 @@
 #include <granum/core/number.hpp>
 #include <granum/io/output_file.hpp>
 
-#include "answer_options.hpp"
 #include "answer_picture.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
+#include "cli/options/input_options.hpp"
 #include "cli/options/likely_mistakes.hpp"
-#include "cli/options/packing_options.hpp"
+#include "cli/options/packing_json.hpp"
 
 namespace granum::cli {
 
@@ -24,8 +24,7 @@ using effective::State;
 using nlohmann::ordered_json;
 
 struct Options {
-  PackingOptions packing;
-  AnswerOptions answer;
+  InputValues inputs;
   std::vector<std::string> uncertain; ///< key=sd
   OutputOptions output;
   Number tolerance, cement;
@@ -44,8 +43,7 @@ std::string notes_text(const std::vector<std::string>& notes, const std::vector<
 }
 
 Validity slips_of(const Options& o, const State& state) {
-  Validity slips = likely_mistakes(o.packing, state);
-  slips.merge(likely_mistakes(o.answer.grain_density));
+  Validity slips = likely_mistakes(o.inputs, state);
   if (o.tolerance.value > 1)
     slips.add(fmt::format("--tolerance {0} is {1}; did you mean {0}%?", short_text(o.tolerance.value),
                           percent_text(o.tolerance.value)));
@@ -57,11 +55,11 @@ ExitCode run(Options o) {
   require_free({.json = false, .strict = false, .force = o.output.force, .out = o.report}, "");
   if (!o.report.empty() && !o.report.ends_with(".html"))
     throw InvalidArgument("--report = '" + o.report + "' must end in .html");
-  apply_presets(o.packing, o.answer);
-  const AnswerCase answer = solve_answer(o.packing, o.answer, o.uncertain);
+  o.inputs = estimate::completed(std::move(o.inputs));
+  const AnswerCase answer = solve_answer(o.inputs, o.uncertain);
   const State& state = answer.answer.state();
   const Bounds bounds = bounds_of(answer);
-  const ordered_json packing = packing_json(o.packing, state);
+  const ordered_json packing = packing_json(o.inputs, state);
   std::string table = state_text(packing, answer) + answer_table(answer);
   if (o.bounds)
     table += "\n" + bounds_table(state, bounds);
@@ -90,7 +88,7 @@ ExitCode run(Options o) {
   const bool csv = o.output.out.ends_with(".csv") && !o.output.json;
   std::optional<plot::Chart> chart;
   if (!o.picture.empty() || !o.report.empty())
-    chart = answer_chart(o.packing, o.answer, o.uncertain, answer);
+    chart = answer_chart(o.inputs, o.uncertain, answer);
   const std::string text = within_width(table);
   const ExitCode code = deliver(o.output, csv ? answer_csv(answer, packing) : text, json, validity);
   if (!o.picture.empty())
@@ -112,10 +110,10 @@ Command make_estimate() {
                            "  granum estimate --sand ottawa --relative-density 60% --pressure 100kPa\n"
                            "  granum estimate --void-ratio 0.7 --stress-v 200kPa --stress-h 100kPa",
                   .run = [options] { return run(*options); }};
-  add_packing_options(command, options->packing);
-  add_answer_options(command, options->answer);
-  command.add(input_option(options->answer.earth_pressure_at_rest));
-  command.add(input_option(options->answer.strain));
+  add_packing_options(command, options->inputs);
+  add_answer_options(command, options->inputs);
+  command.add(input_option(options->inputs, Input::k0));
+  command.add(input_option(options->inputs, Input::shear_strain));
   command.add(
       "More results",
       {{.name = "--bounds",

@@ -5,7 +5,7 @@
 #include <granum/core/number.hpp>
 
 #include "cli/frame/frame.hpp"
-#include "cli/options/size_options.hpp"
+#include "cli/options/packing_json.hpp"
 #include "estimate.hpp"
 
 namespace granum::cli {

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <fmt/core.h>
-#include <granum/contact/minerals.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/version.hpp>
@@ -48,15 +47,6 @@ std::string comparison_text(const AnswerCase& c) {
     return fmt::format("    sands by these laws are {} times softer than these spheres\n",
                        short_text(1 / ratio, 2));
   return "    sands by these laws are about as stiff as these spheres\n";
-}
-
-/// "0.43", or below sands::low_stress both exponents.
-std::string exponent_text(const sands::Sand& sand, double mean_stress) {
-  const double here = sands::growth_exponent(sand, mean_stress).value;
-  const double above = sands::growth_exponent(sand, sands::low_stress).value;
-  return here == above ? short_text(here, 3)
-                       : fmt::format("{} from {} on and {} below", short_text(above, 3),
-                                     pretty(sands::low_stress, Dimension::pressure), short_text(here, 3));
 }
 
 std::string strain_text(const AnswerCase& c) {
@@ -159,46 +149,6 @@ std::string sands_text(const AnswerCase& c) {
                         sand.law->record.bias, sand.law->sand,
                         sand.modulus && sand.modulus->validity.ok() ? "" : " (outside its tests)");
   return text + comparison_text(c) + strain_text(c);
-}
-
-std::vector<std::string> sand_notes(const AnswerCase& c, const AnswerOptions& options) {
-  std::vector<std::string> notes;
-  if (options.sand != nullptr)
-    notes.push_back(fmt::format("{} [{}]{}", options.sand->name, options.sand->source,
-                                options.sand->tests
-                                    ? fmt::format(": {} tests of this sand", options.sand->tests->count)
-                                    : ": no tests of this sand are included"));
-  if (answer_of_sand(c) == nullptr)
-    return notes;
-  estimate::Question q = c.question;
-  notes.push_back(fmt::format(
-      "sand: G = {}, p_a = 100 kPa, s = {}; one standard deviation of G is a factor of {} [Lo2021]",
-      sands::formula(q.sand), exponent_text(q.sand, q.state.mean_stress()),
-      short_text(sands::stated_factor(q.sand, q.state.void_ratio, q.state.mean_stress()), 3)));
-  if (const double p = q.state.mean_stress(); p > 0 && p < sands::least_tested_stress)
-    notes.emplace_back("sand: no sand was tested below p' = 25 kPa; the factor is larger there");
-  notes.push_back(
-      fmt::format("sand: nu is a mean of measurements; its scatter changes E little, {}K by a factor of 1.5",
-                  q.saturation < 1 ? "V_p by about 10 %, and " : "V_p of saturated sand hardly, and "));
-  if (q.state.mean_stress() > 0)
-    notes.push_back(fmt::format(
-        "sand: z* and k/k_H, the contact stiffness over that of smooth spheres of the same mineral, are "
-        "inferred: with them the closed form for spheres gives this nu and this G. The mineral is quartz "
-        "(G_g = {}) unless the grains are given. From G alone, few contacts and soft contacts cannot be "
-        "distinguished. k_t/k_n, tangential over normal contact stiffness, is assumed to be that of smooth "
-        "spheres",
-        pretty(contact::mineral("quartz").material.shear_modulus, Dimension::pressure)));
-  if (options.usual_limits)
-    notes.push_back(
-        fmt::format("sand: void ratio {} follows from the relative density with e_min {} and e_max {}, "
-                    "usual values of sands; G does not depend on this void ratio",
-                    short_text(q.state.void_ratio), short_text(sands::usual_least_void_ratio),
-                    short_text(sands::usual_largest_void_ratio)));
-  if (q.knows_contacts() || q.preparation != effective::Preparation{})
-    notes.emplace_back(
-        "sand: contacts and preparation apply to the model of spheres; measured laws do not use "
-        "them");
-  return notes;
 }
 
 ordered_json sands_json(const AnswerCase& c) {

@@ -9,13 +9,14 @@
 #include <granum/io/csv/table.hpp>
 
 #include "cli/options/column_names.hpp"
-#include "cli/options/packing_rows.hpp"
+#include "cli/options/input_columns.hpp"
 #include "fit.hpp"
 
 namespace granum::cli {
 
 namespace {
 
+using estimate::Input;
 using Names = std::vector<std::string>;
 
 /// The names of a list, and others that only fit reads.

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
+#include <granum/estimate/inputs.hpp>
 
 #include "contradictions.hpp"
 #include "suggest.hpp"

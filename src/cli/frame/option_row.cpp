@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -20,18 +19,6 @@ namespace granum::cli {
 
 namespace {
 
-/// \throws   InvalidArgument with a hint to commands for several states
-double quantity_in(const std::string& name, const std::string& text, Dimension dimension) {
-  try {
-    return parse_quantity(name, text, dimension);
-  } catch (const InvalidArgument& error) {
-    const std::string what = error.what();
-    if (what.find("several values") == std::string::npos)
-      throw;
-    throw InvalidArgument(what + "; granum sweep takes a path or a table of states");
-  }
-}
-
 std::size_t whole_in(const std::string& name, const std::string& text) {
   constexpr double largest = 1e15;
   const std::optional<double> value = parse_number(text);
@@ -44,45 +31,15 @@ Value of_dimension(Dimension dimension) { return {.type = type_name(dimension), 
 
 } // namespace
 
-namespace {
-
-/// A text that rows of options refer to as long as the program runs.
-std::string_view kept(std::string text) {
-  static std::set<std::string> all;
-  return *all.insert(std::move(text)).first;
-}
-
-} // namespace
-
-Number number_of(estimate::Input input) {
-  const estimate::InputRow& row = estimate::row_of(input);
-  return {.value = row.by_default.value_or(0),
-          .dimension = row.dimension,
-          .symbols = row.symbols,
-          .name = row.option(),
-          .input = &row};
-}
-
-double require_within(const Number& number) {
-  estimate::require_within(*number.input, number.value, number.name, number.per_cent);
-  return number.value;
-}
-
-OptionRow input_option(Number& target) {
-  const estimate::InputRow& of = *target.input;
-  OptionRow row{.name = of.option(),
-                .value = of.by_default ? number(target) : number_without_default(target),
-                .group = of.group,
-                .meaning = of.meaning};
-  for (const auto& [keys, sentence] : of.excludes) {
-    std::string options;
-    for (const std::string& key : words_of(keys))
-      options += (options.empty() ? "" : " ") + estimate::find_input(key)->option();
-    row.excludes.push_back({kept(options), kept(estimate::with_options(sentence))});
+double quantity_in(const std::string& name, const std::string& text, Dimension dimension) {
+  try {
+    return parse_quantity(name, text, dimension);
+  } catch (const InvalidArgument& error) {
+    const std::string what = error.what();
+    if (what.find("several values") == std::string::npos)
+      throw;
+    throw InvalidArgument(what + "; granum sweep takes a path or a table of states");
   }
-  for (const auto& [words, remark] : of.synonyms)
-    row.synonyms.push_back({words, remark});
-  return row;
 }
 
 // ---- commands and rows
@@ -253,14 +210,17 @@ Value texts(std::vector<std::string>& target, std::string type) {
 Value read_by(Take take, std::string type) {
   return {.type = std::move(type),
           .take = [take = std::move(take)](const std::string& name, const std::string& text) {
-            try {
-              take(text);
-            } catch (const InvalidArgument& error) {
-              const std::string_view what = error.what();
-              throw InvalidArgument(what.starts_with(name) ? std::string(what)
-                                                           : fmt::format("{}: {}", name, what));
-            }
+            take_as(name, text, take);
           }};
+}
+
+void take_as(const std::string& name, const std::string& text, const Take& take) {
+  try {
+    take(text);
+  } catch (const InvalidArgument& error) {
+    const std::string_view what = error.what();
+    throw InvalidArgument(what.starts_with(name) ? std::string(what) : fmt::format("{}: {}", name, what));
+  }
 }
 
 Value read_by(Take take, std::vector<std::string> choices) {

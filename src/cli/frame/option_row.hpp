@@ -11,7 +11,6 @@
 #include <vector>
 
 #include <granum/core/units.hpp>
-#include <granum/estimate/inputs.hpp>
 
 /// One row per option; parser, help, manual pages, completion, suggestions and contradictions are derived
 /// from it. Checked by tests/cli
@@ -26,21 +25,13 @@ struct Number {
   Dimension dimension = Dimension::dimensionless;
   /// Other names of its column in tables, separated by blanks.
   std::string_view symbols = {};
-  std::string name = {};                     ///< of the option, "--radius"
-  bool typed = false;                        ///< on the command line
-  bool in_table = false;                     ///< given by a row of a table
-  bool preset = false;                       ///< set by another input, such as the name of a mineral
-  bool per_cent = false;                     ///< its text or the heading of its column has a per cent sign
-  const estimate::InputRow* input = nullptr; ///< its row, if it is an input of a question
+  std::string name = {}; ///< of the option, "--radius"
+  bool typed = false;    ///< on the command line
+  bool in_table = false; ///< given by a row of a table
+  bool per_cent = false; ///< its text or the heading of its column has a per cent sign
 
-  [[nodiscard]] bool given() const { return typed || in_table || preset; }
+  [[nodiscard]] bool given() const { return typed || in_table; }
 };
-
-/// A number that is an input: its default, dimension and names are those of the row.
-[[nodiscard]] Number number_of(estimate::Input input);
-/// The value, if the limits of its row contain it.
-/// \throws   InvalidArgument naming the option
-double require_within(const Number& number);
 
 /// Kind of value of an option, and the variable that receives it.
 struct Value {
@@ -88,10 +79,6 @@ struct Synonyms {
   std::string_view words;
   std::string_view remark = {};
 };
-
-struct OptionRow;
-/// The option of an input that this number receives; help shows a default.
-[[nodiscard]] OptionRow input_option(Number& number);
 
 struct OptionRow {
   std::string name; ///< all names: "--out", "-h,--help"; without hyphens for an argument
@@ -155,6 +142,9 @@ struct Command {
 // ---- values
 
 [[nodiscard]] Value flag(bool& target);
+/// A number with its unit, in SI.
+/// \throws   InvalidArgument naming the option, with a hint to commands for several states
+[[nodiscard]] double quantity_in(const std::string& name, const std::string& text, Dimension dimension);
 /// A number with its unit; its value is the default that help shows.
 [[nodiscard]] Value number(Number& target);
 [[nodiscard]] Value number_without_default(Number& target);
@@ -171,6 +161,8 @@ struct Command {
 [[nodiscard]] Value texts(std::vector<std::string>& target, std::string type);
 
 using Take = std::function<void(const std::string& text)>;
+/// Reads a text; a refusal that does not begin with the name of the option gets it.
+void take_as(const std::string& name, const std::string& text, const Take& take);
 /// Text read by `take`, which rejects it with an InvalidArgument that does not name the option.
 [[nodiscard]] Value read_by(Take take, std::string type);
 /// The same for a text that is one of a few words, or begins with one: "friction:NUMBER".

@@ -111,8 +111,8 @@ void add_prediction_options(Command& command, InferOptions& o) {
 
 void add_infer_options(Command& command, InferOptions& o) {
   add_measured_options(command, o);
-  add_packing_options(command, o.packing);
-  add_answer_options(command, o.grains);
+  add_packing_options(command, o.inputs);
+  add_answer_options(command, o.inputs);
   for (const char* asked : {"--coordination-number", "--mechanical-coordination-number", "--preparation"})
     command.remove(asked);
   add_prediction_options(command, o);
@@ -218,8 +218,7 @@ ExitCode run(const InferOptions& o) {
   const InferCase question = infer_case(o);
   const Quantity of_picture = pictured(o, question);
   const Inferred all = inferred(question);
-  Validity validity = likely_mistakes(o.packing, question.measurements.front().state);
-  validity.merge(likely_mistakes(o.grains.grain_density));
+  Validity validity = likely_mistakes(o.inputs, question.measurements.front().state);
   validity.merge(all.validity);
   const bool csv = !o.output.out.empty() && !o.output.json;
   const auto* const sand = all.sand ? &*all.sand : nullptr;

@@ -14,9 +14,9 @@
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/estimate/answer_options.hpp"
 #include "cli/frame/frame.hpp"
-#include "cli/options/packing_options.hpp"
+#include "cli/options/input_options.hpp"
+#include "cli/options/packing_json.hpp"
 
 /// The computations of granum infer, and their presentation.
 namespace granum::cli {
@@ -35,11 +35,10 @@ struct MeasuredOption {
 [[nodiscard]] Dimension dimension_of(const inverse::QuantityRow& row);
 
 struct InferOptions {
-  PackingOptions packing;
+  InputValues inputs;
   OutputOptions output;
   std::array<std::string, 7> measured; ///< as given, in the order of measured_options(); empty: not given
   Number measurement_error;            ///< relative, for measurements without an error
-  AnswerOptions grains;                ///< mineral, sand, densities, water
   std::string table;
   std::string growth;                        ///< empty: "sand" for a sand, "packings" for spheres
   std::string contacts = "given";            ///< family of contact laws to infer
@@ -85,11 +84,11 @@ struct InferCase {
 /// The assumption for measurements without an error, noted once.
 void note_assumed_error(const InferOptions& options, InferCase& question, bool stated);
 
-/// Fills in the measurements of the table, and in the options what it says of all of them: the material and
-/// the water.
-/// \return   the packing of the first row, without its contacts
+/// Fills in the measurements of the table.
+/// \return   what the first row knows of its packing, without its contacts; the material and the water are
+///           the same in all rows
 /// \throws   FileError, also for a material that is not the same in all rows
-[[nodiscard]] PackingOptions read_table(InferOptions& options, InferCase& question);
+[[nodiscard]] InputValues read_table(const InferOptions& options, InferCase& question);
 
 /// Whether the quantity can be used and predicted: compression waves in wet pores cannot.
 [[nodiscard]] bool is_told(const InferCase& question, const inverse::QuantityRow& row);

@@ -8,6 +8,8 @@
 #include <granum/core/number.hpp>
 #include <granum/elastic/saturation.hpp>
 #include <granum/estimate/answer.hpp>
+#include <granum/estimate/notes.hpp>
+#include <granum/inverse/shared_inputs.hpp>
 
 #include "cli/options/likely_mistakes.hpp"
 #include "infer.hpp"
@@ -40,7 +42,7 @@ std::vector<Observation> measurements_of_options(const InferOptions& o, InferCas
     const MeasuredOption& option = measured_options()[k];
     const std::string name(
         option.option, std::find(option.option, option.option + std::string_view(option.option).size(), ','));
-    const State state = resolve_state(o.packing, resolve_stresses(o.packing));
+    const State state = state_of(o.inputs, stresses_of(o.inputs));
     all.push_back({option.quantity,
                    parse_measured(name, o.measured[k], option.dimension(),
                                   share_of(o.measurement_error, option.dimension())),
@@ -55,108 +57,20 @@ std::vector<Observation> measurements_of_options(const InferOptions& o, InferCas
 
 // ---- uncertain inputs
 
-/// The numbers with an error common to all measurements; stresses and contacts are not included.
-std::vector<Number*> shared_numbers(PackingOptions& o) {
-  Number& second = o.grain_bulk_modulus.given() ? o.grain_bulk_modulus : o.grain_poisson_ratio;
-  std::vector<Number*> shared{&o.grain_shear_modulus, &second, &o.fabric};
-  for (LawNumber& of : o.law_numbers)
-    if (o.contact == of.row->shape)
-      shared.push_back(&of.number);
-  for (Number* size : {&o.radius, &o.d50})
-    if (size->given() || (size == &o.radius && !o.d50.given()))
-      shared.push_back(size);
-  for (Number* number : {&o.tangential_ratio, &o.void_ratio, &o.porosity, &o.solid_fraction})
-    if (number->given())
-      shared.push_back(number);
-  return shared;
-}
-
-/// Changes of positive numbers preserve their sign.
-double moved(double value, double deviation, double deviations, bool positive) {
-  return positive ? value * std::exp(deviation / value * deviations) : value + deviation * deviations;
-}
-
-State state_of(const PackingOptions& o) {
-  constexpr double any_stress = 1e5; // neither law nor density depends on it
-  return resolve_state(o, {any_stress, any_stress});
-}
-
-/// An uncertain number: its index in shared_numbers, or empty for the density of the grains.
-struct Uncertain {
-  std::optional<std::size_t> index;
-  double deviation = 0;
-};
-
-/// Changes all of them together, because two may belong to the same contact law.
-void move_all(const PackingOptions& packing, const std::vector<Uncertain>& uncertain,
-              std::span<const double> deviations, State& state, double& density) {
-  const State before = state_of(packing);
-  PackingOptions o = packing;
-  for (std::size_t k = 0; k < uncertain.size(); ++k) {
-    const auto& [index, deviation] = uncertain[k];
-    if (!index) {
-      density = moved(density, deviation, deviations[k], true);
-      continue;
-    }
-    Number& number = *shared_numbers(o)[*index];
-    const bool positive = number.value > 0 && &number != &o.fabric && &number != &o.grain_poisson_ratio;
-    number.value = moved(number.value, deviation, deviations[k], positive);
-  }
-  const State after = state_of(o);
-  state.law = after.law;
-  state.tangential_ratio = after.tangential_ratio;
-  state.radius = after.radius;
-  state.contacts = after.contacts;
-  state.fabric_anisotropy += after.fabric_anisotropy - before.fabric_anisotropy;
-  state.void_ratio *= after.void_ratio / before.void_ratio;
-}
-
-/// \throws   InvalidArgument for a setting that is no input of all measurements, or given twice
-void require_shared(const std::vector<std::string>& settings, const std::vector<std::string>& known) {
-  std::vector<std::string> keys;
-  for (const std::string& setting : settings) {
-    const std::size_t split = setting.find('=');
-    if (split == std::string::npos)
-      throw InvalidArgument("--uncertainty " + setting + ": write key=sd, as in grain-shear-modulus=5%");
-    const std::string key(trimmed(std::string_view(setting).substr(0, split)));
-    if (std::find(known.begin(), known.end(), key) == known.end())
-      throw InvalidArgument(
-          fmt::format("--uncertainty {}: not an input common to all measurements; these are {}", key,
-                      fmt::join(known, ", ")));
-    if (std::find(keys.begin(), keys.end(), key) != keys.end())
-      throw InvalidArgument("--uncertainty " + key + " is given twice");
-    keys.push_back(key);
-  }
-}
-
 /// Assumptions on the grains, with their deviations, and the uncertain inputs.
-inverse::SharedInputs uncertain_inputs_of(const InferOptions& o, const PackingOptions& packing,
+inverse::SharedInputs uncertain_inputs_of(const InferOptions& o, const InputValues& values,
                                           std::vector<std::string>& assumptions) {
-  PackingOptions copy = packing;
-  std::vector<std::string> known;
-  for (const Number* number : shared_numbers(copy))
-    known.push_back(number->name.substr(2));
-  known.emplace_back("grain-density");
-  require_shared(o.uncertain, known);
-  inverse::SharedInputs inputs;
-  std::vector<Uncertain> uncertain;
-  for (const estimate::UncertainInput& input : uncertain_inputs_of(packing, o.grains, o.uncertain)) {
-    const auto found = std::find(known.begin(), known.end(), input.input);
-    if (found == known.end())
-      continue;
-    if (input.assumed)
+  const std::vector<const estimate::InputRow*> shared = inverse::shared_rows(values);
+  const std::vector<estimate::UncertainInput> uncertain =
+      uncertain_inputs(values, deviations_of(o.uncertain, values, shared,
+                                             "not an input common to all measurements; these are"));
+  for (const estimate::UncertainInput& one : uncertain) {
+    const estimate::InputRow& row = estimate::uncertain_row(one.input);
+    if (one.assumed && std::find(shared.begin(), shared.end(), &row) != shared.end())
       assumptions.push_back(
-          fmt::format("standard deviation of {}: {}", input.input, deviation_text(packing, o.grains, input)));
-    inputs.keys.push_back(input.input);
-    uncertain.push_back(
-        {.index = static_cast<std::size_t>(found - known.begin()), .deviation = input.deviation});
-    if (input.input == known.back())
-      uncertain.back().index.reset();
+          fmt::format("standard deviation of {}: {}", one.input, pretty(one.deviation, row.dimension)));
   }
-  inputs.move = [packing, uncertain](State& state, double& density, std::span<const double> deviations) {
-    move_all(packing, uncertain, deviations, state, density);
-  };
-  return inputs;
+  return inverse::shared_inputs(values, uncertain);
 }
 
 // ---- predictions
@@ -194,25 +108,20 @@ namespace {
 const std::string fitted_growth(name(inverse::GrowthRule::fitted));
 
 /// The option, or the column, that gives the kind of grains; as told_shape.
-std::string source_of_shape(const PackingOptions& packing, const AnswerOptions& o) {
-  if (o.grain_shape)
-    return fmt::format("--grain-shape {}", name(*o.grain_shape));
-  if (o.sand != nullptr)
-    return fmt::format("--sand {}", o.sand->key);
-  AnswerOptions unnamed = o;
+std::string source_of_shape(const InputValues& values) {
+  if (values.grain_shape)
+    return fmt::format("--grain-shape {}", name(*values.grain_shape));
+  if (values.known_sand != nullptr)
+    return fmt::format("--sand {}", values.known_sand->key);
+  InputValues unnamed = values;
   unnamed.mineral = nullptr;
-  if (told_shape(packing, unnamed) != told_shape(packing, o))
-    return fmt::format("--grain {}", o.mineral->key);
-  const bool sand = told_shape(packing, o) == estimate::GrainShape::sand;
-  const std::vector<const Number*> sources =
-      sand ? std::vector{&o.relative_density, &o.least_void_ratio, &o.largest_void_ratio}
-           : std::vector{&packing.coordination_number, &packing.mechanical_coordination_number,
-                         &packing.rattler_fraction, &packing.tangential_ratio};
-  for (const Number* number : sources)
-    if (number->given())
-      return number->name;
-  return sand ? (packing.uniformity ? "--uniformity" : "--sieve")
-              : fmt::format("--contact {}", name(packing.contact));
+  if (told_shape(unnamed) != told_shape(values))
+    return fmt::format("--grain {}", values.mineral->key);
+  for (const estimate::InputRow& row : estimate::inputs())
+    if (row.implies == told_shape(values) && values.given(row.input))
+      return row.input == Input::contact ? fmt::format("{} {}", row.option(), name(values.contact))
+                                         : row.option();
+  return "";
 }
 
 const char* plural(estimate::GrainShape shape) {
@@ -224,16 +133,15 @@ bool of_spheres_alone(const std::string& growth) {
 }
 
 /// Sand, spheres or both, and the known properties of the sand.
-void resolve_shape(const InferOptions& o, const PackingOptions& packing, InferCase& question) {
+void resolve_shape(const InferOptions& o, const InputValues& values, InferCase& question) {
   using estimate::GrainShape;
-  std::optional<GrainShape> shape = told_shape(packing, o.grains);
+  std::optional<GrainShape> shape = told_shape(values);
   const std::optional<GrainShape> of_growth = o.growth == sand_growth_name ? std::optional(GrainShape::sand)
                                               : of_spheres_alone(o.growth) ? std::optional(GrainShape::sphere)
                                                                            : std::nullopt;
   if (shape && of_growth && shape != of_growth)
     throw InvalidArgument(fmt::format("--growth {} applies to {}, and {} to {}: leave one of them out",
-                                      o.growth, plural(*of_growth), source_of_shape(packing, o.grains),
-                                      plural(*shape)));
+                                      o.growth, plural(*of_growth), source_of_shape(values), plural(*shape)));
   if (of_growth)
     shape = of_growth;
   if (!shape && (!o.uncertain.empty() || o.contacts != "given"))
@@ -241,21 +149,18 @@ void resolve_shape(const InferOptions& o, const PackingOptions& packing, InferCa
   question.of_spheres = shape != GrainShape::sand;
   if (shape == GrainShape::sphere)
     return;
-  AnswerOptions grains = o.grains;
-  grains.grain_shape = GrainShape::sand;
-  PackingOptions of_quartz = packing; // as estimate: the grains of a sand are quartz unless others are given
-  if (!told_shape(packing, o.grains)) // presets of a named sand are applied already
-    apply_presets(of_quartz, grains);
-  State state = state_of(of_quartz);
+  const InputValues sand = as_sand(values); // its grains are quartz unless others are given
+  constexpr double any_stress = 1e5;        // that of the measurement follows
+  State state = state_of(sand, {any_stress, any_stress});
   const State& measured = question.measurements.front().state;
   state.void_ratio = measured.void_ratio;
   state.stress_v = measured.stress_v;
   state.stress_h = measured.stress_h;
   question.sand = {.state = std::move(state),
-                   .grain_density = grains.grain_density.value,
-                   .saturation = require_within(grains.saturation),
+                   .grain_density = sand.number(Input::grain_density),
+                   .saturation = sand.within(Input::saturation),
                    .grain_shape = GrainShape::sand,
-                   .sand = sand_of(of_quartz, grains)};
+                   .sand = sand_of(sand)};
   question.sand_growth =
       o.growth == fitted_growth ? inverse::SandGrowth::fitted : inverse::SandGrowth::measured;
 }
@@ -265,7 +170,7 @@ void require_options_of_sand(const InferOptions& o) {
   const std::pair<bool, const char*> of_spheres[] = {
       {!o.uncertain.empty(), "--uncertainty"},
       {o.contacts != "given", "--contacts"},
-      {o.packing.rattler_fraction.given(), "--rattler-fraction"}};
+      {o.inputs.given(Input::rattler_fraction), "--rattler-fraction"}};
   for (const auto& [given, option] : of_spheres)
     if (given)
       throw InvalidArgument(
@@ -354,35 +259,33 @@ InferCase infer_case(const InferOptions& given) {
   InferOptions o = given;
   InferCase question;
   if (o.table.empty()) {
-    apply_presets(o.packing, o.grains);
+    o.inputs = estimate::completed(std::move(o.inputs));
     question.measurements = measurements_of_options(o, question);
   }
-  const PackingOptions packing = o.table.empty() ? o.packing : read_table(o, question);
+  const InputValues values = o.table.empty() ? o.inputs : read_table(o, question);
   const State& first = question.measurements.front().state;
-  resolve_shape(o, packing, question);
+  resolve_shape(o, values, question);
   if (question.of_spheres)
-    for (const std::string& note : assumed_grains(packing, first))
-      question.assumptions.push_back(note);
+    for (const estimate::Note& note : assumed_of_spheres(values, first))
+      question.assumptions.push_back(note.sentence());
   else
     require_options_of_sand(o);
-  if (!o.grains.grain_density.given())
-    question.assumptions.push_back("assumed --grain-density " +
-                                   pretty(o.grains.grain_density.value, Dimension::density));
-  question.packing = packing_json(packing, first);
-  question.options = {.grain_density = o.grains.grain_density.value,
-                      .pore_density = elastic::water_density * require_within(o.grains.saturation),
+  if (const std::optional<estimate::Note> density = assumed_density(values))
+    question.assumptions.push_back(density->sentence());
+  question.packing = packing_json(values, first);
+  question.options = {.grain_density = values.number(Input::grain_density),
+                      .pore_density = elastic::water_density * values.within(Input::saturation),
                       .growth = of_spheres_alone(o.growth) || o.growth == fitted_growth
                                     ? inverse::growth_rule_of(o.growth)
                                     : inverse::GrowthRule::packings,
-                      .inputs = question.of_spheres ? uncertain_inputs_of(o, packing, question.assumptions)
+                      .inputs = question.of_spheres ? uncertain_inputs_of(o, values, question.assumptions)
                                                     : inverse::SharedInputs{},
                       .contacts = inverse::unknown_contacts(o.contacts)};
-  if (o.contacts != "given" && o.packing.contact != contact::Shape::sphere)
+  if (o.contacts != "given" && o.inputs.contact != contact::Shape::sphere)
     throw InvalidArgument("--contacts " + o.contacts +
                           ": infers a contact law that replaces smooth spheres; leave "
                           "--contact out, or use --contacts given");
-  if (o.packing.rattler_fraction.given())
-    question.options.rattler_fraction = o.packing.rattler_fraction.value;
+  question.options.rattler_fraction = o.inputs.if_given(Input::rattler_fraction);
   question.predicted = predicted_states(o, first);
   return question;
 }

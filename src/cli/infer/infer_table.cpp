@@ -5,19 +5,12 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
-#include "cli/options/packing_rows.hpp"
-#include "cli/table/answer_columns.hpp"
+#include "cli/options/input_columns.hpp"
 #include "infer.hpp"
 
 namespace granum::cli {
 
 namespace {
-
-/// The packing without its contacts, which are to be inferred.
-PackingOptions without_contacts(PackingOptions o) {
-  o.rattler_fraction.in_table = false;
-  return o;
-}
 
 /// A measured quantity of a table, and its error if that has a column.
 struct MeasuredColumn {
@@ -38,7 +31,7 @@ std::optional<MeasuredColumn> measured_column(const io::CsvTable& table, const M
   return std::nullopt;
 }
 
-std::vector<MeasuredColumn> measured_columns(const io::CsvTable& table, NumberColumns& columns) {
+std::vector<MeasuredColumn> measured_columns(const io::CsvTable& table, InputColumns& columns) {
   std::vector<MeasuredColumn> found;
   for (const MeasuredOption& option : measured_options())
     if (const std::optional<MeasuredColumn> column = measured_column(table, option)) {
@@ -67,98 +60,101 @@ std::optional<double> number_in(const io::CsvTable& table, std::size_t row,
 }
 
 /// A column of contacts is the result of another program, not an input of this one.
-std::vector<std::string> table_remarks(const NumberColumns& columns, const PackingOptions& row) {
+std::vector<std::string> table_remarks(const InputColumns& columns, const InputValues& row) {
   std::vector<std::string> remarks;
-  if (row.coordination_number.in_table || row.mechanical_coordination_number.in_table ||
-      row.rattler_fraction.in_table)
-    remarks.emplace_back("C_n, z* and rattlers in the table are not used, because they are inferred");
+  for (const Input input :
+       {Input::coordination_number, Input::mechanical_coordination_number, Input::rattler_fraction})
+    if (remarks.empty() && row[input].source == estimate::Source::table)
+      remarks.emplace_back("C_n, z* and rattlers in the table are not used, because they are inferred");
   if (const std::vector<std::string> unread = columns.unread(); !unread.empty())
-    remarks.push_back(fmt::format("unused columns: {}", fmt::join(unread, ", ")));
+    remarks.push_back(unread_text(unread));
   return remarks;
 }
 
 /// Depths of a table without a stress would need the weight of the ground.
-void require_stress(const io::CsvTable& table, PackingRows& rows) {
+void require_stress(const io::CsvTable& table, InputColumns& columns) {
   Number depth{0, Dimension::length, "z", "--depth"};
-  if (rows.tells_stress() || !rows.columns().bind(depth))
+  if (columns.gives_stress() || !columns.bind(depth))
     return;
   throw FileError(table.name(), table.heading_line(),
                   fmt::format("the stress at '{}' is missing: add columns sigma_v_kPa and K_0, or p_kPa",
-                              rows.columns().heading("--depth").value_or("")));
+                              columns.heading("--depth").value_or("")));
 }
 
-using Material = decltype(material_values(PackingOptions(), AnswerOptions()));
+/// The inputs that are one and the same for all states of a sand.
+constexpr Input of_material[] = {Input::sand,
+                                 Input::grain_shape,
+                                 Input::grain,
+                                 Input::grain_density,
+                                 Input::saturation,
+                                 Input::least_void_ratio,
+                                 Input::largest_void_ratio,
+                                 Input::relative_density,
+                                 Input::radius,
+                                 Input::d50,
+                                 Input::uniformity};
+
+/// The value of such an input as text, after all that is implied; empty if it has none.
+std::string material_text(const InputValues& values, Input input) {
+  switch (input) {
+  case Input::sand:
+    return values.known_sand != nullptr ? values.known_sand->key : "";
+  case Input::grain_shape:
+    return values.grain_shape ? std::string(name(*values.grain_shape)) : "";
+  case Input::grain:
+    return values.mineral != nullptr ? values.mineral->key : "";
+  case Input::relative_density: // with its limits it is one more density
+    if (values.given(Input::least_void_ratio) && values.given(Input::largest_void_ratio))
+      return "";
+    break;
+  default:
+    break;
+  }
+  const std::optional<double> number = values.if_given(input);
+  return number ? short_text(*number) : "";
+}
 
 /// \throws   InvalidArgument naming the column, or the option, in which a row is of another material
-void require_same_material(const Material& expected, const Material& found, const NumberColumns& columns) {
-  for (std::size_t k = 0; k < found.size(); ++k)
-    if (found[k].value != expected[k].value) {
-      const std::optional<std::string> heading = columns.heading(found[k].option);
-      const auto shown = [](const std::string& value) { return value.empty() ? "none" : value; };
-      throw InvalidArgument(fmt::format(
-          "{}: {} here, {} in the first row; it is one for all measurements: give {}, or a table for each",
-          heading ? "column '" + *heading + "'" : found[k].option, shown(found[k].value),
-          shown(expected[k].value), found[k].option));
-    }
+void require_same_material(const InputValues& expected, const InputValues& found,
+                           const InputColumns& columns) {
+  for (const Input input : of_material) {
+    const std::string here = material_text(found, input), first = material_text(expected, input);
+    if (here == first)
+      continue;
+    const std::string option = estimate::row_of(input).option();
+    const std::optional<std::string> heading = columns.heading(option);
+    const auto shown = [](const std::string& value) { return value.empty() ? "none" : value; };
+    throw InvalidArgument(fmt::format(
+        "{}: {} here, {} in the first row; it is one for all measurements: give {}, or a table for each",
+        heading ? "column '" + *heading + "'" : option, shown(here), shown(first), option));
+  }
 }
-
-/// The rows of a table, and what they say of all measurements.
-class MeasuredRows {
- public:
-  MeasuredRows(const io::CsvTable& table, const InferOptions& options)
-      : packings_(table, options.packing), grains_(options.grains),
-        names_(table, packings_.columns(), grains_) {
-    packings_.columns().bind(grains_.earth_pressure_at_rest);
-    require_stress(table, packings_);
-  }
-
-  [[nodiscard]] NumberColumns& columns() { return packings_.columns(); }
-
-  /// The packing of a row, with what follows from its material, density and K_0.
-  PackingOptions row(std::size_t row) {
-    PackingOptions packing = packings_.packing(row);
-    AnswerOptions grains = grains_;
-    names_.take_names(row, grains);
-    apply_presets(packing, grains);
-    const Material material = material_values(packing, grains);
-    if (of_all_)
-      require_same_material(material_, material, columns());
-    else {
-      of_all_ = grains;
-      material_ = material;
-    }
-    return packing;
-  }
-
-  /// The material, of the first row.
-  [[nodiscard]] const AnswerOptions& of_all() const { return of_all_.value(); }
-
- private:
-  PackingRows packings_;
-  AnswerOptions grains_;
-  AnswerColumns names_;
-  std::optional<AnswerOptions> of_all_;
-  Material material_ = {}; ///< of the first row
-};
 
 } // namespace
 
-PackingOptions read_table(InferOptions& o, InferCase& question) {
+InputValues read_table(const InferOptions& o, InferCase& question) {
   for (const std::string& text : o.measured)
     if (!text.empty())
       throw InvalidArgument("measurements are given both by --table and by options: use one of the two");
   const io::CsvTable table = io::read_csv(o.table);
   question.manner = table.manner();
-  MeasuredRows rows(table, o);
-  const std::vector<MeasuredColumn> columns = measured_columns(table, rows.columns());
-  std::optional<PackingOptions> first;
+  InputColumns inputs(table, o.inputs);
+  inputs.bind_packing();
+  inputs.bind_material();
+  inputs.bind(Input::k0);
+  require_stress(table, inputs);
+  const std::vector<MeasuredColumn> columns = measured_columns(table, inputs);
+  std::optional<InputValues> first;
   for (std::size_t k = 0; k < table.row_count(); ++k) {
     try {
-      const PackingOptions row = rows.row(k);
-      if (!first)
-        question.assumptions = table_remarks(rows.columns(), row);
-      const PackingOptions packing = without_contacts(row);
-      first = first ? first : std::optional(packing);
+      InputValues row = completed(inputs.row(k));
+      if (first)
+        require_same_material(*first, row, inputs);
+      else
+        question.assumptions = table_remarks(inputs, row);
+      if (row[Input::rattler_fraction].source == estimate::Source::table)
+        row.leave_out(Input::rattler_fraction); // contacts are inferred
+      first = first ? first : std::optional(row);
       for (const MeasuredColumn& column : columns) {
         const auto value = number_in(table, k, column.value);
         if (!value)
@@ -169,7 +165,7 @@ PackingOptions read_table(InferOptions& o, InferCase& question) {
         question.measurements.push_back(
             {column.quantity,
              {*value, error.value_or(share_of(o.measurement_error, unit) * *value)},
-             resolve_state(packing, resolve_stresses(packing))});
+             state_of(row, stresses_of(row))});
       }
     } catch (const InvalidArgument& error) {
       throw FileError(o.table, table.line(k), error.what());
@@ -177,7 +173,6 @@ PackingOptions read_table(InferOptions& o, InferCase& question) {
   }
   if (question.measurements.empty())
     throw FileError(o.table, 0, "contains no measured value: the columns of measured quantities are empty");
-  o.grains = rows.of_all();
   return *first;
 }
 

@@ -11,37 +11,41 @@ namespace granum::cli {
 
 namespace {
 
-Typed typed(const Number& number) { return {number.name, number.value, number.dimension}; }
+using estimate::Input;
+using estimate::InputValues;
+
+Typed typed(const InputValues& values, Input input) {
+  return {values.name(input), values.number(input), estimate::row_of(input).dimension};
+}
 
 Typed key_of_scene(const char* name, double value, Dimension dimension) { return {name, value, dimension}; }
 
 } // namespace
 
-Validity likely_mistakes(const PackingOptions& o, const effective::State& state) {
+Validity likely_mistakes(const InputValues& values, const effective::State& state) {
   Validity validity;
-  if (o.void_ratio.given() && !o.void_ratio.preset)
-    judge_void_ratio({o.void_ratio.name, state.void_ratio}, o.sizes.has_value(), validity);
-  const bool by_z = o.mechanical_coordination_number.given();
-  const Number& z = by_z ? o.mechanical_coordination_number : o.coordination_number;
-  if (z.given() && !o.sizes)
-    judge_contacts(typed(z), by_z, state, validity);
-  for (const Number* stress : {&o.pressure, &o.stress_v, &o.stress_h})
-    if (stress->given() && !stress->preset) // a stress that follows from others was not mistyped
-      judge_stress(typed(*stress), validity);
-  for (const Number* length : {&o.radius, &o.d50})
-    if (length->given())
-      judge_length(typed(*length), validity);
-  if (o.grain_shear_modulus.given())
-    judge_modulus(typed(o.grain_shear_modulus), validity);
+  if (values.told(Input::void_ratio))
+    judge_void_ratio({values.name(Input::void_ratio), state.void_ratio}, values.sizes.has_value(), validity);
+  const bool by_z = values.given(Input::mechanical_coordination_number);
+  const Input z = by_z ? Input::mechanical_coordination_number : Input::coordination_number;
+  if (values.given(z) && !values.sizes)
+    judge_contacts(typed(values, z), by_z, state, validity);
+  for (const Input stress : {Input::pressure, Input::stress_v, Input::stress_h})
+    if (values.told(stress)) // a stress that follows from others was not mistyped
+      judge_stress(typed(values, stress), validity);
+  for (const auto& [input, judge] : {std::pair{Input::radius, &judge_length},
+                                     {Input::d50, &judge_length},
+                                     {Input::grain_shear_modulus, &judge_modulus},
+                                     {Input::grain_density, &judge_density}})
+    if (values.given(input))
+      judge(typed(values, input), validity);
   return validity;
 }
 
-Validity likely_mistakes(const Number& density_or_stress) {
+Validity likely_mistakes(const Number& stress) {
   Validity validity;
-  if (density_or_stress.given()) {
-    const auto judge = density_or_stress.dimension == Dimension::density ? judge_density : judge_stress;
-    judge(typed(density_or_stress), validity);
-  }
+  if (stress.given())
+    judge_stress({stress.name, stress.value, stress.dimension}, validity);
   return validity;
 }
 

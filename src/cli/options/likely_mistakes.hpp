@@ -2,22 +2,22 @@
 #pragma once
 
 #include <granum/core/validity.hpp>
-#include <granum/effective/state.hpp>
+#include <granum/estimate/input_values.hpp>
 
-#include "packing_options.hpp"
+#include "cli/frame/option_row.hpp"
 #include "studies/scene/scene.hpp"
 
 /// Warnings for inputs that are possible, but more likely a mistake in unit or symbol.
 /// Checked by tests/cli/people.cmake
 namespace granum::cli {
 
-/// Checks given values only, in the order of the options: the void ratio, z*, stress, size and modulus of the
-/// grains.
+/// Checks given values only, in the order of the options: the void ratio, z*, stress, size, modulus and density
+/// of the grains.
 /// \throws   InvalidArgument as effective::contact_prior
-[[nodiscard]] Validity likely_mistakes(const PackingOptions& options, const effective::State& state);
+[[nodiscard]] Validity likely_mistakes(const estimate::InputValues& values, const effective::State& state);
 
-/// The same for the density of the grain mineral, or for a stress.
-[[nodiscard]] Validity likely_mistakes(const Number& density_or_stress);
+/// The same for a stress.
+[[nodiscard]] Validity likely_mistakes(const Number& stress);
 
 /// The same for the grains and pressures of a scene, with the names of its keys.
 [[nodiscard]] Validity likely_mistakes(const studies::Scene& scene);

@@ -65,8 +65,8 @@ void note_contradiction(const Number& given, double expected, const char* pores,
 
 /// Unit weight and saturation above the water table; each follows from the other.
 void resolve_moist_ground(const SweepOptions& o, const PackingMass& mass, GroundCase& c) {
-  const Number &given = o.ground.unit_weight, &share = o.answer.saturation;
-  const double share_of_water = require_closed("--saturation", share.value, 0, 1);
+  const Number& given = o.ground.unit_weight;
+  const double share_of_water = o.inputs.within(Input::saturation);
   if (!given.given()) {
     c.saturation = share_of_water;
     c.ground.unit_weight = mass.unit_weight(share_of_water);
@@ -78,7 +78,7 @@ void resolve_moist_ground(const SweepOptions& o, const PackingMass& mass, Ground
     return;
   }
   c.ground.unit_weight = require_positive(given.name, given.value, "N/m3");
-  if (share.given()) {
+  if (o.inputs.given(Input::saturation)) {
     c.saturation = share_of_water;
     note_contradiction(given, mass.unit_weight(share_of_water), "this saturation", mass, c.validity);
     return;
@@ -166,9 +166,8 @@ void add_ground_options(Command& command, GroundOptions& o) {
 GroundCase resolve_ground(const SweepOptions& o) {
   GroundCase c;
   constexpr double any_stress = 1e5; // the density does not depend on it
-  const PackingMass mass{.grain_density =
-                             require_positive("--grain-density", o.answer.grain_density.value, "kg/m3"),
-                         .void_ratio = resolve_state(o.packing, {any_stress, any_stress}).void_ratio};
+  const PackingMass mass{.grain_density = o.inputs.within(Input::grain_density),
+                         .void_ratio = state_of(o.inputs, {any_stress, any_stress}).void_ratio};
   const Number& k0 = o.ground.earth_pressure_at_rest;
   estimate::require_within(estimate::row_of(Input::k0), k0.value, k0.name);
   c.ground.earth_pressure_at_rest = k0.value;

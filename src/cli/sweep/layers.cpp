@@ -47,8 +47,7 @@ std::vector<AnswerRow> rows_of(const io::CsvTable& table, AnswerRows& reader) {
 
 Layer layer_of(const SweepOptions& o, const AnswerRow& row) {
   Layer layer{.top = row.ground.top.value, .options = o, .ground = {}};
-  layer.options.packing = row.packing;
-  layer.options.answer = row.answer;
+  layer.options.inputs = row.inputs;
   layer.options.ground = row.ground;
   layer.ground = resolve_ground(layer.options);
   return layer;
@@ -88,11 +87,10 @@ std::vector<Layer> layers_of(const SweepOptions& o) {
 GroundState state_in_ground(const SweepOptions& o, const GroundCase& ground, double depth,
                             const Rungs& rungs) {
   const stress::GroundStress stress = stress::stress_at(ground.ground, depth);
-  AnswerOptions answer = o.answer;
+  InputValues values = at_stress(o.inputs, stress.effective);
   const auto& table = ground.ground.water_table;
-  answer.saturation.value = table && depth > *table ? 1.0 : ground.saturation;
-  answer.saturation.in_table = true;
-  return {stress, swept(at_stress(o.packing, stress.effective), answer, rungs)};
+  values.give(Input::saturation, table && depth > *table ? 1.0 : ground.saturation);
+  return {stress, swept(values, rungs)};
 }
 
 } // namespace granum::cli

@@ -121,9 +121,9 @@ void restrict_stresses(Command& command) {
 }
 
 void add_sweep_options(Command& command, SweepOptions& o) {
-  add_packing_options(command, o.packing);
-  add_answer_options(command, o.answer);
-  command.add(input_option(o.answer.strain));
+  add_packing_options(command, o.inputs);
+  add_answer_options(command, o.inputs);
+  command.add(input_option(o.inputs, Input::shear_strain));
   add_path_options(command, o);
   add_ground_options(command, o.ground);
   add_table_options(command, o);
@@ -143,11 +143,11 @@ void add_sweep_options(Command& command, SweepOptions& o) {
 
 ExitCode run(SweepOptions o) {
   const bool by_path = o.table.empty() && o.ground.depth.empty();
-  o.answer.ground = !o.ground.depth.empty();
+  o.inputs.ground = !o.ground.depth.empty();
   if (!o.table.empty())
     return sweep_table(o, chosen_rungs(o));
   if (o.ground.layers.empty()) // layers set their own K_0
-    apply_presets(o.packing, o.answer);
+    o.inputs = estimate::completed(std::move(o.inputs));
   return by_path ? sweep_path(o, chosen_rungs(o)) : sweep_depth(o);
 }
 

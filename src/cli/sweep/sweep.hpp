@@ -38,8 +38,7 @@ struct GroundOptions {
 };
 
 struct SweepOptions {
-  PackingOptions packing;
-  AnswerOptions answer;
+  InputValues inputs;
   GroundOptions ground;
   bool all_columns = false;
   bool law_columns = false; ///< published laws of sands as columns
@@ -81,8 +80,7 @@ struct SweptState {
 };
 
 /// The answer, as of granum estimate, and the rungs.
-[[nodiscard]] SweptState swept(const PackingOptions& packing, const AnswerOptions& options,
-                               const Rungs& rungs);
+[[nodiscard]] SweptState swept(const InputValues& values, const Rungs& rungs);
 /// A state that the options cannot produce.
 [[nodiscard]] SweptState failed(const std::string& error, const Rungs& rungs);
 
@@ -117,7 +115,7 @@ struct AskedOfRows {
   bool both = false;     ///< answers for sand and spheres: the kind of grains is not given
   bool strained = false; ///< G at a shear strain
 };
-[[nodiscard]] AskedOfRows asked_of(const PackingOptions& packing, const AnswerOptions& answer);
+[[nodiscard]] AskedOfRows asked_of(const InputValues& values);
 
 /// Collects states as the rows of a CSV file or of a JSON array.
 class SweepOutput {

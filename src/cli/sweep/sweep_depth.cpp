@@ -8,6 +8,7 @@
 
 #include "cli/frame/help.hpp"
 #include "cli/frame/json_members.hpp"
+#include "cli/options/packing_json.hpp"
 #include "depth.hpp"
 
 namespace granum::cli {
@@ -97,7 +98,7 @@ std::string rest_text(const stress::Ground& ground) {
 
 double void_ratio_of(const Layer& layer) {
   constexpr stress::AxialStress any{1e5, 1e5}; // the density does not depend on it
-  return resolve_state(layer.options.packing, any).void_ratio;
+  return state_of(layer.options.inputs, any).void_ratio;
 }
 
 /// "void ratio 0.7648", or a line for each layer.
@@ -216,7 +217,7 @@ SweepOutput output_of(const SweepOptions& o, const std::vector<DepthState>& stat
   std::vector<std::string> headings;
   for (const io::Column<DepthPoint>& column : columns)
     headings.push_back(column.heading);
-  SweepOutput output(o, {}, headings, asked_of(o.packing, o.answer));
+  SweepOutput output(o, {}, headings, asked_of(o.inputs));
   for (const DepthState& at : states) {
     std::vector<io::CsvCell> cells;
     io::add_cells(cells, columns, at.point);
@@ -230,8 +231,7 @@ SweepOutput output_of(const SweepOptions& o, const std::vector<DepthState>& stat
 std::vector<std::string> assumptions_of(const Layer& layer, double bottom, bool alone) {
   std::vector<std::string> all = layer.ground.assumptions;
   const stress::GroundStress stress = stress::stress_at(layer.ground.ground, bottom - layer.top);
-  const AnswerCase solved =
-      solve_answer(at_stress(layer.options.packing, stress.effective), layer.options.answer, {});
+  const AnswerCase solved = solve_answer(at_stress(layer.options.inputs, stress.effective), {});
   for (const std::string& note : alone ? remarks_on(layer.options, solved.assumptions) : solved.assumptions)
     all.push_back(note);
   return all;
@@ -394,7 +394,7 @@ ExitCode sweep_depth(const SweepOptions& o) {
   const std::vector<std::string> remarks = depth_remarks(layers, states);
   const DepthState& last = states.back();
   const ordered_json packing =
-      packing_json(last.point.layer->options.packing, last.state.answer->question.state);
+      packing_json(last.point.layer->options.inputs, last.state.answer->question.state);
   const ordered_json ground = ground_json(layers);
   const SweepOutput output = output_of(o, states);
   return deliver_sweep(

@@ -12,6 +12,7 @@
 
 #include "cli/frame/json_members.hpp"
 #include "cli/options/likely_mistakes.hpp"
+#include "cli/options/packing_json.hpp"
 #include "sweep.hpp"
 
 namespace granum::cli {
@@ -157,18 +158,18 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
   require_free(o.output, o.picture);
   const Path path = make_path(o);
   // An error of the packing occurs at the first, isotropic point too, and is reported once.
-  const AnswerCase first = solve_answer(at_stress(o.packing, path.points.front().stress), o.answer, {});
+  const AnswerCase first = solve_answer(at_stress(o.inputs, path.points.front().stress), {});
   const io::Columns<PathPoint> columns = point_columns();
   std::vector<std::string> headings;
   for (const io::Column<PathPoint>& column : columns)
     headings.push_back(column.heading);
   for (const char* heading : {"e", "C_n", "a"})
     headings.emplace_back(heading);
-  SweepOutput output(o, rungs, headings, asked_of(o.packing, o.answer));
+  SweepOutput output(o, rungs, headings, asked_of(o.inputs));
   std::vector<SweptState> states;
   Tally tally;
   for (const PathPoint& point : path.points) {
-    const SweptState& state = states.emplace_back(swept(at_stress(o.packing, point.stress), o.answer, rungs));
+    const SweptState& state = states.emplace_back(swept(at_stress(o.inputs, point.stress), rungs));
     std::vector<io::CsvCell> cells;
     io::add_cells(cells, columns, point);
     const effective::State* packing = state.answer ? &state.answer->answer.state() : nullptr;
@@ -179,7 +180,7 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
     tally.count(state, fmt::format("state {}", states.size()));
   }
   const std::vector<std::string> remarks = remarks_on(o, first.assumptions);
-  const ordered_json packing = packing_json(o.packing, first.question.state);
+  const ordered_json packing = packing_json(o.inputs, first.question.state);
   Validity validity = tally.validity();
   for (const Number* end : {&o.from, &o.to})
     validity.merge(likely_mistakes(*end));

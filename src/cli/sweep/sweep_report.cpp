@@ -104,13 +104,12 @@ const SweptQuantity& swept_quantity(std::string_view name) {
   return *found;
 }
 
-SweptState swept(const PackingOptions& packing, const AnswerOptions& options, const Rungs& rungs) {
+SweptState swept(const InputValues& values, const Rungs& rungs) {
   try {
-    SweptState state{.answer = bare_answer(packing, options)};
+    SweptState state{.answer = bare_answer(values)};
     add_measured_laws(*state.answer);
     state.notes = state.answer->answer.validity().notes;
-    Validity slips = likely_mistakes(packing, state.answer->question.state);
-    slips.merge(likely_mistakes(options.grain_density));
+    Validity slips = likely_mistakes(values, state.answer->question.state);
     state.slips = slips.notes;
     add_rungs(state, rungs);
     return state;
@@ -157,8 +156,8 @@ ExitCode Tally::conclude(ExitCode code) const {
   return code == ExitCode::ok && failed_ > 0 ? ExitCode::fell_short : code;
 }
 
-AskedOfRows asked_of(const PackingOptions& packing, const AnswerOptions& answer) {
-  return {.both = !told_shape(packing, answer), .strained = answer.strain.given()};
+AskedOfRows asked_of(const InputValues& values) {
+  return {.both = !told_shape(values), .strained = values.given(Input::shear_strain)};
 }
 
 SweepOutput::SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
@@ -284,9 +283,10 @@ ExitCode deliver_sweep(const SweepOptions& o, const std::string& screen, const s
 }
 
 std::vector<std::string> remarks_on(const SweepOptions& o, std::vector<std::string> assumptions) {
-  const bool counted = o.packing.coordination_number.given() || o.packing.rattler_fraction.given() ||
-                       o.packing.mechanical_coordination_number.given();
-  if (told_shape(o.packing, o.answer) == estimate::GrainShape::sand) {
+  const bool counted = o.inputs.given(Input::coordination_number) ||
+                       o.inputs.given(Input::rattler_fraction) ||
+                       o.inputs.given(Input::mechanical_coordination_number);
+  if (told_shape(o.inputs) == estimate::GrainShape::sand) {
     assumptions.emplace_back("void ratio and sand are the same at every state");
     return assumptions;
   }

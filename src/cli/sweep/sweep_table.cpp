@@ -85,7 +85,7 @@ class TableSweep {
  private:
   /// Rows with depths describe soil.
   const SweepOptions& options_of_rows() {
-    options_.answer.ground = reader_.in_ground();
+    options_.inputs.ground = reader_.in_ground();
     return options_;
   }
 
@@ -95,7 +95,7 @@ class TableSweep {
     for (std::size_t row = 0; row < table_.row_count() && !(all.both && all.strained); ++row)
       try {
         const AnswerRow question = reader_.row(row);
-        const AskedOfRows here = asked_of(question.packing, question.answer);
+        const AskedOfRows here = asked_of(question.inputs);
         all = {.both = all.both || here.both, .strained = all.strained || here.strained};
       } catch (const Error&) { // the row reports it when it is answered
       }
@@ -114,8 +114,7 @@ class TableSweep {
   /// The answer at a depth, with the ground of the row.
   SweptState state_at_depth(const AnswerRow& question, RowStress& stress) {
     SweepOptions here = options_;
-    here.packing = question.packing;
-    here.answer = question.answer;
+    here.inputs = question.inputs;
     here.ground = question.ground;
     const GroundCase ground = resolve_ground(here);
     const double depth = require_non_negative("depth", question.ground.row_depth.value, "m");
@@ -123,7 +122,7 @@ class TableSweep {
     stress = at.stress;
     if (!assumptions_) {
       assumptions_ = ground.assumptions;
-      const AnswerCase solved = solve_answer(at_stress(here.packing, at.stress.effective), here.answer, {});
+      const AnswerCase solved = solve_answer(at_stress(here.inputs, at.stress.effective), {});
       assumptions_->insert(assumptions_->end(), solved.assumptions.begin(), solved.assumptions.end());
     }
     for (const std::string& note : ground.validity.notes)
@@ -135,9 +134,9 @@ class TableSweep {
     try {
       const AnswerRow question = reader_.row(row);
       if (!reader_.in_ground() && !assumptions_)
-        assumptions_ = solve_answer(question.packing, question.answer, {}).assumptions;
-      SweptState state = reader_.in_ground() ? state_at_depth(question, stress)
-                                             : swept(question.packing, question.answer, rungs_);
+        assumptions_ = solve_answer(question.inputs, {}).assumptions;
+      SweptState state =
+          reader_.in_ground() ? state_at_depth(question, stress) : swept(question.inputs, rungs_);
       ratio = speed_ratio(state, question.shear_wave_speed);
       if (const std::string remark = ratio ? sands::level_remark(*ratio * *ratio) : ""; !remark.empty())
         state.notes.push_back("according to the measured V_s, " + remark);

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "input_options.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/io/csv/sieve.hpp>
+
+namespace granum::cli {
+
+namespace {
+
+using estimate::InputRow;
+using estimate::Kind;
+
+/// A text that rows of options refer to as long as the program runs.
+std::string_view kept(std::string text) {
+  static std::set<std::string> all;
+  return *all.insert(std::move(text)).first;
+}
+
+Value number_value(InputValues& values, const InputRow& row) {
+  Value value{.type = type_name(row.dimension), .dimension = row.dimension};
+  if (row.by_default && !(row.law != nullptr && row.origin.empty()))
+    value.by_default = pretty(*row.by_default, row.dimension);
+  value.take = [&values, &row](const std::string& name, const std::string& text) {
+    take_as(name, text, [&](const std::string& number) {
+      values.give(row.input, quantity_in(name, number, row.dimension), estimate::Source::typed,
+                  number.find('%') != std::string::npos);
+    });
+  };
+  return value;
+}
+
+Value word_value(InputValues& values, const InputRow& row) {
+  const Take take = [&values, &row](const std::string& text) {
+    values.give(row.input, in_small_letters(text));
+  };
+  if (row.aliases.empty())
+    return read_by(take, row.words);
+  OtherWords others;
+  for (const auto& [other, word] : row.aliases) {
+    const auto known =
+        std::find_if(others.begin(), others.end(), [&](const auto& of) { return of.first == other; });
+    if (known != others.end())
+      known->second += " or " + word;
+    else
+      others.emplace_back(other, word);
+  }
+  return choice(row.words, take, others);
+}
+
+Value distribution_value(InputValues& values, const InputRow& row) {
+  if (row.input == Input::sieve)
+    return read_by(
+        [&values](const std::string& path) {
+          values.give(Input::sieve, sizes::Distribution::sieve(io::read_sieve_curve(path)));
+        },
+        "FILE");
+  return read_by([&values, &row](const std::string& text) { values.give(row.input, text); }, "DISTRIBUTION");
+}
+
+Value value_of(InputValues& values, const InputRow& row) {
+  switch (row.kind) {
+  case Kind::word:
+    return word_value(values, row);
+  case Kind::distribution:
+    return distribution_value(values, row);
+  default:
+    return number_value(values, row);
+  }
+}
+
+} // namespace
+
+OptionRow input_option(InputValues& values, Input input) {
+  const InputRow& of = estimate::row_of(input);
+  OptionRow row{.name = of.option(), .value = value_of(values, of), .group = of.group, .meaning = of.meaning};
+  for (const auto& [keys, sentence] : of.excludes) {
+    std::string options;
+    for (const std::string& key : words_of(keys))
+      options += (options.empty() ? "" : " ") + estimate::find_input(key)->option();
+    row.excludes.push_back({kept(options), kept(values.spelled(sentence))});
+  }
+  for (const auto& [words, remark] : of.synonyms)
+    row.synonyms.push_back({words, remark});
+  if (of.law != nullptr)
+    row.belongs = {{"--contact", contact::name(of.law->shape), "sphere"}};
+  if (input == Input::contact)
+    row.value.by_default = contact::name(values.contact);
+  return row;
+}
+
+void add_input(Command& command, InputValues& values, Input input) {
+  command.add(input_option(values, input));
+}
+
+namespace {
+
+/// Of a sand, or beside the packing: in add_answer_options, or of single commands.
+bool beside_packing(const InputRow& row) {
+  switch (row.input) {
+  case Input::relative_density:
+  case Input::least_void_ratio:
+  case Input::largest_void_ratio:
+  case Input::saturation:
+  case Input::k0:
+  case Input::shear_strain:
+  case Input::grain_density:
+  case Input::preparation:
+  case Input::grain:
+  case Input::sand:
+  case Input::grain_shape:
+    return true;
+  default:
+    return false;
+  }
+}
+
+/// All inputs of a packing in a group of help, but for those of contact laws.
+void add_group(Command& command, InputValues& values, std::string_view group) {
+  for (const InputRow& row : estimate::inputs())
+    if (row.group == group && row.law == nullptr && row.input != Input::contact && !beside_packing(row))
+      add_input(command, values, row.input);
+}
+
+} // namespace
+
+void add_law_options(Command& command, InputValues& values, const std::string& name) {
+  add_group(command, values, grains_group);
+  OptionRow shape = input_option(values, Input::contact);
+  shape.name = name;
+  command.add(std::move(shape));
+  for (const InputRow& row : estimate::inputs())
+    if (row.law != nullptr)
+      add_input(command, values, row.input);
+}
+
+void add_packing_options(Command& command, InputValues& values) {
+  add_group(command, values, state_group);
+  add_group(command, values, contacts_group);
+  add_law_options(command, values);
+  add_group(command, values, law_group);
+  add_group(command, values, sizes_group);
+}
+
+void add_answer_options(Command& command, InputValues& values) {
+  for (const Input input :
+       {Input::preparation, Input::grain, Input::sand, Input::grain_shape, Input::relative_density,
+        Input::least_void_ratio, Input::largest_void_ratio, Input::grain_density, Input::saturation})
+    add_input(command, values, input);
+}
+
+OptionRow uncertainty_row(std::vector<std::string>& settings) {
+  Value value = texts(settings, "KEY=SD");
+  value.joins_units = true;
+  return {.name = "--uncertainty",
+          .value = std::move(value),
+          .meaning = "Standard deviation of an input, may be repeated. KEY is the name of its option: "
+                     "void-ratio=0.02; or relative to its value: pressure=5%"};
+}
+
+} // namespace granum::cli

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/estimate/input_values.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <granum/core/error.hpp>
+
+namespace granum::estimate {
+
+namespace {
+
+std::size_t index_of(Input input) { return static_cast<std::size_t>(input); }
+
+/// The defaults of all rows.
+const std::vector<InputValue>& defaults() {
+  static const std::vector<InputValue> all = [] {
+    std::vector<InputValue> values;
+    for (const InputRow& row : inputs())
+      values.push_back({.number = row.by_default.value_or(0)});
+    return values;
+  }();
+  return all;
+}
+
+} // namespace
+
+InputValues::InputValues() : values_(defaults()) {}
+
+const InputValue& InputValues::operator[](Input input) const { return values_[index_of(input)]; }
+
+std::optional<double> InputValues::if_given(Input input) const {
+  return given(input) ? std::optional(number(input)) : std::nullopt;
+}
+
+double InputValues::within(Input input) const {
+  const InputValue& value = (*this)[input];
+  require_within(row_of(input), value.number, name(input), value.per_cent);
+  return value.number;
+}
+
+void InputValues::give(Input input, double number, Source source, bool per_cent) {
+  values_[index_of(input)] = {.number = number, .source = source, .per_cent = per_cent};
+  if (input == Input::uniformity)
+    set_sizes(sizes::Distribution::uniformity(number));
+}
+
+void InputValues::give(Input input, const std::string& text, Source source) {
+  row_of(input).take(*this, text);
+  values_[index_of(input)].source = source;
+}
+
+void InputValues::give(Input input, sizes::Distribution distribution) {
+  set_sizes(std::move(distribution));
+  values_[index_of(input)].source = Source::typed;
+}
+
+void InputValues::imply(Input input, double number, double deviation) {
+  if (!told(input))
+    values_[index_of(input)] = {.number = number, .deviation = deviation, .source = Source::implied};
+}
+
+void InputValues::leave_out(Input input) { values_[index_of(input)] = defaults()[index_of(input)]; }
+
+void InputValues::set_stresses(const stress::AxialStress& stress) {
+  leave_out(Input::pressure);
+  for (const auto& [input, number] : {std::pair{Input::stress_v, stress.v}, {Input::stress_h, stress.h}})
+    values_[index_of(input)] = {.number = number, .source = Source::implied};
+}
+
+void InputValues::set_sizes(sizes::Distribution distribution) {
+  if (sizes)
+    throw InvalidArgument(spelled(conflict::sizes));
+  sizes = std::move(distribution);
+}
+
+std::string InputValues::name(Input input) const {
+  const InputRow& row = row_of(input);
+  return by_keywords ? std::string(row.name()) : row.option();
+}
+
+std::string InputValues::spelled(std::string_view sentence) const {
+  std::string out;
+  for (std::size_t at = sentence.find('{'); at != std::string_view::npos; at = sentence.find('{')) {
+    const std::size_t end = sentence.find('}', at);
+    const InputRow* const row = find_input(sentence.substr(at + 1, end - at - 1));
+    out += std::string(sentence.substr(0, at)) + (row != nullptr ? name(row->input) : "");
+    sentence.remove_prefix(end + 1);
+  }
+  return out + std::string(sentence);
+}
+
+std::optional<GrainShape> told_shape(const InputValues& values) {
+  if (values.grain_shape)
+    return values.grain_shape;
+  if (values.known_sand != nullptr)
+    return GrainShape::sand;
+  const std::string_view mineral = values.mineral != nullptr ? values.mineral->key : "";
+  if (mineral == "glass" || mineral == "steel")
+    return GrainShape::sphere;
+  for (const GrainShape shape : {GrainShape::sand, GrainShape::sphere})
+    if (std::any_of(inputs().begin(), inputs().end(),
+                    [&](const InputRow& row) { return row.implies == shape && values.given(row.input); }))
+      return shape;
+  return values.ground ? std::optional(GrainShape::sand) : std::nullopt;
+}
+
+// ---- what values imply
+
+namespace {
+
+void imply_by_sand(InputValues& values) {
+  if (values.known_sand == nullptr)
+    return;
+  const sands::KnownSand& sand = *values.known_sand;
+  if (values.mineral == nullptr)
+    values.mineral = &contact::mineral(sand.mineral);
+  const bool sized =
+      values.given(Input::radius) || values.told(Input::d50) || (values.sizes && values.sizes->mean_radius());
+  if (sand.d50 && !sized)
+    values.imply(Input::d50, *sand.d50);
+  if (sand.least_void_ratio)
+    values.imply(Input::least_void_ratio, *sand.least_void_ratio);
+  if (sand.largest_void_ratio)
+    values.imply(Input::largest_void_ratio, *sand.largest_void_ratio);
+}
+
+void imply_by_mineral(InputValues& values) {
+  if (values.mineral == nullptr && told_shape(values) == GrainShape::sand)
+    values.mineral = &contact::mineral("quartz");
+  if (values.mineral == nullptr)
+    return;
+  const contact::Mineral& mineral = *values.mineral;
+  const double modulus = mineral.material.shear_modulus;
+  values.imply(Input::grain_shear_modulus, modulus, mineral.modulus_spread * modulus);
+  values.imply(Input::grain_poisson_ratio, mineral.material.poisson_ratio);
+  values.imply(Input::grain_density, mineral.density);
+}
+
+bool by_usual_limits(const InputValues& values) {
+  return values.given(Input::relative_density) && !values.given(Input::least_void_ratio);
+}
+
+void imply_by_relative_density(InputValues& values) {
+  if (!values.given(Input::relative_density))
+    return;
+  if (values.told(Input::void_ratio) || values.told(Input::porosity) || values.told(Input::solid_fraction))
+    throw InvalidArgument(values.spelled(conflict::density));
+  if (values.given(Input::least_void_ratio) != values.given(Input::largest_void_ratio))
+    throw InvalidArgument(
+        values.spelled("{least_void_ratio} and {largest_void_ratio} go together: give both, or neither"));
+  const bool usual = by_usual_limits(values);
+  if (usual && told_shape(values) != GrainShape::sand)
+    throw InvalidArgument(
+        values.spelled("{relative_density} of spheres needs {least_void_ratio} and {largest_void_ratio}"));
+  const double least = usual ? sands::usual_least_void_ratio : values.number(Input::least_void_ratio),
+               largest = usual ? sands::usual_largest_void_ratio : values.number(Input::largest_void_ratio);
+  values.imply(Input::void_ratio,
+               sands::void_ratio_of_relative_density(values.within(Input::relative_density), least, largest),
+               usual ? sands::usual_void_ratio_deviation : 0);
+}
+
+/// sigma_h from sigma_v and K_0.
+void imply_by_stress_ratio(InputValues& values) {
+  if (!values.given(Input::k0))
+    return;
+  const double ratio = values.within(Input::k0), stress_v = values.number(Input::stress_v);
+  if (values.told(Input::stress_h)) {
+    constexpr double rounding = 0.01; // a row of a table may have both, as far as they agree
+    const double stress_h = values.number(Input::stress_h);
+    if (values[Input::k0].source == Source::table &&
+        std::abs(ratio * stress_v - stress_h) <= rounding * stress_h)
+      return;
+    throw InvalidArgument(values.spelled("{k0} sets {stress_h} from {stress_v}: give one of the two"));
+  }
+  if (!values.given(Input::stress_v))
+    throw InvalidArgument(values.spelled("{k0} needs {stress_v}"));
+  values.imply(Input::stress_h, ratio * stress_v);
+}
+
+} // namespace
+
+InputValues completed(InputValues values) {
+  imply_by_sand(values);
+  imply_by_mineral(values);
+  imply_by_relative_density(values);
+  imply_by_stress_ratio(values);
+  return values;
+}
+
+InputValues as_sand(InputValues values) {
+  values.grain_shape = GrainShape::sand;
+  return completed(std::move(values));
+}
+
+} // namespace granum::estimate

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/estimate/notes.hpp>
+
+#include <algorithm>
+
+#include <granum/core/number.hpp>
+#include <granum/sands/pooled_law.hpp>
+
+namespace granum::estimate {
+
+std::string Note::sentence() const {
+  if (name.empty())
+    return reason;
+  return "assumed " + name + " " + value + (deviation > 0 ? " +- " + pretty(deviation, dimension) : "") +
+         (reason.empty() ? "" : ", " + reason);
+}
+
+namespace {
+
+Note plain(std::string sentence, std::string source = {}) {
+  return {.reason = std::move(sentence), .source = std::move(source)};
+}
+
+/// A default as a note.
+Note default_note(const InputValues& values, Input input, std::span<const UncertainInput> inputs) {
+  const InputRow& row = row_of(input);
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const UncertainInput& one) {
+    return one.assumed && one.input == key_of(row);
+  });
+  return {.name = values.name(input),
+          .value = pretty(values.number(input), row.dimension),
+          .number = values.number(input),
+          .deviation = found == inputs.end() ? 0 : found->deviation,
+          .dimension = row.dimension,
+          .reason = row.origin};
+}
+
+/// The no-slip value, which follows from nu_g: a formula, if that differs from row to row of a table.
+Note tangential_note(const InputValues& values, const effective::State& state) {
+  const bool differs = values[Input::grain_poisson_ratio].source == Source::table ||
+                       values[Input::grain_bulk_modulus].source == Source::table;
+  return {.name = values.name(Input::tangential_ratio),
+          .value = differs ? "2(1-nu_g)/(2-nu_g)" : short_text(state.tangential_ratio),
+          .number = state.tangential_ratio,
+          .reason = "the no-slip contact of Mindlin"};
+}
+
+void add_size_notes(std::vector<Note>& notes, const InputValues& values) {
+  if (!values.sizes)
+    return;
+  constexpr double compared = 1.75; // the largest C_u of validation/sizes
+  const double uniformity = sizes::gradation(*values.sizes, 1).uniformity();
+  if (uniformity > compared)
+    notes.push_back(plain("C_u is " + short_text(uniformity) +
+                          ": the sizes in contact were validated with packings only up to " +
+                          short_text(compared)));
+  if (!values.given(Input::rattler_fraction) && !values.given(Input::mechanical_coordination_number))
+    notes.push_back(plain(
+        values.spelled("contacts of unequal grains: the sizes in contact are those of a packing without "
+                       "rattlers; rattlers are small, so grains in contact are larger than average; "
+                       "{rattler_fraction} sets the share of rattlers")));
+}
+
+} // namespace
+
+std::vector<Note> assumed_of_spheres(const InputValues& values, const effective::State& state,
+                                     std::span<const UncertainInput> inputs) {
+  std::vector<Note> notes;
+  const auto note_default = [&](Input input) {
+    if (!values.given(input))
+      notes.push_back(default_note(values, input, inputs));
+  };
+  if (!values.given(Input::contact))
+    notes.push_back({.name = values.name(Input::contact), .value = "sphere"});
+  for (const InputRow& row : estimate::inputs())
+    if (row.law != nullptr && row.law->shape == values.contact)
+      note_default(row.input);
+  note_default(Input::grain_shear_modulus);
+  if (!values.given(Input::grain_bulk_modulus))
+    note_default(Input::grain_poisson_ratio);
+  if (!values.given(Input::d50) && !(values.sizes && values.sizes->mean_radius()) &&
+      !values.given(Input::radius)) {
+    note_default(Input::radius);
+    if (values.sizes)
+      notes.back().reason += ", their mean by number";
+  }
+  if (!values.given(Input::tangential_ratio))
+    notes.push_back(tangential_note(values, state));
+  note_default(Input::fabric);
+  add_size_notes(notes, values);
+  return notes;
+}
+
+std::optional<Note> assumed_density(const InputValues& values, std::span<const UncertainInput> inputs) {
+  if (values.given(Input::grain_density))
+    return std::nullopt;
+  return default_note(values, Input::grain_density, inputs);
+}
+
+namespace {
+
+void add_names(std::vector<Note>& notes, const InputValues& values) {
+  if (values.mineral != nullptr)
+    notes.push_back(
+        plain("grains of " + std::string(values.mineral->name) + " [" + values.mineral->source + "]",
+              values.mineral->source));
+  if (values.known_sand == nullptr)
+    return;
+  const sands::KnownSand& sand = *values.known_sand;
+  const std::string tests = sand.tests ? std::to_string(sand.tests->count) + " tests of this sand"
+                                       : "no tests of this sand are included";
+  notes.push_back(plain(std::string(sand.name) + " [" + sand.source + "]: " + tests, sand.source));
+}
+
+/// "0.43", or below sands::low_stress both exponents.
+std::string exponent_text(const sands::Sand& sand, double mean_stress) {
+  const double here = sands::growth_exponent(sand, mean_stress).value,
+               above = sands::growth_exponent(sand, sands::low_stress).value;
+  if (here == above)
+    return short_text(here, 3);
+  return short_text(above, 3) + " from " + pretty(sands::low_stress, Dimension::pressure) + " on and " +
+         short_text(here, 3) + " below";
+}
+
+/// The basis of an answer for a sand.
+void add_sand_notes(std::vector<Note>& notes, const InputValues& values, const Question& q) {
+  const double p = q.state.mean_stress();
+  const auto add = [&notes](const std::string& sentence, std::string source = {}) {
+    notes.push_back(plain("sand: " + sentence, std::move(source)));
+  };
+  add("G = " + sands::formula(q.sand) + ", p_a = 100 kPa, s = " + exponent_text(q.sand, p) +
+          "; one standard deviation of G is a factor of " +
+          short_text(sands::stated_factor(q.sand, q.state.void_ratio, p), 3) + " [Lo2021]",
+      "Lo2021");
+  if (p > 0 && p < sands::least_tested_stress)
+    add("no sand was tested below p' = 25 kPa; the factor is larger there");
+  add(std::string("nu is a mean of measurements; its scatter changes E little, ") +
+      (q.saturation < 1 ? "V_p by about 10 %, and " : "V_p of saturated sand hardly, and ") +
+      "K by a factor of 1.5");
+  if (p > 0)
+    add("z* and k/k_H, the contact stiffness over that of smooth spheres of the same mineral, are inferred: "
+        "with them the closed form for spheres gives this nu and this G. The mineral is quartz (G_g = " +
+        pretty(contact::mineral("quartz").material.shear_modulus, Dimension::pressure) +
+        ") unless the grains are given. From G alone, few contacts and soft contacts cannot be "
+        "distinguished. k_t/k_n, tangential over normal contact stiffness, is assumed to be that of smooth "
+        "spheres");
+  if (values.given(Input::relative_density) && !values.given(Input::least_void_ratio))
+    add("void ratio " + short_text(q.state.void_ratio) + " follows from the relative density with e_min " +
+        short_text(sands::usual_least_void_ratio) + " and e_max " +
+        short_text(sands::usual_largest_void_ratio) +
+        ", usual values of sands; G does not depend on this void ratio");
+  if (q.knows_contacts() || q.preparation != effective::Preparation{})
+    add("contacts and preparation apply to the model of spheres; measured laws do not use them");
+}
+
+} // namespace
+
+std::vector<Note> notes_of(const InputValues& values, const Question& question,
+                           std::span<const UncertainInput> inputs, bool of_sand) {
+  std::vector<Note> notes;
+  if (question.grain_shape == GrainShape::sphere)
+    notes = assumed_of_spheres(values, question.state, inputs);
+  if (const std::optional<Note> density = assumed_density(values, inputs))
+    notes.push_back(*density);
+  add_names(notes, values);
+  if (of_sand)
+    add_sand_notes(notes, values, question);
+  if (question.saturation > 0 && question.saturation < 1)
+    notes.push_back(
+        plain("air and water share one pressure in the pores; menisci between grains are left out"));
+  return notes;
+}
+
+} // namespace granum::estimate

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/estimate/input_values.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/estimate/answer.hpp>
+#include <granum/estimate/notes.hpp>
+
+using namespace granum;
+using namespace granum::estimate;
+
+namespace {
+
+/// A packing of which nothing but density and stress is known.
+InputValues usual() {
+  InputValues values;
+  values.give(Input::void_ratio, 0.6);
+  values.give(Input::stress_v, 100e3);
+  values.give(Input::stress_h, 100e3);
+  return values;
+}
+
+/// The refusal of values; empty if they are possible.
+std::string refusal(const InputValues& values) {
+  try {
+    (void)answer(question_of(completed(values)));
+    return "";
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+}
+
+/// The usual packing with one more input, beside which nothing contradicts it.
+InputValues with(Input input, double number) {
+  InputValues values = usual();
+  if (input == Input::porosity || input == Input::solid_fraction || input == Input::relative_density)
+    values.leave_out(Input::void_ratio);
+  if (input == Input::k0)
+    values.leave_out(Input::stress_h);
+  if (input == Input::pressure)
+    for (const Input stress : {Input::stress_v, Input::stress_h})
+      values.leave_out(stress);
+  if (input == Input::shear_strain)
+    values.grain_shape = GrainShape::sand;
+  values.give(input, number);
+  return values;
+}
+
+const UncertainInput& of(const std::vector<UncertainInput>& all, const std::string& name) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.input == name; });
+  REQUIRE(found != all.end());
+  return *found;
+}
+
+} // namespace
+
+TEST_CASE("input values: each number beyond its limits is refused with its name at the door") {
+  for (const InputRow& row : inputs()) {
+    if (row.kind != Kind::number || row.law != nullptr)
+      continue;
+    CAPTURE(row.key);
+    for (const double beyond : {row.limits.low - 1, row.limits.high * 1.5 + 1, double(NAN)}) {
+      if (std::isinf(beyond))
+        continue;
+      CAPTURE(beyond);
+      if (row.input == Input::uniformity) { // its distribution refuses it when it is given
+        CHECK_THROWS_AS((void)with(row.input, beyond), InvalidArgument);
+        continue;
+      }
+      InputValues values = with(row.input, beyond);
+      const std::string what = refusal(values);
+      CAPTURE(what);
+      CHECK((what.find(row.option()) != std::string::npos || what.find(row.name()) != std::string::npos));
+      values.by_keywords = true;
+      const std::string by_keywords = refusal(values);
+      CHECK(by_keywords.find("--") == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("input values: the sentences on missing and contradicting inputs name the door's own names") {
+  InputValues none;
+  CHECK(refusal(none).find("--void-ratio") != std::string::npos);
+  none.by_keywords = true;
+  CHECK(refusal(none).find("--") == std::string::npos);
+  CHECK(refusal(none).find("void_ratio") != std::string::npos);
+  InputValues twice = usual();
+  twice.give(Input::porosity, 0.4);
+  CHECK(refusal(twice) == with_options(conflict::density));
+  InputValues sizes = usual();
+  sizes.give(Input::uniformity, 2.0);
+  CHECK_THROWS_AS(sizes.give(Input::sizes, std::string("bidisperse:2")), InvalidArgument);
+  InputValues cone = usual();
+  cone.give(find_input("slope")->input, 0.3);
+  CHECK(refusal(cone) == "--slope goes with --contact cone, not with --contact sphere");
+}
+
+TEST_CASE("input values: what is implied follows what is given, and may be completed again") {
+  InputValues values;
+  values.give(Input::sand, std::string("toyoura"));
+  values.give(Input::relative_density, 0.5);
+  values.give(Input::stress_v, 100e3);
+  values.give(Input::k0, 0.5);
+  const InputValues once = completed(values), twice = completed(once);
+  CHECK(told_shape(once) == GrainShape::sand);
+  CHECK(once.number(Input::stress_h) == 50e3);
+  CHECK(once[Input::void_ratio].source == Source::implied);
+  const Question q = question_of(once), again = question_of(twice);
+  CHECK(q.state.void_ratio == again.state.void_ratio);
+  CHECK(q.sand == again.sand);
+  const double least = once.number(Input::least_void_ratio), largest = once.number(Input::largest_void_ratio);
+  CHECK(q.state.void_ratio == doctest::Approx((least + largest) / 2).epsilon(1e-15));
+
+  // A deviation of D_r moves e, one of sigma_v or K_0 moves sigma_h.
+  const std::vector<UncertainInput> moved = uncertain_inputs(
+      once, Deviations{{Input::relative_density, 0.1}, {Input::stress_v, 10e3}, {Input::k0, 0.1}});
+  CHECK(of(moved, "relative-density").moved(0.1).state.void_ratio ==
+        doctest::Approx(q.state.void_ratio - 0.1 * (largest - least)).epsilon(1e-14));
+  CHECK(of(moved, "stress-v").moved(10e3).state.stress_h == doctest::Approx(55e3).epsilon(1e-15));
+  CHECK(of(moved, "k0").moved(0.1).state.stress_h == doctest::Approx(60e3).epsilon(1e-15));
+}
+
+TEST_CASE("input values: deviations are those of defaults, and none of what is given") {
+  const std::vector<UncertainInput> assumed = uncertain_inputs(completed(usual()), Deviations{});
+  for (const char* input : {"grain-shear-modulus", "grain-poisson-ratio", "fabric", "grain-density"}) {
+    CAPTURE(input);
+    CHECK(of(assumed, input).assumed);
+    CHECK(of(assumed, input).deviation > 0);
+  }
+  CHECK(assumed.size() == 4);
+  InputValues given = usual();
+  given.give(Input::grain_shear_modulus, 29e9);
+  given.give(Input::grain_bulk_modulus, 40e9); // instead of Poisson's ratio
+  given.give(Input::fabric, 0.0);
+  given.give(Input::grain_density, 2500.0);
+  CHECK(uncertain_inputs(completed(given), Deviations{}).empty());
+  const std::string texts[] = {"grain-bulk-modulus=10%", "saturation=0.1"};
+  const std::vector<UncertainInput> stated = uncertain_inputs(completed(given), texts);
+  CHECK(of(stated, "grain-bulk-modulus").deviation == doctest::Approx(4e9).epsilon(1e-15));
+  CHECK_FALSE(of(stated, "saturation").assumed);
+  const std::string unknown[] = {"grain-poisson-ratio=0.1"};
+  CHECK_THROWS_AS((void)uncertain_inputs(completed(given), unknown), InvalidArgument);
+}
+
+TEST_CASE("input values: notes are the defaults that a packing uses, with their deviations") {
+  const InputValues values = completed(usual());
+  const std::vector<UncertainInput> inputs = uncertain_inputs(values, Deviations{});
+  const std::vector<Note> notes = notes_of(values, question_of(values), inputs, false);
+  std::vector<std::string> names;
+  for (const Note& note : notes)
+    names.push_back(note.name);
+  CHECK(names == std::vector<std::string>{"--contact", "--grain-shear-modulus", "--grain-poisson-ratio",
+                                          "--radius", "--tangential-ratio", "--fabric", "--grain-density"});
+  CHECK(notes[1].number == 30e9);
+  CHECK(notes[1].deviation == doctest::Approx(9e9));
+  CHECK(notes[1].sentence().starts_with("assumed --grain-shear-modulus 30 GPa +- 9 GPa, "));
+}
