@@ -121,6 +121,7 @@ EXCEPTIONS = {
     "out": _FILES,
     "force": _FILES,
     "report": _FILES,
+    "full": "how much the program prints; Python has every number",
     "columns": _FILES,
     "picture": "results have plot(), or matplotlib draws their arrays",
     "picture-of": "results have plot(), or matplotlib draws their arrays",

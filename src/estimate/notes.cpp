@@ -138,19 +138,18 @@ void add_sand_notes(std::vector<Note>& notes, const InputValues& values, const Q
       (q.saturation < 1 ? "V_p by about 10 %, and " : "V_p of saturated sand hardly, and ") +
       "K by a factor of 1.5");
   if (p > 0)
-    add("z* and k/k_H, the contact stiffness over that of smooth spheres of the same mineral, are inferred: "
-        "with them the closed form for spheres gives this nu and this G. The mineral is quartz (G_g = " +
+    add("z* and k/k_H are not measured: they are inferred from nu and G by the formula for spheres, with grains "
+        "of quartz (G_g = " +
         pretty(contact::mineral("quartz").material.shear_modulus, Dimension::pressure) +
-        ") unless the grains are given. From G alone, few contacts and soft contacts cannot be "
-        "distinguished. k_t/k_n, tangential over normal contact stiffness, is assumed to be that of smooth "
-        "spheres");
+        ") unless others are given and k_t/k_n of smooth spheres. From G alone, few contacts and soft "
+        "contacts cannot be distinguished");
   if (values.given(Input::relative_density) && !values.given(Input::least_void_ratio))
     add("void ratio " + short_text(q.state.void_ratio) + " follows from the relative density with e_min " +
         short_text(sands::usual_least_void_ratio) + " and e_max " +
         short_text(sands::usual_largest_void_ratio) +
         ", usual values of sands; G does not depend on this void ratio");
   if (q.knows_contacts() || q.preparation != effective::Preparation{})
-    add("contacts and preparation apply to the model of spheres; measured laws do not use them");
+    add("contacts and preparation are for the model of spheres; measured laws do not use them");
 }
 
 } // namespace

@@ -242,7 +242,7 @@ class Attack {
   /// other void ratios and pressures.
   void ask_row(const Line& line, const Ended& ended) {
     for (const char* other :
-         {"--uncertainty", "--tolerance", "--bounds", "--cement", "--cement-friction", "--report"})
+         {"--uncertainty", "--tolerance", "--bounds", "--cement", "--cement-friction", "--report", "--full"})
       if (line.has(other)) // which sweep does not take, or answers otherwise
         return;
     constexpr std::size_t others = 6;

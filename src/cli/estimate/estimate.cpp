@@ -1,46 +1,275 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "estimate.hpp"
-
+// granum estimate: the answer to one state as a document.
+#include <cmath>
 #include <memory>
-#include <optional>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
-#include <granum/io/output_file.hpp>
+#include <granum/elastic/isotropic.hpp>
+#include <granum/elastic/wave_speeds.hpp>
+#include <granum/estimate/ladder.hpp>
+#include <granum/rock_physics/contact_cement.hpp>
+#include <granum/rock_physics/sand_bounds.hpp>
+#include <granum/sands/strain.hpp>
 
-#include "answer_picture.hpp"
-#include "cli/frame/frame.hpp"
-#include "cli/frame/help.hpp"
-#include "cli/options/input_options.hpp"
+#include "answer_sections.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/packing_json.hpp"
+#include "rung_sections.hpp"
 
 namespace granum::cli {
 
 namespace {
 
 using effective::State;
+using estimate::Field;
+using estimate::GrainShape;
 using nlohmann::ordered_json;
 
 struct Options {
   InputValues inputs;
   std::vector<std::string> uncertain; ///< key=sd
-  OutputOptions output;
+  Outlets outlets;
   Number tolerance, cement;
-  std::string picture, report; ///< files; empty for none
-  bool bounds = false;         ///< show the uniform fields and rung 3 side by side
+  bool bounds = false; ///< show the uniform fields and rung 3 side by side
 };
 
-/// A line for each note, without repetitions: the assumptions of the answer and of the rungs.
-std::string notes_text(const std::vector<std::string>& notes, const std::vector<std::string>& more) {
-  std::string text = "\n";
-  for (const std::string& note : notes)
-    text += "- " + note + "\n";
-  for (const std::string& note : more)
-    text += "- " + note + "\n";
+std::string pressure_text(double value) { return pretty(value, Dimension::pressure); }
+
+// ---- inputs
+
+/// "cone, A_1 = 0.4": the shape and its parameters.
+std::string contact_text(const ordered_json& packing) {
+  std::string text = packing.at("contact").get<std::string>();
+  for (const contact::LawParameter& parameter : contact::row_of(*contact::find_shape(text)).parameters)
+    text += fmt::format(", {} = {}{}", parameter.symbol,
+                        pretty(packing.at(parameter.name).get<double>(), parameter.dimension),
+                        parameter.unit.empty() ? "" : " " + parameter.unit);
   return text;
 }
+
+/// "e = 0.802, D_r = 50 %, C_u = 1.39, d50 = 200 um": the known properties of a sand.
+std::string sand_text(const sands::Sand& sand, double void_ratio) {
+  std::string text = "e = " + short_text(void_ratio);
+  if (sand.least_void_ratio && sand.largest_void_ratio)
+    text += fmt::format(" (e_min {}, e_max {})", short_text(*sand.least_void_ratio),
+                        short_text(*sand.largest_void_ratio));
+  else if (sand.relative_density)
+    text += ", D_r = " + percent_text(*sand.relative_density);
+  if (sand.uniformity)
+    text += ", C_u = " + short_text(*sand.uniformity, 3);
+  if (sand.d50)
+    text += ", d50 = " + pretty(*sand.d50, Dimension::length);
+  return text;
+}
+
+/// A line each for contact, grains, sizes, packing or sand, and stress.
+Items input_lines(const AnswerCase& c, const ordered_json& packing) {
+  const State& s = c.question.state;
+  const contact::GrainMaterial grain = s.law.grain();
+  const std::string moduli =
+      fmt::format("G_g = {}, nu_g = {}", pressure_text(grain.shear_modulus), short_text(grain.poisson_ratio));
+  Items to;
+  const auto add = [&to](const char* label, const std::string& text) {
+    io::add_item(to.items, "", text, shown(label));
+  };
+  if (c.question.grain_shape == GrainShape::sand) {
+    add("sand", sand_text(c.question.sand, s.void_ratio));
+    add("grains", moduli);
+    if (c.question.shear_strain)
+      add("strain", percent_text(*c.question.shear_strain));
+  } else {
+    add("contact", contact_text(packing) + "; k_t/k_n = " + short_text(s.tangential_ratio));
+    add("grains", fmt::format("R = {}, {}", pretty(s.radius, Dimension::length), moduli));
+    if (packing.contains("sizes")) {
+      const ordered_json& gradation = packing.at("gradation");
+      add("sizes", fmt::format("{}: R is the mean by number; d50 = {}, C_u = {}",
+                               packing.at("sizes").get<std::string>(),
+                               pretty(gradation.at("d50").get<double>(), Dimension::length),
+                               short_text(gradation.at("uniformity").get<double>())));
+      add("contacts", means_text(s.contacts));
+    }
+    add("packing",
+        fmt::format("e = {}, fabric a = {}", short_text(s.void_ratio), short_text(s.fabric_anisotropy)));
+  }
+  add("stress", fmt::format("sigma_v = {}, sigma_h = {}; mean p' = {}", pressure_text(s.stress_v),
+                            pressure_text(s.stress_h), pressure_text(s.mean_stress())));
+  return to;
+}
+
+void add_inputs(Document& to, const AnswerCase& c, const ordered_json& packing) {
+  const State& s = c.answer.state();
+  to.add(Seen::full, input_lines(c, packing));
+  to.add(Seen::data, Data{"inputs", packing});
+  Items stress{.key = "inputs"}, state;
+  io::add_item(stress.items, "stress_v", s.stress_v);
+  io::add_item(stress.items, "stress_h", s.stress_h);
+  to.add(Seen::data, std::move(stress));
+  const auto add = [&state](const char* heading, const io::Value& value) {
+    state.items.emplace_back(heading, "", [value](const io::Only&) { return value; });
+  };
+  add("e", s.void_ratio);
+  add("sigma_v_Pa", s.stress_v);
+  add("sigma_h_Pa", s.stress_h);
+  add("grain_shape", std::string(name(c.question.grain_shape)));
+  to.add(Seen::data, std::move(state));
+}
+
+// ---- cement of the mineral of the grains, dry
+
+/// A model of cemented grains, by the place of the cement.
+struct CementModel {
+  const char* key;
+  const char* place;
+  rock_physics::IsotropicEstimate moduli;
+  elastic::WaveSpeeds speeds = {}; ///< 0 without stiffness
+};
+
+/// In the pores away from contacts (soft sand, friable), as a layer on the grain surfaces, and at the
+/// contacts. The coordination number is that of the answer for spheres.
+std::vector<CementModel> cement_models(const AnswerCase& c, double before, double after) {
+  const State& state = c.answer.state();
+  const auto [G, nu] = state.law.grain();
+  const double C_n = *state.coordination_number;
+  const rock_physics::CementedPacking cemented{.shear_modulus = G,
+                                               .poisson_ratio = nu,
+                                               .cement_shear_modulus = G,
+                                               .cement_poisson_ratio = nu,
+                                               .porosity = before,
+                                               .coordination_number = C_n,
+                                               .cement_saturation =
+                                                   rock_physics::cement_saturation(before, after)};
+  const rock_physics::SpherePacking loose{.shear_modulus = G,
+                                          .poisson_ratio = nu,
+                                          .porosity = before,
+                                          .coordination_number = C_n,
+                                          .pressure = state.mean_stress()};
+  using rock_physics::CementScheme;
+  std::vector<CementModel> models = {
+      {"friable", "in the pores, none at contacts", rock_physics::soft_sand(loose, after)},
+      {"surface_layer", "a layer on all grains",
+       rock_physics::contact_cement(cemented, CementScheme::surface_layer)},
+      {"at_contacts", "all at the contacts",
+       rock_physics::contact_cement(cemented, CementScheme::at_contacts)}};
+  const double density =
+      elastic::bulk_density({.grain_density = *c.question.grain_density, .void_ratio = after / (1 - after)});
+  for (CementModel& model : models)
+    if (const double bulk = model.moduli.bulk_modulus, shear = model.moduli.shear_modulus;
+        bulk > 0 && shear > 0)
+      model.speeds = elastic::wave_speeds(elastic::Isotropic::from_bulk_and_shear(bulk, shear), density);
+  return models;
+}
+
+/// \param    share   of the whole volume that is cement, > 0 and less than the porosity [1]
+void add_cement(Document& to, const AnswerCase& c, double share) {
+  const double e = c.answer.state().void_ratio, before = e / (1 + e), after = before - share;
+  require_open("--cement", share, 0, before);
+  if (c.question.saturation > 0)
+    throw InvalidArgument("--cement applies to dry pores: leave out --saturation");
+  const std::vector<CementModel> models = cement_models(c, before, after);
+  for (const CementModel& model : models)
+    for (const std::string& note : model.moduli.validity.notes)
+      to.warnings.add(std::string("cement, ") + model.place + ": " + note);
+  Items head{.key = "cemented", .title = "cemented with the mineral of the grains, dry"};
+  io::add_item(head.items, "share", share, shown_in_percent("cement in total volume"));
+  io::add_item(head.items, "porosity", after, shown_in_percent("porosity"));
+  io::add_item(head.items, "coordination_number", *c.answer.state().coordination_number,
+               io::ShownColumn{.heading = "C_n of spheres", .digits = 3});
+  to.add(Seen::always, std::move(head));
+  using Of = const CementModel&;
+  const io::Columns<CementModel> columns = {
+      {"", "", &CementModel::key},
+      {"", "", &CementModel::place, shown("place of the cement", {}, -31)},
+      {"", "shear_modulus", [](Of model) { return model.moduli.shear_modulus; },
+       shown("G", Dimension::pressure, 11)},
+      {"", "bulk_modulus", [](Of model) { return model.moduli.bulk_modulus; },
+       shown("K", Dimension::pressure, 11)},
+      {"", "shear_wave_speed", [](Of model) { return model.speeds.s; }, shown("V_s", Dimension::speed, 10)},
+      {"", "compression_wave_speed", [](Of model) { return model.speeds.p; },
+       shown("V_p", Dimension::speed, 10)}};
+  Table table = table_of("cemented", "", columns, models, Table::Form::named);
+  table.remark =
+      "These models assume uniform strain: they are too stiff where grains have few contacts; their "
+      "error is not known [DvorkinNur1996].";
+  to.add(Seen::always, std::move(table));
+}
+
+// ---- picture
+
+/// Options of a state near that of the answer: at another strain, if one is given, or else under stresses
+/// times a factor. The given stresses stay the given ones, for they may be uncertain.
+Options moved(Options o, double strain_or_factor) {
+  if (o.inputs.given(Input::shear_strain))
+    o.inputs.set(Input::shear_strain, strain_or_factor);
+  else
+    for (const Input stress : {Input::pressure, Input::stress_v, Input::stress_h})
+      if (o.inputs.given(stress))
+        o.inputs.set(stress, o.inputs.number(stress) * strain_or_factor);
+  return o;
+}
+
+void add_strain_laws(plot::Chart& chart, const AnswerCase& here, const std::vector<double>& strains) {
+  for (const sands::StrainLaw& law : sands::strain_laws()) {
+    plot::Series line{.name = law.key,
+                      .mark = plot::Mark::line,
+                      .x = strains,
+                      .style = chart.series.size() + 1,
+                      .tone = plot::Tone::grey};
+    for (const double strain : strains)
+      line.y.push_back(here.answer[Field::shear_modulus].value *
+                       law.ratio({.strain = strain,
+                                  .void_ratio = here.question.state.void_ratio,
+                                  .mean_stress = here.question.state.mean_stress(),
+                                  .sand = here.question.sand}));
+    chart.series.push_back(std::move(line));
+  }
+}
+
+/// G and its range around the state of the answer: over the shear strain with each published law, if a strain
+/// is given; else over the mean stress, from a tenth to tenfold.
+/// \throws   InvalidArgument without stress
+plot::Chart chart_of(const Options& o, const AnswerCase& here) {
+  const double p = here.question.state.mean_stress();
+  if (!(p > 0))
+    throw InvalidArgument("a picture of G needs a state under stress; the mean stress is 0");
+  constexpr double least_strain = 1e-6, largest_strain = 5e-3; // range of the laws of strain
+  const std::optional<double> strain = here.question.shear_strain;
+  const Field field = strain ? Field::strained_shear_modulus : Field::shear_modulus;
+  plot::Chart chart{.title = strain ? "shear modulus over strain" : "shear modulus over stress",
+                    .x = {.title = strain ? "shear strain [%]" : "p' [kPa]",
+                          .scale = plot::Scale::logarithmic,
+                          .unit = strain ? 0.01 : 1e3},
+                    .y = {.title = "G [MPa]", .unit = 1e6}};
+  Band answers, of_sand;
+  for (const double at : strain ? spread(least_strain, std::max(largest_strain, *strain), 61, true)
+                                : spread(0.1, 10, 61, true)) {
+    const Options there = moved(o, at);
+    const AnswerCase c = bare_answer(there.inputs, there.uncertain);
+    const double x = strain ? at : at * p;
+    answers.add(x, c.answer[field]);
+    if (c.sand_answer)
+      of_sand.add(x, (*c.sand_answer)[field]);
+  }
+  if (strain)
+    add_strain_laws(chart, here, answers.at);
+  const bool both = !of_sand.at.empty();
+  if (both)
+    add_band(chart, of_sand, false, title_of(GrainShape::sand), plot::Colour::measured);
+  add_band(chart, answers, false, both ? title_of(here.question.grain_shape) : "answer");
+  plot::Series given{.name = strain ? "given strain" : "given stress",
+                     .mark = plot::Mark::marker,
+                     .style = 0,
+                     .colour = plot::Colour::closed_form};
+  given.add(strain.value_or(p), here.answer[field].value);
+  if (here.sand_answer)
+    given.add(strain.value_or(p), (*here.sand_answer)[field].value);
+  chart.series.push_back(std::move(given));
+  return chart;
+}
+
+// ---- the document
 
 Validity slips_of(const Options& o, const State& state) {
   Validity slips = likely_mistakes(o.inputs, state);
@@ -50,52 +279,71 @@ Validity slips_of(const Options& o, const State& state) {
   return slips;
 }
 
+/// The lines below the answer on the first screen.
+Prose first_lines(const AnswerCase& c, std::size_t notes) {
+  Prose prose{{"in brackets: one standard deviation to each side, about 68 %; most of it from"}};
+  const auto add_share = [&](const char* whose, const estimate::Answer& answer) {
+    if (const std::string share = largest_share(answer, c.question); !share.empty())
+      prose.lines.push_back(std::string("  ") + whose + share);
+  };
+  if (c.sand_answer)
+    add_share("sand: ", *c.sand_answer);
+  add_share(c.sand_answer ? "beads: " : "", c.answer);
+  if (prose.lines.size() == 1)
+    prose.lines.clear(); // all inputs are exact
+  if (c.sand_answer)
+    prose.lines.emplace_back("sand or beads? --grain-shape sand (or sphere) prints one of them");
+  prose.lines.push_back(fmt::format("--full: inputs, {} notes, published laws, every number", notes));
+  return prose;
+}
+
+std::string title_text(const State& s) {
+  return fmt::format("Small-strain stiffness at e = {}, ", short_text(s.void_ratio)) +
+         (s.stress_v == s.stress_h ? "p' = " + pressure_text(s.stress_v)
+                                   : fmt::format("sigma_v = {}, sigma_h = {}", pressure_text(s.stress_v),
+                                                 pressure_text(s.stress_h)));
+}
+
+/// Every section of the result but the picture, and the warnings.
+Document document_of(const Options& o, const AnswerCase& c) {
+  const State& state = c.answer.state();
+  Document to{.command = "estimate",
+              .title = title_text(c.question.state),
+              .question = "How stiff is it, and how well is that known?"};
+  to.warnings = slips_of(o, state);
+  to.add_notes(c.assumptions);
+  add_inputs(to, c, packing_json(o.inputs, state));
+  add_answers(to, c);
+  Items notes{.key = "answer"};
+  io::add_item(notes.items, "notes", c.assumptions);
+  to.add(Seen::data, std::move(notes));
+  to.add(Seen::first, first_lines(c, c.assumptions.size()));
+  to.add(Seen::full, measured_laws_table(c));
+  to.add(Seen::full, strain_laws_table(c));
+  const Validity of_forms = add_closed_forms(to, c, o.bounds ? Seen::always : Seen::data);
+  if (o.bounds || c.question.grain_shape == GrainShape::sphere) // a sand has measured laws
+    to.warnings.merge(of_forms);
+  to.warnings.merge(c.answer.validity());
+  if (c.sand_answer)
+    for (const std::string& note : c.sand_answer->validity().notes)
+      to.warnings.add("sand: " + note);
+  if (o.tolerance.given())
+    add_ladder(to, estimate::choose(c.answer, o.tolerance.value));
+  if (o.cement.given())
+    add_cement(to, c, o.cement.value);
+  to.warnings.keep_each_once();
+  return to;
+}
+
 ExitCode run(Options o) {
-  require_free(o.output, o.picture);
-  require_free({.json = false, .strict = false, .force = o.output.force, .out = o.report}, "");
-  if (!o.report.empty() && !o.report.ends_with(".html"))
-    throw InvalidArgument("--report = '" + o.report + "' must end in .html");
+  require_free(o.outlets);
   o.inputs = estimate::completed(std::move(o.inputs));
-  const AnswerCase answer = solve_answer(o.inputs, o.uncertain);
-  const State& state = answer.answer.state();
-  const Bounds bounds = bounds_of(answer);
-  const ordered_json packing = packing_json(o.inputs, state);
-  std::string table = state_text(packing, answer) + answer_table(answer);
-  if (o.bounds)
-    table += "\n" + bounds_table(state, bounds);
-  table += notes_text(answer.assumptions, o.bounds ? bounds.assumptions : std::vector<std::string>{});
-  ordered_json json = estimate_json(packing, bounds, answer);
-  Validity validity = slips_of(o, state);
-  if (o.bounds || answer.question.grain_shape == estimate::GrainShape::sphere) // a sand has measured laws
-    validity.merge(bounds.validity);
-  validity.merge(answer.answer.validity());
-  if (answer.sand_answer)
-    for (const std::string& note : answer.sand_answer->validity().notes)
-      validity.add("sand: " + note);
-  if (o.tolerance.given()) {
-    const estimate::Ladder ladder = estimate::choose(answer.answer, o.tolerance.value);
-    table += ladder_table(ladder);
-    json["ladder"] = ladder_json(ladder);
-    validity.merge(ladder.validity);
-  }
-  if (o.cement.given()) {
-    const CementAnswer cemented = cement_answer(answer, o.cement.value);
-    table += cement_table(cemented);
-    json["cemented"] = cement_json(cemented);
-    validity.merge(cemented.validity);
-  }
-  validity.keep_each_once();
-  const bool csv = o.output.out.ends_with(".csv") && !o.output.json;
-  std::optional<plot::Chart> chart;
-  if (!o.picture.empty() || !o.report.empty())
-    chart = answer_chart(o.inputs, o.uncertain, answer);
-  const std::string text = within_width(table);
-  const ExitCode code = deliver(o.output, csv ? answer_csv(answer, packing) : text, json, validity);
-  if (!o.picture.empty())
-    io::write_file(o.picture, plot::svg(*chart), existing(o.output.force));
-  if (!o.report.empty())
-    io::write_file(o.report, answer_page(answer, *chart, text, validity), existing(o.output.force));
-  return code;
+  const AnswerCase c = solve_answer(o.inputs, o.uncertain);
+  Document document = document_of(o, c);
+  if (!o.outlets.picture.empty() || !o.outlets.report.empty())
+    document.add(Seen::data,
+                 Picture{{chart_of(o, c)}, "The shear modulus around this state, with its range."});
+  return deliver(o.outlets, document);
 }
 
 } // namespace
@@ -130,17 +378,8 @@ Command make_estimate() {
         .meaning = "Also show the packing with cement that fills this share of the total volume, such as 2%",
         .synonyms = {{"cementation bond"}}},
        uncertainty_row(options->uncertain)});
-  add_output_options(command, options->output);
-  add_picture(command, options->picture,
+  add_outlets(command, options->outlets,
               "Draw G and its range over the mean stress, or over the shear strain with --strain");
-  command.add(
-      output_group,
-      {{.name = "--report",
-        .value = path(options->report, "FILE.html"),
-        .meaning = "Write the answer as a page with range, assumptions, full references, and the picture"}});
-  OptionRow& force = command.row("--force");
-  force.needs = {{"--out --picture --report", "--out, --picture or --report"}};
-  force.meaning = "Let --out, --picture and --report replace existing files";
   return command;
 }
 

@@ -17,13 +17,11 @@
 namespace granum::cli {
 
 void add_output_options(Command& command, OutputOptions& options) {
-  command.add(
-      output_group,
-      {{.name = "--json", .value = flag(options.json), .meaning = "Print one JSON object, SI units"},
-       {.name = "--strict",
-        .value = flag(options.strict),
-        .meaning =
-            "Fail (exit code 4) if there is a warning or the result lies outside a formula's validity"}});
+  command.add(output_group,
+              {{.name = "--json", .value = flag(options.json), .meaning = "Print one JSON object, SI units"},
+               {.name = "--strict",
+                .value = flag(options.strict),
+                .meaning = "Treat every warning as an error (exit code 4)"}});
   add_output_place(command, options.out, options.force, "FILE", "Write the result to this file",
                    "an existing file");
 }

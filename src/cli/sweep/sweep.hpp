@@ -16,7 +16,7 @@
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/estimate/answer_picture.hpp"
+#include "cli/estimate/answer_sections.hpp"
 #include "cli/frame/frame.hpp"
 
 /// The computations of granum sweep, state by state, and their output: along a path, over depth, and for the

@@ -168,19 +168,28 @@ std::string line_of(const Text& text) {
   return line + "\n";
 }
 
-std::string table_of(const std::vector<Layer>& layers, const std::vector<DepthState>& states,
-                     const std::vector<std::string>& remarks) {
+/// Where the range at the last depth comes from.
+std::string range_lines(const AnswerCase& last, double depth) {
+  std::string text;
+  if (const std::string shares = shares_text(last.answer); !shares.empty())
+    text += fmt::format("\n  At {} m the range of G comes from: {}.\n", short_text(depth), shares);
+  if (const std::string remark = preparation_remark(last.question); !remark.empty())
+    text += "  " + remark + "\n";
+  return text;
+}
+
+std::string depth_table(const std::vector<Layer>& layers, const std::vector<DepthState>& states,
+                        const std::vector<std::string>& remarks) {
   const AnswerCase& last = *states.back().state.answer;
   std::string text = layers_text(layers, last);
   text += line_of([](const ShownDepth& column) { return std::string(column.heading); });
   text += line_of([](const ShownDepth& column) { return std::string(column.unit); });
   for (const DepthState& at : states)
     text += line_of([&](const ShownDepth& column) { return column.text(at); });
-  text += fmt::format("\n  s total stress, s' effective stress, p' its mean, u pore pressure; S_r degree\n"
+  text += std::string("\n  s total stress, s' effective stress, p' its mean, u pore pressure; S_r degree\n"
                       "  of saturation, K_0 = s'_h/s'_v at rest; (low-high): range of the answer; G in\n"
-                      "  a vertical plane, V_s and V_p of vertical waves; at {} m:",
-                      short_text(states.back().point.depth)) +
-          range_text(last) + "\n";
+                      "  a vertical plane, V_s and V_p of vertical waves\n") +
+          range_lines(last, states.back().point.depth) + "\n";
   for (const std::string& remark : remarks)
     text += "- " + remark + "\n";
   return text;
@@ -398,7 +407,7 @@ ExitCode sweep_depth(const SweepOptions& o) {
   const ordered_json ground = ground_json(layers);
   const SweepOutput output = output_of(o, states);
   return deliver_sweep(
-      o, within_width(table_of(layers, states, remarks)),
+      o, within_width(depth_table(layers, states, remarks)),
       output.csv({{"inputs", json_text(packing, -1)}, {"ground", json_text(ground, -1)}}, remarks),
       output.json({{"inputs", packing}, {"ground", ground}}, remarks), validity_of(layers, states),
       picture_of(o, depths, layers));

@@ -83,6 +83,21 @@ void add_rungs(SweptState& state, const Rungs& rungs) {
   state.error = joined(errors, "; ");
 }
 
+/// The answer, or both, and published laws; null for a state that failed.
+void put_answer(ordered_json& place, const SweptState& state, bool laws) {
+  if (!state.answer) {
+    for (const char* key : {"answer", "sand_answer", "measured_sands"})
+      if (laws || key != std::string_view("measured_sands"))
+        place[key] = nullptr;
+    return;
+  }
+  Document at;
+  add_answers(at, *state.answer);
+  if (laws)
+    at.add(Seen::data, measured_laws_table(*state.answer));
+  place.update(members_of(at.sections));
+}
+
 ordered_json rung_json(const std::optional<RungAnswer>& answer) {
   ordered_json json;
   for (const SweptQuantity& quantity : quantities) {
@@ -193,12 +208,7 @@ std::vector<std::string> SweepOutput::result_headings() const {
 
 void SweepOutput::add(std::vector<io::CsvCell> cells, ordered_json place, const SweptState& state) {
   if (options_.output.json) {
-    place["answer"] = state.answer ? answer_json(*state.answer) : ordered_json();
-    if (state.answer)
-      place["answer"].erase("notes");
-    place["sand_answer"] = state.answer ? sand_answer_json(*state.answer) : ordered_json();
-    if (options_.law_columns)
-      place["measured_sands"] = state.answer ? sands_json(*state.answer) : ordered_json();
+    put_answer(place, state, options_.law_columns);
     for (std::size_t k = 0; k < rungs_.size(); ++k)
       place[rungs_[k]->column] = rung_json(state.rungs[k]);
     place["notes"] = remarks_of(state);
@@ -226,7 +236,7 @@ void SweepOutput::add_sand_cells(std::vector<io::CsvCell>& cells, const SweptSta
     cells.emplace_back(shape);
   else if (state.answer)
     cells[*shape_cell_] = shape;
-  const estimate::Answer* of_sand = state.answer ? answer_of_sand(*state.answer) : nullptr;
+  const estimate::Answer* of_sand = state.answer ? state.answer->of_sand() : nullptr;
   if (of_sand != nullptr)
     io::add_cells(cells, sand_columns_, *of_sand);
   else

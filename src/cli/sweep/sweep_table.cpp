@@ -37,7 +37,7 @@ using SpeedRatio = std::optional<double>;
 SpeedRatio speed_ratio(const SweptState& state, const std::optional<double>& measured) {
   if (!state.answer || !measured)
     return std::nullopt;
-  const estimate::Answer* const sand = answer_of_sand(*state.answer);
+  const estimate::Answer* const sand = state.answer->of_sand();
   const auto& answer = (sand != nullptr ? *sand : state.answer->answer).find(Field::shear_wave_speed);
   return answer && answer->value > 0 ? SpeedRatio(*measured / answer->value) : std::nullopt;
 }

@@ -78,8 +78,8 @@ std::string cell_text(const ShownColumn& column, const Value& value) {
          (column.width < 0 && text.size() >= static_cast<std::size_t>(-column.width) ? " " : "");
 }
 
-std::string list_line(const ShownColumn& column, const Value& value) {
-  constexpr int label_width = 24, value_width = 22;
+std::string list_line(const ShownColumn& column, const Value& value, int label_width) {
+  constexpr int value_width = 22;
   std::string text = shown_text(column, value, screen_sign);
   if (const auto* measured = std::get_if<Measured>(&value))
     text = number_text(column, measured->value) + " +- " +

@@ -124,12 +124,12 @@ template <class Row>
 
 /// The values of a row, one line each, for the terminal.
 template <class Row>
-[[nodiscard]] std::string list_text(const Columns<Row>& columns, const Row& row) {
+[[nodiscard]] std::string list_text(const Columns<Row>& columns, const Row& row, int label_width = 24) {
   std::string text;
   for (const Column<Row>& column : columns)
     if (column.shown && column.shown->listed)
       if (const Value value = column.of(row); !is_nothing(value))
-        text += list_line(*column.shown, value);
+        text += list_line(*column.shown, value, label_width);
   return text;
 }
 

@@ -100,6 +100,6 @@ inline constexpr const char* page_sign = " \u00b1 ";
 [[nodiscard]] std::string heading_text(const ShownColumn& column);
 [[nodiscard]] std::string cell_text(const ShownColumn& column, const Value& value);
 /// A line of a list: label, value, meaning. Errors have two significant digits.
-[[nodiscard]] std::string list_line(const ShownColumn& column, const Value& value);
+[[nodiscard]] std::string list_line(const ShownColumn& column, const Value& value, int label_width = 24);
 
 } // namespace granum::io

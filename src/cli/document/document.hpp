@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <granum/core/validity.hpp>
+#include <granum/estimate/answer.hpp>
+#include <granum/io/csv/columns.hpp>
+#include <granum/plot/chart.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/frame/frame.hpp"
+
+/// The result of a command as values in sections. Screen, JSON, CSV, picture and page are printed from it by
+/// one printer each; a command does not know how they look.
+/// Checked by tests/cli/test_document.cpp
+namespace granum::cli {
+
+/// Where people see a section, a row or a note. JSON and CSV have all of them.
+enum class Seen {
+  always, ///< also on the first screen
+  first,  ///< only on the first screen
+  full,   ///< only on the full screen and the page
+  data    ///< only in files
+};
+
+/// Values by name: a list on a screen, members of an object in JSON, and cells of the row of a CSV file where
+/// they have a heading.
+struct Items {
+  std::string key = {}; ///< of their object in JSON, "answer/shares"; empty: that of the document
+  std::string title = {};
+  io::Items items = {};
+};
+
+/// A number with its range; empty where it does not exist, which is null in JSON.
+struct RangeRow {
+  std::string key, symbol, heading, meaning;
+  Dimension dimension = Dimension::dimensionless;
+  Seen seen = Seen::full;
+  std::optional<estimate::Range> range = {};
+};
+/// Numbers with their ranges; without any the key is null in JSON. On the first screen all of a document are
+/// side by side.
+struct Ranges {
+  std::string key = {}, title = {};
+  std::string before = {}; ///< in front of each heading in CSV
+  std::vector<RangeRow> rows = {};
+};
+
+using Cells = std::vector<io::Value>;
+struct Table {
+  /// How rows become lines of a screen and members in JSON.
+  enum class Form {
+    list,   ///< a line and an element of an array for each
+    named,  ///< an object for each, named by the first column
+    columns ///< named, and a screen has a column for each
+  };
+  std::string key = {}, title = {};
+  io::Columns<Cells> columns = {};
+  std::vector<Cells> rows = {};
+  Form form = Form::list;
+  std::string remark = {}; ///< below it
+};
+/// The values of rows as a table.
+template <class Row>
+[[nodiscard]] Table table_of(std::string key, std::string title, const io::Columns<Row>& columns,
+                             const std::vector<Row>& rows, Table::Form form = Table::Form::list) {
+  Table table{.key = std::move(key), .title = std::move(title), .form = form};
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    table.columns.emplace_back(
+        columns[k].heading, columns[k].key, [k](const Cells& cells) { return cells[k]; }, columns[k].shown);
+    table.columns.back().has_error = columns[k].has_error;
+  }
+  for (const Row& row : rows) {
+    Cells& cells = table.rows.emplace_back();
+    for (const io::Column<Row>& column : columns)
+      cells.push_back(column.of(row));
+  }
+  return table;
+}
+
+/// Charts side by side, with what is to be said of them.
+struct Picture {
+  std::vector<plot::Chart> charts;
+  std::string caption = {};
+};
+
+/// Lines for people, which files do not have.
+struct Prose {
+  std::vector<std::string> lines;
+};
+
+/// An object that exists as JSON already.
+struct Data {
+  std::string key;
+  nlohmann::ordered_json value;
+};
+
+struct Section {
+  Seen seen;
+  std::variant<Items, Ranges, Table, Picture, Prose, Data> what;
+};
+
+/// An assumption or a remark: a sentence, and what it says as values where these are known.
+struct Note {
+  std::string text;
+  Seen seen = Seen::full;
+  std::string input = {}; ///< name of the option; empty for a remark
+  std::optional<double> value = {}, deviation = {};
+  std::string source = {}; ///< key of the bibliography
+};
+
+struct Document {
+  std::string command = {};  ///< "estimate"
+  std::string title = {};    ///< first line of a screen
+  std::string question = {}; ///< first line of a page
+  std::vector<Section> sections = {};
+  std::vector<Note> notes = {};
+  Validity warnings = {};
+  io::CsvManner manner = {}; ///< of the CSV file
+
+  template <class What>
+  void add(Seen seen, What what) {
+    sections.push_back({seen, std::move(what)});
+  }
+  void add_notes(const std::vector<std::string>& texts, Seen seen = Seen::full) {
+    for (const std::string& text : texts)
+      notes.push_back({.text = text, .seen = seen});
+  }
+};
+
+// ---- how values look
+
+/// A number in the unit of a screen, with the unit: "118 MPa".
+[[nodiscard]] std::string number_text(Dimension dimension, double value);
+/// "118 MPa (90.73 to 153.3 MPa)".
+[[nodiscard]] std::string range_text(Dimension dimension, const estimate::Range& range);
+
+/// The look of a value: in a list, or in a table of that width.
+[[nodiscard]] inline io::ShownColumn shown(std::string label, std::optional<Dimension> dimension = {},
+                                           int width = 0) {
+  return {.heading = std::move(label), .width = width, .absent = "none", .dimension = dimension};
+}
+/// That of a share, in per cent.
+[[nodiscard]] inline io::ShownColumn shown_in_percent(std::string label, int width = 0) {
+  return {
+      .heading = std::move(label), .width = width, .digits = 3, .unit = 0.01, .absent = "-", .symbol = " %"};
+}
+
+// ---- printers
+
+/// Text for a terminal, without warnings.
+[[nodiscard]] std::string screen(const Document& document, bool full);
+/// Every section that has a key, SI units; notes; without warnings.
+[[nodiscard]] nlohmann::ordered_json json(const Document& document);
+/// The sections alone, as members of an object.
+[[nodiscard]] nlohmann::ordered_json members_of(const std::vector<Section>& sections);
+/// Inputs and notes as comments; then the rows of the first table with headings, or else one row of all items
+/// with headings and all ranges.
+[[nodiscard]] std::string csv(const Document& document);
+/// Charts as one SVG file.
+/// \throws   InvalidArgument if there are none
+[[nodiscard]] std::string picture(const Document& document);
+/// A page of HTML: answer, picture, numbers, tables, notes, sources, warnings and the full screen.
+[[nodiscard]] std::string page(const Document& document);
+
+/// Where a document is printed to.
+struct Outlets {
+  OutputOptions output = {};
+  std::string picture = {}, report = {}; ///< files; empty for none
+  bool full = false;                     ///< the full screen
+  bool always_csv = false;               ///< to a file whatever its name, unless it is JSON
+};
+/// Adds --full, --picture and --report.
+void add_outlets(Command& command, Outlets& outlets, const std::string& picture_help);
+/// Checks names of files before any work is done.
+/// \throws   InvalidArgument for another ending than .svg and .html; FileError as require_free of frame.hpp
+void require_free(const Outlets& outlets);
+/// Prints the document wherever it is asked for.
+/// \return   as deliver of frame.hpp
+ExitCode deliver(const Outlets& outlets, const Document& document);
+
+} // namespace granum::cli

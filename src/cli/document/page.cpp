@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string_view>
+
+#include <fmt/format.h>
+#include <granum/plot/page.hpp>
+
+#include "document.hpp"
+
+namespace granum::cli {
+
+namespace {
+
+struct BibliographyRow {
+  std::string_view key, text;
+};
+constexpr BibliographyRow bibliography[] = {
+#include "sources_table.inc"
+};
+
+/// The entries of validation/references.bib whose keys occur in a text, in the order of the bibliography:
+/// "Menq2003: Menq, F. Y. (2003): ...".
+std::vector<std::string> sources_in(std::string_view text) {
+  std::vector<std::string> all;
+  for (const BibliographyRow& row : bibliography)
+    if (text.find(row.key) != std::string_view::npos)
+      all.push_back(std::string(row.key) + ": " + std::string(row.text));
+  return all;
+}
+
+/// "sand (measured laws): G is 118 MPa (90.73 to 153.3 MPa), V_s is ...", the first numbers of an answer.
+std::string sentence_of(const Ranges& ranges) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> parts;
+  for (const RangeRow& row : ranges.rows)
+    if (row.range && row.seen == Seen::always && parts.size() < most)
+      parts.push_back(row.symbol + " is " + range_text(row.dimension, *row.range));
+  return fmt::format("{}: {}; in brackets one standard deviation to each side.", ranges.title,
+                     fmt::join(parts, ", "));
+}
+
+std::string titled(const std::string& title, const std::string& content) {
+  return (title.empty() ? "" : plot::html_paragraph(title)) + content;
+}
+
+std::string html_of(const Ranges& ranges) {
+  std::vector<std::vector<std::string>> rows;
+  for (const RangeRow& row : ranges.rows)
+    if (row.range) {
+      std::vector<std::string>& cells = rows.emplace_back(std::vector{row.symbol});
+      for (const double number : {row.range->value, row.range->low, row.range->high})
+        cells.push_back(number_text(row.dimension, number));
+      cells.push_back(row.meaning);
+    }
+  return rows.empty()
+             ? ""
+             : titled(ranges.title, plot::html_table({"", "answer", "low", "high", "meaning"}, rows));
+}
+
+std::string html_of(const Items& items) {
+  std::vector<std::vector<std::string>> rows;
+  for (const io::Column<io::Only>& item : items.items)
+    if (const io::Value value = item.of(io::Only{});
+        item.shown && item.shown->listed && !io::is_nothing(value))
+      rows.push_back(
+          {item.shown->heading, io::shown_text(*item.shown, value, io::page_sign), item.shown->meaning});
+  return rows.empty() ? "" : titled(items.title, plot::html_table({"", "value", "meaning"}, rows));
+}
+
+std::string html_of(const Table& table) {
+  if (table.rows.empty())
+    return "";
+  io::Columns<Cells> columns = table.columns;
+  if (table.form != Table::Form::list && !columns.front().shown)
+    columns.front().shown = shown("", {}, 1);
+  for (io::Column<Cells>& column : columns)
+    if (column.shown && table.form == Table::Form::columns)
+      column.shown->width = 1; // each is a column of the page too
+  return titled(table.title, io::page_table(columns, table.rows)) +
+         (table.remark.empty() ? "" : plot::html_paragraph(table.remark));
+}
+
+std::string html_of(const Prose& prose) {
+  std::string text;
+  for (const std::string& line : prose.lines)
+    text += line.empty() ? "" : plot::html_paragraph(line);
+  return text;
+}
+
+std::string html_of(const Picture& /*picture*/) { return ""; }
+std::string html_of(const Data& /*data*/) { return ""; }
+
+} // namespace
+
+std::string page(const Document& document) {
+  std::vector<std::string> sentences, notes;
+  plot::PageFigure figure;
+  std::string numbers;
+  for (const Section& section : document.sections) {
+    if (const auto* ranges = std::get_if<Ranges>(&section.what); ranges != nullptr && !ranges->rows.empty())
+      sentences.push_back(sentence_of(*ranges));
+    if (const auto* of = std::get_if<Picture>(&section.what)) {
+      figure.caption = of->caption;
+      for (const plot::Chart& chart : of->charts)
+        figure.pictures.push_back({.svg = plot::svg_in_page(chart)});
+    }
+    if (section.seen == Seen::always || section.seen == Seen::full)
+      numbers += std::visit([](const auto& what) { return html_of(what); }, section.what);
+  }
+  for (const Note& note : document.notes)
+    if (note.seen != Seen::data)
+      notes.push_back(note.text);
+  const std::string text = screen(document, true);
+  std::string body =
+      plot::html_first_screen(document.question, sentences, figure) +
+      plot::html_section("numbers", "Every number", numbers) +
+      plot::html_section("assumptions", "Assumptions and sources", plot::html_list(notes)) +
+      plot::html_section("sources", "Sources", plot::html_list(sources_in(text + json(document).dump())));
+  if (!document.warnings.ok())
+    body += plot::html_section("warnings", "Warnings", plot::html_list(document.warnings.notes));
+  body += plot::html_section("all", "All results",
+                             plot::html_folded("Output on the terminal", plot::html_preformatted(text)));
+  return plot::html_page("granum " + document.command, body);
+}
+
+} // namespace granum::cli
