@@ -139,6 +139,8 @@ struct Document {
 [[nodiscard]] std::string number_text(Dimension dimension, double value);
 /// "118 MPa (90.73 to 153.3 MPa)".
 [[nodiscard]] std::string range_text(Dimension dimension, const estimate::Range& range);
+/// "uniform strain" for "uniform_strain".
+[[nodiscard]] std::string with_blanks(std::string key);
 
 /// The look of a value: in a list, or in a table of that width.
 [[nodiscard]] inline io::ShownColumn shown(std::string label, std::optional<Dimension> dimension = {},

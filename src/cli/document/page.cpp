@@ -58,23 +58,35 @@ std::string html_of(const Ranges& ranges) {
 
 std::string html_of(const Items& items) {
   std::vector<std::vector<std::string>> rows;
+  bool meanings = false;
   for (const io::Column<io::Only>& item : items.items)
     if (const io::Value value = item.of(io::Only{});
-        item.shown && item.shown->listed && !io::is_nothing(value))
+        item.shown && item.shown->listed && !io::is_nothing(value)) {
       rows.push_back(
           {item.shown->heading, io::shown_text(*item.shown, value, io::page_sign), item.shown->meaning});
-  return rows.empty() ? "" : titled(items.title, plot::html_table({"", "value", "meaning"}, rows));
+      meanings = meanings || !item.shown->meaning.empty();
+    }
+  if (!meanings)
+    for (std::vector<std::string>& row : rows)
+      row.pop_back();
+  const std::vector<std::string> headings = {"", "value", "meaning"};
+  return rows.empty()
+             ? ""
+             : titled(items.title, plot::html_table({headings.begin(), headings.end() - !meanings}, rows));
 }
 
 std::string html_of(const Table& table) {
   if (table.rows.empty())
     return "";
   io::Columns<Cells> columns = table.columns;
-  if (table.form != Table::Form::list && !columns.front().shown)
-    columns.front().shown = shown("", {}, 1);
-  for (io::Column<Cells>& column : columns)
-    if (column.shown && table.form == Table::Form::columns)
-      column.shown->width = 1; // each is a column of the page too
+  if (table.form == Table::Form::columns) {
+    columns.front() = {"", "",
+                       [](const Cells& cells) { return with_blanks(std::get<std::string>(cells.front())); },
+                       shown("")};
+    for (io::Column<Cells>& column : columns)
+      if (column.shown)
+        column.shown->width = 1; // each is a column of the page too
+  }
   return titled(table.title, io::page_table(columns, table.rows)) +
          (table.remark.empty() ? "" : plot::html_paragraph(table.remark));
 }

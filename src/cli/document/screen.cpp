@@ -28,6 +28,11 @@ std::string range_text(Dimension dimension, const estimate::Range& range) {
                      one_unit ? low.substr(0, blank) : low, high);
 }
 
+std::string with_blanks(std::string key) {
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
+}
+
 namespace {
 
 std::string without_blanks_at_end(std::string line) {
@@ -107,8 +112,7 @@ std::string columns_text(const Table& table) {
   };
   std::string head = fmt::format("  {:<12}", "");
   for (const Cells& row : table.rows)
-    head += fmt::format("{:>{}}", std::get<std::string>(row.front()), width_of(row));
-  std::replace(head.begin(), head.end(), '_', ' ');
+    head += fmt::format("{:>{}}", with_blanks(std::get<std::string>(row.front())), width_of(row));
   std::string text = without_blanks_at_end(head);
   for (std::size_t k = 1; k < table.columns.size(); ++k)
     if (const auto& look = table.columns[k].shown) {
