@@ -138,7 +138,8 @@ void add_sand_notes(std::vector<Note>& notes, const InputValues& values, const Q
       (q.saturation < 1 ? "V_p by about 10 %, and " : "V_p of saturated sand hardly, and ") +
       "K by a factor of 1.5");
   if (p > 0)
-    add("z* and k/k_H are not measured: they are inferred from nu and G by the formula for spheres, with grains "
+    add("z* and k/k_H are not measured: they are inferred from nu and G by the formula for spheres, with "
+        "grains "
         "of quartz (G_g = " +
         pretty(contact::mineral("quartz").material.shear_modulus, Dimension::pressure) +
         ") unless others are given and k_t/k_n of smooth spheres. From G alone, few contacts and soft "

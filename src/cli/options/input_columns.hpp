@@ -27,7 +27,7 @@ class InputColumns {
   /// \param    options   what the options give, for all rows; it must stay in its place
   InputColumns(const io::CsvTable& table, const estimate::InputValues& options);
 
-  /// Binds an input to its column; returns whether the table has one. Rows that leave it empty do not give it.
+  /// Binds an input to its column; returns whether there is one. Rows that leave it empty do not give it.
   /// \throws   FileError for a column without its unit, or if two columns contain the number;
   ///           InvalidArgument if it is given by an option too
   bool bind(estimate::Input input);

@@ -11,7 +11,7 @@
 /// Checked by tests/cli/people.cmake
 namespace granum::cli {
 
-/// Checks given values only, in the order of the options: the void ratio, z*, stress, size, modulus and density
+/// Checks given values only, in the order of the options: void ratio, z*, stress, size, modulus and density
 /// of the grains.
 /// \throws   InvalidArgument as effective::contact_prior
 [[nodiscard]] Validity likely_mistakes(const estimate::InputValues& values, const effective::State& state);
