@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 #include "contact_prior_coefficients.hpp"
 #include "contact_prior_kernel.hpp"
+#include "core/root.hpp"
 
 namespace granum::effective {
 
@@ -82,10 +81,9 @@ ImpliedCoordination implied_coordination(const State& state, Modulus which, doub
     implied.explained = below > 0 ? Explained::too_soft : Explained::too_stiff;
     return implied;
   }
-  std::uintmax_t rounds = 200;
-  const auto [left, right] = boost::math::tools::toms748_solve(
-      excess, low, high, below, above, boost::math::tools::eps_tolerance<double>(), rounds);
-  implied.mechanical_coordination_number = isostatic + std::exp((left + right) / 2);
+  const double at =
+      middle(root_between(excess, low, high, below, above, boost::math::tools::eps_tolerance<double>()));
+  implied.mechanical_coordination_number = isostatic + std::exp(at);
   return implied;
 }
 

@@ -5,16 +5,14 @@
 #include <granum/effective/kinematic_field.hpp>
 
 #include <cmath>
-#include <cstdint>
 #include <utility>
-
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/stress/axial_stress.hpp>
 
 #include "checked_state.hpp"
+#include "core/root.hpp"
 
 namespace granum::effective {
 
@@ -70,10 +68,7 @@ double strain_ratio(const State& s) {
   const double low = excess(-largest_t), high = excess(largest_t);
   if (!(low < 0 && high > 0))
     refuse(s);
-  std::uintmax_t steps = 200;
-  const auto [left, right] = boost::math::tools::toms748_solve(
-      excess, -largest_t, largest_t, low, high, boost::math::tools::eps_tolerance<double>(52), steps);
-  return (left + right) / 2;
+  return middle(root_between(excess, -largest_t, largest_t, low, high, within_bits(52)));
 }
 
 /// The strains exp(t/2) and exp(-t/2), scaled so that a contact reaches the force force_area load.

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 #include "checked_state.hpp"
+#include "core/root.hpp"
 
 namespace granum::effective {
 
@@ -30,9 +29,7 @@ double transition_pressure_of(double exponent, double mean_stress) {
   constexpr double widest = 30; // |ln X|: b is 1e-9 from an end there
   if (!(excess(-widest) < 0 && excess(widest) > 0))
     throw InvalidArgument("exponent", exponent, "", "(1/3, 1)");
-  std::uintmax_t steps = 100;
-  const auto [left, right] = boost::math::tools::toms748_solve(
-      excess, -widest, widest, boost::math::tools::eps_tolerance<double>(45), steps);
+  const auto [left, right] = root_between(excess, -widest, widest, within_bits(45), 100);
   return mean_stress * std::exp(0.75 * (left + right));
 }
 

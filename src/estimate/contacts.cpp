@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
+
+#include "core/root.hpp"
 
 namespace granum::estimate {
 
@@ -28,15 +28,12 @@ KnownContacts exactly(const ContactCounts& counts) { return {counts, counts, cou
 
 /// z* in [0, 100] at which a function that grows with z* reaches 0, or the end that is nearer to it.
 template <class Function>
-double root(const Function& grows) {
+double contacts_at_root(const Function& grows) {
   const double low = 0, high = 100;
   const double at_low = grows(low), at_high = grows(high);
   if (at_low >= 0 || at_high <= 0)
     return at_low >= 0 ? low : high;
-  std::uintmax_t rounds = 80;
-  const auto [left, right] = boost::math::tools::toms748_solve(
-      grows, low, high, at_low, at_high, [](double a, double b) { return b - a <= 1e-15 * b; }, rounds);
-  return (left + right) / 2;
+  return middle(root_between(grows, low, high, at_low, at_high, within_share(1e-15), 80));
 }
 
 KnownContacts contacts_by_prior(const ContactPrior& prior) {
@@ -75,7 +72,7 @@ KnownContacts contacts_by_C_n(double C_n, const ContactPrior& prior) {
       const double x = factor * effective::typical_rattler_fraction(z, prior.relative_overlap);
       return z * (1 - std::min(x, most_rattlers)) - C_n;
     };
-    return of_z_and_C_n(root(missing), C_n);
+    return of_z_and_C_n(contacts_at_root(missing), C_n);
   };
   const double factor = std::exp(prior.rattler_error);
   return {.middle = with(1), .fewer = with(1 / factor), .more = with(factor), .validity = {}};
@@ -95,7 +92,7 @@ KnownContacts contacts_by_rattlers(double rattlers, const ContactPrior& prior, b
   of_packings.coordination_error = prior.packing_scatter;
   range = contacts_by_prior(of_packings);
   const auto with = [&](double factor, double doubt) {
-    const double z = root([&](double at) {
+    const double z = contacts_at_root([&](double at) {
       return rattlers * factor - effective::typical_rattler_fraction(at, prior.relative_overlap);
     });
     const double among =

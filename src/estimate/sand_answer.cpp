@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/slip.hpp>
 #include <granum/sands/strain.hpp>
 
 #include "contacts.hpp"
+#include "core/root.hpp"
 #include "possible.hpp"
 #include "ranges.hpp"
 
@@ -75,13 +74,8 @@ void infer_contacts(Values& all, const Question& q, double G, double nu) {
   const double at_least = missing(least), at_most = missing(most);
   if (at_most <= 0)
     z = most;
-  else if (at_least < 0) {
-    std::uintmax_t rounds = 60;
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        missing, least, most, at_least, at_most, [](double a, double b) { return b - a <= 1e-14 * b; },
-        rounds);
-    z = (left + right) / 2;
-  }
+  else if (at_least < 0)
+    z = middle(root_between(missing, least, most, at_least, at_most, within_share(1e-14), 60));
   at(all, Field::mechanical_coordination_number) = z;
   at(all, Field::contact_softness) = G / stiffness(z).G_vh();
 }

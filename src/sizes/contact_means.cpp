@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/mean.hpp>
 
+#include "core/root.hpp"
 #include "sorted_radii.hpp"
 
 namespace granum::sizes {
@@ -74,10 +73,7 @@ std::vector<double> contact_numbers(std::span<const SizeNode> nodes, double ratt
   double above = 1;
   while (excess(above) > 0)
     above *= 2;
-  std::uintmax_t steps = 200;
-  const double k = boost::math::tools::toms748_solve(excess, 0.0, above,
-                                                     boost::math::tools::eps_tolerance<double>(48), steps)
-                       .first;
+  const double k = root_between(excess, 0.0, above, within_bits(48)).first;
   for (double& number : numbers)
     number *= -std::expm1(-k * (number - of_point));
   return numbers;

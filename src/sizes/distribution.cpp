@@ -5,17 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <utility>
 
 #include <boost/math/special_functions/erf.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 #include <granum/core/quadrature.hpp>
 
+#include "core/root.hpp"
 #include "sorted_radii.hpp"
 
 namespace granum::sizes {
@@ -195,11 +194,8 @@ Distribution Distribution::uniformity(double coefficient, std::optional<double> 
     const double share = 2 * log_coefficient / std::log(*size_ratio);
     const auto excess = [&](double w) { return spread(w) / w - share; };
     constexpr double narrow = 1e-3;
-    std::uintmax_t steps = 100;
     if (excess(narrow) > 0 && excess(nothing_beyond) < 0)
-      width = boost::math::tools::toms748_solve(excess, narrow, nothing_beyond,
-                                                boost::math::tools::eps_tolerance<double>(48), steps)
-                  .first;
+      width = root_between(excess, narrow, nothing_beyond, within_bits(48), 100).first;
     else
       width = excess(nothing_beyond) >= 0 ? nothing_beyond : narrow;
   }

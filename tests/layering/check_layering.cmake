@@ -65,8 +65,8 @@ list(APPEND private_headers_estimate effective)
 list(APPEND private_headers_rock_physics effective)
 list(APPEND private_headers_inverse hardin)
 list(APPEND private_headers_cli studies)
-# Functions of libraries that take long to compile: compiled once, in core, and called by every module.
-set(compiled_once "^\"core/(gamma|symmetric_eigen)[.]hpp\"$")
+# What core wraps of other libraries, for every module: eigenvalues, gamma functions, roots.
+set(compiled_once "^\"core/(gamma|root|symmetric_eigen)[.]hpp\"$")
 # Vector code: written once, in core, and used by these modules.
 set(vector_room "^src/core/vector/")
 foreach(module effective network dem)

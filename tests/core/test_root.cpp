@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/root.hpp"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+using namespace granum;
+
+TEST_CASE("root: intervals contain the root and are as narrow as asked, within the calls allowed") {
+  std::size_t calls = 0;
+  const auto cosine = [&](double x) {
+    ++calls;
+    return std::cos(x);
+  };
+  const double root = std::acos(0.0);
+  const auto [low, high] = root_between(cosine, 0, 3, within_bits(40));
+  CHECK(low <= root);
+  CHECK(high >= root);
+  CHECK(high - low <= std::ldexp(root, -38));
+  CHECK(middle({low, high}) == doctest::Approx(root).epsilon(1e-12));
+  calls = 0;
+  const RootInterval wide = root_between(cosine, 0, 3, within_bits(50), 3);
+  CHECK(calls <= 5); // both ends, and three within
+  CHECK(wide.second - wide.first > 1e-6);
+  const RootInterval share = root_between(cosine, 0, 3, 1, std::cos(3.0), within_share(0.1));
+  CHECK(share.second - share.first <= 0.1 * share.second);
+}
+
+TEST_CASE("root: an exact root is both ends") {
+  const RootInterval at = root_between([](double x) { return x - 2; }, 0, 4, within_bits(52));
+  CHECK(at.first == 2);
+  CHECK(at.second == 2);
+}
