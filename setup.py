@@ -71,7 +71,7 @@ class CMakeBuild(build_ext):
         configure += [f"-D{name}={value}" for name, value in options.items()]
         configure += shlex.split(os.environ.get("CMAKE_ARGS", ""))
         subprocess.run(configure, check=True)
-        subprocess.run(["cmake", "--build", tree, "--target", "granum_python"], check=True)
+        subprocess.run(["cmake", "--build", tree, "--target", "granum_python_stub"], check=True)
 
 
 LOCK = alone()

@@ -120,19 +120,11 @@ def documentation(text):
 
 
 def signature(name, value):
-    """The lines of a call, and the docstring without the signature that pybind11 writes before it."""
+    """The lines of a call, and the docstring."""
     text = inspect.getdoc(value) or ""
     if inspect.isclass(value):
         return None, text
-    try:
-        call = f"granum.{name}{inspect.signature(value)}"
-    except (TypeError, ValueError):
-        first, _, rest = text.partition("\n")
-        if not first.startswith(name + "("):
-            return None, text
-        call, text = "granum." + first.split(" -> ")[0], rest.strip()
-    call = re.sub(r": [^=,()]+(\[[^\]]*\])?(?= = |,|\))", "", call.split(" -> ")[0])
-    call = call.replace("granum._granum.", "").replace(" = ", "=")
+    call = f"granum.{name}{inspect.signature(value)}"
     return textwrap.fill(call, 100, subsequent_indent=" " * 4, break_long_words=False), text
 
 

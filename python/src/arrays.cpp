@@ -37,6 +37,10 @@ py::array array_of(const std::vector<Vec3>& vectors) {
   return out;
 }
 
+py::array array_of(const std::vector<double>& numbers) {
+  return py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+}
+
 py::array array_of(const Mat3& m) {
   py::array_t<double> out({3, 3});
   std::copy_n(&m.m[0][0], 9, out.mutable_data());
@@ -131,8 +135,14 @@ elastic::VoigtStiffness stiffness_of(const char* name, const py::handle& value) 
 }
 
 double number_of(const char* name, const py::handle& value) {
-  if (PyFloat_Check(value.ptr()))
+  if (value && PyFloat_Check(value.ptr()))
     return PyFloat_AS_DOUBLE(value.ptr());
+  if (value && PyLong_CheckExact(value.ptr())) { // of any length
+    const double number = PyLong_AsDouble(value.ptr());
+    if (PyErr_Occurred() != nullptr)
+      throw py::error_already_set();
+    return number;
+  }
   const py::array_t<double> array = numbers_of(name, value);
   if (array.ndim() != 0)
     refuse_type(name, " is an array of shape " + shape_text(array) + ", where one number is needed");

@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,11 @@
 namespace granum::python {
 
 namespace py = pybind11;
+
+template <class Type>
+inline constexpr bool is_optional = false;
+template <class Type>
+inline constexpr bool is_optional<std::optional<Type>> = true;
 
 /// The array, read-only: its memory belongs to a result.
 [[nodiscard]] py::array read_only(py::array array);
@@ -49,6 +55,7 @@ template <class Element>
 /// Copies.
 [[nodiscard]] py::array array_of(const Vec3& vector);
 [[nodiscard]] py::array array_of(const Mat3& matrix);
+[[nodiscard]] py::array array_of(const std::vector<double>& numbers);
 /// (N, 3), one vector a row.
 [[nodiscard]] py::array array_of(const std::vector<Vec3>& vectors);
 [[nodiscard]] py::array array_of(const elastic::Matrix6& matrix);

@@ -4,16 +4,15 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 
 #include <granum/effective/batch.hpp>
 
 #include "bindings.hpp"
-#include "docstrings.hpp"
 #include "errors.hpp"
-#include "estimate.hpp"
-#include "state.hpp"
+#include "members.hpp"
+#include "rows.hpp"
+#include "shared_keywords.hpp"
 
 namespace granum::python {
 
@@ -78,14 +77,13 @@ py::array_t<double> array_to_write(const py::handle& value, const std::vector<py
 class Batch {
  public:
   explicit Batch(const Arguments& a)
-      : law_(a.as<const contact::NormalLaw&>(0, "a contact law")),
-        contacts_(a.given(6) ? a.as<sizes::ContactMeans>(6, "ContactMeans") : sizes::ContactMeans{}),
-        tangential_ratio_(a.given(5) ? number_of("tangential_ratio", a[5])
-                                     : contact::mindlin_stiffness_ratio(law_.grain().poisson_ratio)),
-        radius_(number_of("radius", a[1])), pressure_("pressure", a[4]),
-        coordination_number_("coordination_number", a[3]), porosity_("porosity", a[2]) {
-    const Argument arguments[] = {{"pressure", a[4]}, {"coordination_number", a[3]}, {"porosity", a[2]}};
-    const Columns columns(arguments);
+      : law_(a.as<const contact::NormalLaw&>(0)),
+        contacts_(taken<std::optional<sizes::ContactMeans>>(a, 6).value_or(sizes::ContactMeans{})),
+        tangential_ratio_(
+            a.number_if_given(5).value_or(contact::mindlin_stiffness_ratio(law_.grain().poisson_ratio))),
+        radius_(a.number(1)), pressure_("pressure", a[4]), coordination_number_("coordination_number", a[3]),
+        porosity_("porosity", a[2]) {
+    const Columns columns(columns_of(a));
     out_.shape = columns.shape();
     rows_ = columns.rows();
     for (BatchColumn* column : {&pressure_, &coordination_number_, &porosity_})
@@ -162,73 +160,36 @@ py::object shown(const py::array_t<double>& array) {
 } // namespace
 
 void bind_batch(py::module_& module) {
-  py::class_<Moduli>(module, "Moduli", "Bulk and shear modulus of isotropic packings.")
-      .def_property_readonly(
-          "bulk_modulus", [](const Moduli& m) { return shown(m.bulk_modulus); }, "K [Pa].")
-      .def_property_readonly(
-          "shear_modulus", [](const Moduli& m) { return shown(m.shear_modulus); }, "G [Pa].")
-      .def_property_readonly(
-          "errors", [](const Moduli& m) { return errors_by_index(m.errors, m.shape); },
-          "Messages of the elements that were refused, by index; their moduli are NaN.");
-  define(module, {"uniform_strain_moduli",
-                  {{"law"},
-                   {"radius"},
-                   {"porosity"},
-                   {"coordination_number"},
-                   {"pressure"},
-                   {"tangential_ratio", "None"},
-                   {"contact_means", "None"},
-                   {"strict", "False"},
-                   {"out", "None"}},
-                  [](const Arguments& a) {
-                    const bool strict = a.flag(7);
-                    Moduli moduli = Batch(a).run();
-                    if (!moduli.errors.empty() && (strict || moduli.shape.empty()))
-                      throw InvalidArgument(moduli.errors.begin()->second);
-                    return py::cast(std::move(moduli));
-                  },
-                  std::string() +
-                      R"(K and G under uniform strain of many isotropic packings at isotropic stress, rung 0.
-
-Fast for large arrays; equal to answer(rung=0) within 1e-14.
-
-Parameters
-----------
-law : NormalLaw
-    Normal contact of two grains.
-radius : float
-    R > 0 of a grain [m].
-porosity : array_like
-    Voids in the volume, in (0, 1) [1].
-coordination_number : array_like
-    C_n in [0, 1e6] [1].
-pressure : array_like
-    p in [0, 1e200] [Pa].
-tangential_ratio : float, optional
-    k_t/k_n [1]; without it mindlin_stiffness_ratio of the law's material.
-contact_means : ContactMeans, optional
-    Of unequal grains; without it those of equal ones.
-strict : bool
-    Raise at the first element that is refused, instead of NaN and a message in `errors`.
-out : (2,) sequence of ndarray, optional
-    Arrays for K and G, of float64, contiguous, of the shape of the results; may be arrays of the arguments.
-    Default: new arrays, whose allocation takes longer than the calculation.
-
-Returns
--------
-Moduli
-    Its arrays are those of out, if given.
-
-Raises
-------
-InvalidArgument
-    For impossible numbers (with arrays only under strict), or an out of another shape.
-TypeError
-    Unless out is two writable arrays of float64.
-)" +
-                      notes("K = C_n k_n/(6 pi R (1+e)) at the mean contact force, G = 3 (2 + 3 k_t/k_n)/10 "
-                            "K. [Walton1987]",
-                            "effective::uniform_strain", "effective/batch.hpp")});
+  ResultClass<Moduli>(module, "Moduli", "Bulk and shear modulus of isotropic packings.")
+      .show("bulk_modulus", "K [Pa].", [](const Moduli& m) { return shown(m.bulk_modulus); })
+      .show("shear_modulus", "G [Pa].", [](const Moduli& m) { return shown(m.shear_modulus); })
+      .show("errors", "Messages of the elements that were refused, by index; their moduli are NaN.",
+            [](const Moduli& m) { return errors_by_index(m.errors, m.shape); });
+  define(
+      module, "uniform_strain_moduli",
+      {law_keyword(), of_input(estimate::Input::radius, "float"),
+       column("porosity", "Voids in the volume, in (0, 1) [1]."),
+       column("coordination_number", "C_n in [0, 1e6] [1]."), column("pressure", "p in [0, 1e200] [Pa]."),
+       tangential_ratio_keyword(), contact_means_keyword(), strict_keyword(),
+       optional(
+           "out", "(2,) sequence of ndarray",
+           "Arrays for K and G, of float64, contiguous, of the shape of the results; may be arrays of the\n"
+           "    arguments. Default: new arrays, whose allocation takes longer than the calculation.")},
+      {"K and G under uniform strain of many isotropic packings at isotropic stress, rung 0.\n\nFast for "
+       "large "
+       "arrays; equal to answer(rung=0) within 1e-14.",
+       "Moduli\n    Its arrays are those of out, if given.",
+       "For impossible numbers (with arrays only under strict), or an out of another shape.",
+       "K = C_n k_n/(6 pi R (1+e)) at the mean contact force, G = 3 (2 + 3 k_t/k_n)/10 K. [Walton1987]",
+       "effective::uniform_strain", "effective/batch.hpp",
+       "TypeError\n    Unless out is two writable arrays of float64.\n"},
+      [](const Arguments& a) {
+        const bool strict = is_strict(a);
+        Moduli moduli = Batch(a).run();
+        if (!moduli.errors.empty() && (strict || moduli.shape.empty()))
+          throw InvalidArgument(moduli.errors.begin()->second);
+        return py::cast(std::move(moduli));
+      });
 }
 
 } // namespace granum::python

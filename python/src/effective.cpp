@@ -12,8 +12,8 @@
 #include <granum/elastic/transverse_isotropic.hpp>
 
 #include "bindings.hpp"
-#include "docstrings.hpp"
 #include "estimate.hpp"
+#include "shared_keywords.hpp"
 #include "state.hpp"
 
 namespace granum::python {
@@ -33,7 +33,7 @@ double where_stable(const TransverselyIsotropic& c, double (TransverselyIsotropi
   return c.positive_definite() ? (c.*get)() : nan;
 }
 
-py::object matrices(const Stiffnesses& rows) {
+py::array matrices(const Stiffnesses& rows) {
   if (rows.scalar)
     return array_of(elastic::voigt(rows.front().stiffness).matrix);
   std::vector<py::ssize_t> shape = rows.shape;
@@ -50,20 +50,34 @@ py::object matrices(const Stiffnesses& rows) {
   return out;
 }
 
-/// Members of Rows<StiffnessRow> for the derived class.
-py::object number(const py::object& result, std::size_t offset) {
-  return member<StiffnessRow>(result, offset);
+/// A number of the rows, for the derived class.
+template <class Class>
+void show(Class& type, const char* name, std::size_t offset, const char* says) {
+  type.def_property_readonly(
+      name, [offset](const py::object& result) { return member<StiffnessRow>(result, offset); }, says);
 }
 
-template <class Class, class Get>
-void show(Class& type, const char* name, const Get& get, const char* documentation) {
-  type.def_property_readonly(
-      name,
-      [get](const Stiffnesses& rows) {
-        return computed<StiffnessRow>(rows, [&](const StiffnessRow& row) { return get(row.stiffness); });
-      },
-      documentation);
-}
+using Number = double (*)(const TransverselyIsotropic&);
+
+/// Numbers that follow from the five constants.
+constexpr struct {
+  const char *name, *says;
+  Number of;
+} derived[] = {
+    {"C66", "(C11-C12)/2 [Pa].", [](const TransverselyIsotropic& s) { return s.C66(); }},
+    {"G_hh", "Shear modulus of the horizontal plane, C66 [Pa].",
+     [](const TransverselyIsotropic& s) { return s.G_hh(); }},
+    {"bulk_modulus", "K [Pa].", [](const TransverselyIsotropic& s) { return s.bulk_modulus(); }},
+    {"E_v", "Young's modulus of vertical loading [Pa]; NaN if it does not exist.",
+     [](const TransverselyIsotropic& s) { return young_modulus(s, Loading::vertical).value_or(nan); }},
+    {"E_h", "Young's modulus of horizontal loading [Pa]; NaN if it does not exist.",
+     [](const TransverselyIsotropic& s) { return young_modulus(s, Loading::horizontal).value_or(nan); }},
+    {"nu_vh", "Vertical loading: -e_h/e_v [1]; NaN where the stiffness is not positive definite.",
+     [](const TransverselyIsotropic& s) { return where_stable(s, &TransverselyIsotropic::nu_vh); }},
+    {"nu_hv", "Horizontal loading: -e_v/e_h [1]; NaN where the stiffness is not positive definite.",
+     [](const TransverselyIsotropic& s) { return where_stable(s, &TransverselyIsotropic::nu_hv); }},
+    {"nu_hh", "Horizontal loading: -e_h2/e_h1 [1]; NaN where the stiffness is not positive definite.",
+     [](const TransverselyIsotropic& s) { return where_stable(s, &TransverselyIsotropic::nu_hh); }}};
 
 /// Errors of three moduli, a view of their result.
 struct ErrorView {
@@ -89,36 +103,14 @@ Members are floats if all arguments are numbers, and arrays of the broadcast sha
       {"C12", c + offsetof(TransverselyIsotropic, C12)}, {"C13", c + offsetof(TransverselyIsotropic, C13)},
       {"C44", c + offsetof(TransverselyIsotropic, C44)}, {"G_vh", c + offsetof(TransverselyIsotropic, C44)}};
   for (const auto& [name, offset] : constants)
+    show(type, name, offset, "Elastic constant [Pa]; G_vh = C44 is the shear modulus of vertical planes.");
+  for (const auto& [name, says, of] : derived)
     type.def_property_readonly(
-        name, [offset = offset](const py::object& result) { return number(result, offset); },
-        "Elastic constant [Pa]; G_vh = C44 is the shear modulus of vertical planes.");
-  show(
-      type, "C66", [](const TransverselyIsotropic& s) { return s.C66(); }, "(C11-C12)/2 [Pa].");
-  show(
-      type, "G_hh", [](const TransverselyIsotropic& s) { return s.G_hh(); },
-      "Shear modulus of the horizontal plane, C66 [Pa].");
-  show(
-      type, "bulk_modulus", [](const TransverselyIsotropic& s) { return s.bulk_modulus(); }, "K [Pa].");
-  show(
-      type, "E_v",
-      [](const TransverselyIsotropic& s) { return young_modulus(s, Loading::vertical).value_or(nan); },
-      "Young's modulus of vertical loading [Pa]; NaN if it does not exist.");
-  show(
-      type, "E_h",
-      [](const TransverselyIsotropic& s) { return young_modulus(s, Loading::horizontal).value_or(nan); },
-      "Young's modulus of horizontal loading [Pa]; NaN if it does not exist.");
-  show(
-      type, "nu_vh",
-      [](const TransverselyIsotropic& s) { return where_stable(s, &TransverselyIsotropic::nu_vh); },
-      "Vertical loading: -e_h/e_v [1]; NaN where the stiffness is not positive definite.");
-  show(
-      type, "nu_hv",
-      [](const TransverselyIsotropic& s) { return where_stable(s, &TransverselyIsotropic::nu_hv); },
-      "Horizontal loading: -e_v/e_h [1]; NaN where the stiffness is not positive definite.");
-  show(
-      type, "nu_hh",
-      [](const TransverselyIsotropic& s) { return where_stable(s, &TransverselyIsotropic::nu_hh); },
-      "Horizontal loading: -e_h2/e_h1 [1]; NaN where the stiffness is not positive definite.");
+        name,
+        [of = of](const Stiffnesses& rows) {
+          return computed<StiffnessRow>(rows, [of](const StiffnessRow& row) { return of(row.stiffness); });
+        },
+        says);
   type.def_property_readonly("stiffness", &matrices,
                              "6 x 6 Voigt matrices [Pa], order 11 22 33 23 13 12: (..., 6, 6).");
   type.def_property_readonly(
@@ -137,7 +129,7 @@ Members are floats if all arguments are numbers, and arrays of the broadcast sha
       {"G_vh", e + offsetof(effective::ModulusErrors, G_vh)}};
   for (const auto& [name, offset] : moduli)
     errors.def_property_readonly(
-        name, [offset = offset](const ErrorView& view) { return number(view.result, offset); },
+        name, [offset = offset](const ErrorView& view) { return member<StiffnessRow>(view.result, offset); },
         "Relative standard error [1].");
 }
 
@@ -175,100 +167,79 @@ py::object ask(const effective::Rung& rung, const StateArguments& arguments) {
                      });
 }
 
-/// \param    source   section Notes
-std::string documentation(const char* what, const std::string& source, const char* more = "") {
-  return std::string(what) + "\n" + state_parameters + more + R"(
-Returns
--------
-Estimate
+constexpr const char *of_field = "effective/uniform_field.hpp",
+                     *of_kinematic_field = "effective/kinematic_field.hpp",
+                     *refused = "For impossible numbers; with arrays only under strict.";
 
-Raises
-------
-InvalidArgument
-    For impossible numbers; with arrays only under strict.
-)" + source;
+void bind_fields(py::module_& module) {
+  const auto define_field = [&module](const char* name, py::object (*of)(const Arguments&),
+                                      const char* summary, const char* remarks, const char* header) {
+    define(module, name, state_keywords(),
+           {summary, "Estimate", refused, remarks, std::string("effective::") + name, header}, of);
+  };
+  define_field("uniform_strain", field<effective::uniform_strain>,
+               "Stiffness if all grains follow the mean strain: rung 2, an upper bound.",
+               "[ChangLiao1994] [Chang1995] [YimsiriSoga2000] [Walton1987]", of_field);
+  define_field(
+      "free_spin", field<effective::free_spin>,
+      "Uniform strain with a free mean spin: a tighter upper bound.",
+      "The mean spin of the grains takes the value of least energy; it differs with fabric or unequal "
+      "stresses. [ChangLiao1994]",
+      of_field);
+  define_field("uniform_stress", field<effective::uniform_stress>,
+               "Stiffness if all contacts carry the forces of the mean stress.",
+               "[ChangLiao1994] [Chang1995]", of_field);
+  const char* const remarks =
+      "Tangential forces follow from the strain, too. [NorrisJohnson1997] [JenkinsStrack1993]";
+  define_field("uniform_strain_kinematic", field<effective::uniform_strain_kinematic>,
+               "Uniform strain with the contact forces of a uniform strain.", remarks, of_kinematic_field);
+  define_field("uniform_stress_kinematic", field<effective::uniform_stress_kinematic>,
+               "Uniform stress with the contact forces of a uniform strain.", remarks, of_kinematic_field);
 }
 
-std::string of_field(const char* remarks, const char* function) {
-  return notes(remarks, std::string("effective::") + function, "effective/uniform_field.hpp");
-}
-
-std::string of_kinematic_field(const char* function) {
-  return notes("Tangential forces follow from the strain, too. [NorrisJohnson1997] [JenkinsStrack1993]",
-               std::string("effective::") + function, "effective/kinematic_field.hpp");
-}
-
-void bind_closed_forms(py::module_& module) {
-  define(module, {"uniform_strain", state_keywords(), field<effective::uniform_strain>,
-                  documentation("Stiffness if all grains follow the mean strain: rung 2, an upper bound.",
-                                of_field("[ChangLiao1994] [Chang1995] [YimsiriSoga2000] [Walton1987]",
-                                         "uniform_strain"))});
-  define(module,
-         {"free_spin", state_keywords(), field<effective::free_spin>,
-          documentation("Uniform strain with a free mean spin: a tighter upper bound.",
-                        of_field("The mean spin of the grains takes the value of least energy; it differs "
-                                 "with fabric or unequal stresses. [ChangLiao1994]",
-                                 "free_spin"))});
-  define(module, {"uniform_stress", state_keywords(), field<effective::uniform_stress>,
-                  documentation("Stiffness if all contacts carry the forces of the mean stress.",
-                                of_field("[ChangLiao1994] [Chang1995]", "uniform_stress"))});
-  define(module, {"uniform_strain_kinematic", state_keywords(), field<effective::uniform_strain_kinematic>,
-                  documentation("Uniform strain with the contact forces of a uniform strain.",
-                                of_kinematic_field("uniform_strain_kinematic"))});
-  define(module, {"uniform_stress_kinematic", state_keywords(), field<effective::uniform_stress_kinematic>,
-                  documentation("Uniform stress with the contact forces of a uniform strain.",
-                                of_kinematic_field("uniform_stress_kinematic"))});
-  define(module,
-         {"relaxed", state_keywords(),
-          [](const Arguments& a) {
-            return ask(effective::rung(effective::RungName::relaxed), StateArguments(a));
-          },
-          documentation("Rung 3: uniform strain times relaxation factors of contact networks, with its "
-                        "standard errors.\n\nNeeds mechanical_coordination_number or rattler_fraction.",
-                        notes("The factors were calibrated on contact networks of granum's own packings: "
-                              "validation/relaxation. z* as [AgnolinRoux2007a].",
-                              "effective::relaxed", "effective/relaxation.hpp"))});
-  define(
-      module,
-      {"answer", state_keywords({{"rung"}}),
-       [](const Arguments& a) { return ask(closed_form_of(a[state_keyword_count]), StateArguments(a)); },
-       documentation("Evaluates a rung, given by its number or name.",
-                     notes("The table of rungs, see rungs(), lists the inputs of each and the source of its "
-                           "errors.",
-                           "effective::answer", "effective/rungs.hpp"),
-                     "rung : int or str\n    0 to 3, or isotropic, fabric, directional, relaxed, "
-                     "uniform_stress.\n")});
+void bind_rung_functions(py::module_& module) {
+  define(module, "relaxed", state_keywords(),
+         {"Rung 3: uniform strain times relaxation factors of contact networks, with its standard "
+          "errors.\n\nNeeds "
+          "mechanical_coordination_number or rattler_fraction.",
+          "Estimate", refused,
+          "The factors were calibrated on contact networks of granum's own packings: validation/relaxation. "
+          "z* as "
+          "[AgnolinRoux2007a].",
+          "effective::relaxed", "effective/relaxation.hpp"},
+         [](const Arguments& a) {
+           return ask(effective::rung(effective::RungName::relaxed), StateArguments(a));
+         });
+  define(module, "answer", state_keywords({rung_keyword()}),
+         {"Evaluates a rung, given by its number or name.", "Estimate", refused,
+          "The table of rungs, see rungs(), lists the inputs of each and the source of its errors.",
+          "effective::answer", "effective/rungs.hpp"},
+         [](const Arguments& a) { return ask(closed_form_of(a[state_keyword_count]), StateArguments(a)); });
 }
 
 // ---- the table of rungs
 
 void bind_rungs(py::module_& module) {
   using effective::Rung;
-  py::class_<Rung>(module, "Rung", "A row of the table of rungs.")
-      .def_readonly("number", &Rung::number, "Number on the ladder; None if not on it.")
-      .def_readonly("key", &Rung::key, "Its name on a command line.")
-      .def_readonly("title", &Rung::title, "Short description.")
-      .def_readonly("description", &Rung::description, "Full description.")
-      .def_readonly("needs", &Rung::needs, "Inputs besides contact law, C_n, e and the mean stress.")
-      .def_readonly("typical_time", &Rung::typical_time, "Time of one evaluation [s].")
-      .def_readonly("error_source", &Rung::error_source, "Source of its stated errors.")
+  ResultClass<Rung>(module, "Rung", "A row of the table of rungs.")
+      .show("number", "Number on the ladder; None if not on it.", &Rung::number)
+      .show("key", "Its name on a command line.", &Rung::key)
+      .show("title", "Short description.", &Rung::title)
+      .show("description", "Full description.", &Rung::description)
+      .show("needs", "Inputs besides contact law, C_n, e and the mean stress.", &Rung::needs)
+      .show("typical_time", "Time of one evaluation [s].", &Rung::typical_time)
+      .show("error_source", "Source of its stated errors.", &Rung::error_source)
       .def("__repr__",
            [](const Rung& rung) { return "<" + effective::label(rung) + ": " + rung.title + ">"; });
-  module.def(
-      "rungs",
-      [] {
-        py::list all;
-        for (const Rung& rung : effective::rungs())
-          all.append(py::cast(&rung, py::return_value_policy::reference));
-        return all;
-      },
-      (R"(All rungs of the ladder, from the cheapest to the most expensive, and uniform stress.
-
-Returns
--------
-list of Rung
-)" + notes("", "effective::rungs", "effective/rungs.hpp"))
-          .c_str());
+  define(module, "rungs", {},
+         {"All rungs of the ladder, from the cheapest to the most expensive, and uniform stress.",
+          "list of Rung", "", "", "effective::rungs", "effective/rungs.hpp"},
+         [] {
+           py::list all;
+           for (const Rung& rung : effective::rungs())
+             all.append(py::cast(&rung, py::return_value_policy::reference));
+           return all;
+         });
 }
 
 } // namespace
@@ -284,7 +255,8 @@ py::object estimate_object(const RungAnswer& answer) {
 
 void bind_effective(py::module_& module) {
   bind_estimate(module);
-  bind_closed_forms(module);
+  bind_fields(module);
+  bind_rung_functions(module);
   bind_rungs(module);
 }
 

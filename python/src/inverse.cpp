@@ -10,6 +10,8 @@
 #include "bindings.hpp"
 #include "errors.hpp"
 #include "inverse.hpp"
+#include "members.hpp"
+#include "shared_keywords.hpp"
 #include "state.hpp"
 
 namespace granum::python {
@@ -35,15 +37,13 @@ const Inference& together(const Answer& answer) {
   throw NotConverged(why);
 }
 
-py::object predict(const Answer& answer, const std::string& quantity, const py::object& pressure,
-                   const py::object& stress_v, const py::object& stress_h, const py::object& void_ratio,
-                   const std::string& specimen) {
+py::object predict(const Arguments& a) {
+  const auto& answer = a.as<const Answer&>(0);
   const Inference& inference = together(answer);
-  const inverse::Quantity asked = inverse::quantity_of(quantity);
-  const inverse::AskedPacking which = inverse::asked_packing_of(specimen);
+  const inverse::Quantity asked = inverse::quantity_of(a.text(1));
+  const inverse::AskedPacking which = inverse::asked_packing_of(a.given(6) ? a.text(6) : "same");
   return predicted_rows(
-      {pressure, stress_v, stress_h, void_ratio}, answer.first,
-      [&](double mean_stress) { return inference.void_ratio_at(mean_stress); },
+      a, answer.first, [&](double mean_stress) { return inference.void_ratio_at(mean_stress); },
       [&](const effective::State& at, Notes& notes) {
         const Measured found = inference.predict(asked, at, which);
         notes.add(inference.doubts(at, which));
@@ -53,143 +53,127 @@ py::object predict(const Answer& answer, const std::string& quantity, const py::
 
 inverse::InferredPacking contacts(const Answer& answer) { return together(answer).packing(answer.first); }
 
-const std::string predict_documentation =
-    std::string("A quantity of the packing at other stresses, with its standard error.\n") +
-    elsewhere_parameters + R"(void_ratio : array_like, optional
-    e there [1]; without it that of the packing as pressure changes it.
-specimen : str
-    "same", or "prepared_alike": another one of the same grains, at the void ratio given.
+/// By the names of what is determined: the numbers of the contact law.
+py::dict contact_numbers(const Answer& a) {
+  py::dict out;
+  if (const auto& implied = together(a).contacts())
+    for (const inverse::ImpliedNumber& number : implied->numbers)
+      out[py::str(number.key)] = number.value;
+  return out;
+}
 
-Returns
--------
-MeasuredRows
+std::vector<std::string> undetermined(const Answer& a) {
+  std::vector<std::string> out;
+  if (const auto& implied = together(a).contacts())
+    for (const inverse::ImpliedNumber& number : implied->numbers)
+      if (!number.determined())
+        out.push_back(number.key);
+  return out;
+}
 
-Raises
-------
-InvalidArgument
-    For another quantity, or a wave speed without grain_density.
-NotConverged
-    Where no coordination number explains what was measured.
-)";
+std::optional<std::string> would_determine(const Answer& a) {
+  const auto& implied = together(a).contacts();
+  return implied && implied->would_determine
+             ? std::optional<std::string>(inverse::row_of(*implied->would_determine).key)
+             : std::nullopt;
+}
+
+py::dict error_shares(const Answer& a) {
+  py::dict out;
+  for (const inverse::ErrorShare& share : together(a).error_shares())
+    out[py::str(share.source)] = share.share;
+  return out;
+}
+
+std::optional<contact::NormalLaw> contact_law(const Answer& a) {
+  const auto& implied = together(a).contacts();
+  return implied ? implied->law : std::nullopt;
+}
+
+std::string inference_text(const Answer& a) {
+  if (!a.found.together)
+    return "<Inference: no coordination number explains what was measured>";
+  const Measured z = contacts(a).mechanical_coordination_number;
+  return "Inference(mechanical_coordination_number=" +
+         std::string(py::str("{:.3f} +- {:.3f})").format(z.value, z.standard_error));
+}
 
 void bind_answer(py::module_& module) {
-  py::class_<Answer>(module, "Inference", R"(What measurements say of the contacts of a packing.
+  using inverse::InferredPacking;
+  ResultClass<Answer> type(module, "Inference", R"(What measurements say of the contacts of a packing.
 
-Its numbers raise NotConverged where no coordination number explains what was measured; `explained` tells.)")
-      .def_property_readonly(
-          "explained", [](const Answer& a) { return a.found.together.has_value(); },
-          "Whether any coordination number explains what was measured.")
-      .def_property_readonly(
-          "pressure", [](const Answer& a) { return together(a).reference_stress(); },
-          "Mean stress that the contacts belong to: that of the first measurement [Pa].")
-      .def_property_readonly(
-          "mechanical_coordination_number",
-          [](const Answer& a) { return contacts(a).mechanical_coordination_number; }, "z* [1].")
-      .def_property_readonly(
-          "rattler_fraction", [](const Answer& a) { return contacts(a).rattler_fraction; }, "x_0 [1].")
-      .def_property_readonly(
-          "coordination_number", [](const Answer& a) { return contacts(a).coordination_number; }, "C_n [1].")
-      .def_property_readonly(
-          "alone",
-          [](const Answer& a) {
-            std::vector<std::optional<Measured>> out;
-            for (const inverse::AloneAnswer& one : a.found.alone)
-              out.push_back(one.mechanical_coordination_number);
-            return out;
-          },
-          "z* that each measurement implies by itself; None where no coordination number explains it.")
-      .def_property_readonly(
-          "fitted", [](const Answer& a) { return fitted_values(together(a).measurements()); },
-          "Each measurement as all of them together have it [Pa or m/s].")
-      .def_property_readonly(
-          "deviations", [](const Answer& a) { return deviations(together(a).measurements()); },
-          "ln of measured over fitted, in standard errors, of each measurement.")
-      .def_property_readonly(
-          "error_shares",
-          [](const Answer& a) {
-            py::dict out;
-            for (const inverse::ErrorShare& share : together(a).error_shares())
-              out[py::str(share.source)] = share.share;
-            return out;
-          },
-          "Of the variance of z*, what each source makes [0, 1].")
-      .def_property_readonly(
-          "growth_exponent", [](const Answer& a) { return together(a).growth_exponent(); },
-          "Of growth = fitted; else None.")
-      .def_property_readonly(
-          "contact_numbers",
-          [](const Answer& a) {
-            py::dict out;
-            if (const auto& implied = together(a).contacts())
-              for (const inverse::ImpliedNumber& number : implied->numbers)
-                out[py::str(number.key)] = number.value;
-            return out;
-          },
-          "z* and the numbers of the contact law that were asked for, by name; SI. Empty for contacts = "
-          "given.")
-      .def_property_readonly(
-          "undetermined",
-          [](const Answer& a) {
-            std::vector<std::string> out;
-            if (const auto& implied = together(a).contacts())
-              for (const inverse::ImpliedNumber& number : implied->numbers)
-                if (!number.determined())
-                  out.push_back(number.key);
-            return out;
-          },
-          "Those of contact_numbers that the measurements cannot tell.")
-      .def_property_readonly(
-          "would_determine",
-          [](const Answer& a) {
-            const auto& implied = together(a).contacts();
-            return implied && implied->would_determine
-                       ? std::optional<std::string>(inverse::row_of(*implied->would_determine).key)
-                       : std::nullopt;
-          },
-          "What would tell them, measured at the same states within 2 %; None where nothing would.")
-      .def_property_readonly(
-          "contact_law",
-          [](const Answer& a) {
-            const auto& implied = together(a).contacts();
-            return implied ? implied->law : std::nullopt;
-          },
-          "The law that is implied; None for contacts = given.")
-      .def_property_readonly(
-          "chi_square", [](const Answer& a) { return together(a).chi_square(); },
-          "Sum of squared deviations.")
-      .def_property_readonly(
-          "degrees_of_freedom", [](const Answer& a) { return together(a).degrees_of_freedom(); },
-          "How many of them are free.")
-      .def_property_readonly(
-          "probability", [](const Answer& a) { return together(a).probability(); },
-          "That errors as stated make chi_square so large.")
-      .def_property_readonly(
-          "notes", [](const Answer& a) { return a.found.validity.notes; },
-          "What cannot be explained, or contradicts, a sentence each.")
-      .def("predict", &predict, py::arg("quantity"), py::kw_only(), py::arg("pressure") = py::none(),
-           py::arg("stress_v") = py::none(), py::arg("stress_h") = py::none(),
-           py::arg("void_ratio") = py::none(), py::arg("specimen") = "same", predict_documentation.c_str())
-      .def("__repr__", [](const Answer& a) {
-        if (!a.found.together)
-          return std::string("<Inference: no coordination number explains what was measured>");
-        const Measured z = contacts(a).mechanical_coordination_number;
-        return "Inference(mechanical_coordination_number=" +
-               std::string(py::str("{:.3f} +- {:.3f})").format(z.value, z.standard_error));
-      });
+Its numbers raise NotConverged where no coordination number explains what was measured, if `explained` is False.)");
+  type.show("explained", "Whether any coordination number explains what was measured.",
+            [](const Answer& a) { return a.found.together.has_value(); })
+      .show("pressure", "Mean stress that the contacts belong to: that of the first measurement [Pa].",
+            &together, &Inference::reference_stress)
+      .show("mechanical_coordination_number", "z* [1].", &contacts,
+            &InferredPacking::mechanical_coordination_number)
+      .show("rattler_fraction", "x_0 [1].", &contacts, &InferredPacking::rattler_fraction)
+      .show("coordination_number", "C_n [1].", &contacts, &InferredPacking::coordination_number)
+      .show("alone",
+            "z* that each measurement implies by itself; None where no coordination number explains it.",
+            [](const Answer& a) {
+              std::vector<std::optional<Measured>> out;
+              for (const inverse::AloneAnswer& one : a.found.alone)
+                out.push_back(one.mechanical_coordination_number);
+              return out;
+            })
+      .show("fitted", "Each measurement as all of them together have it [Pa or m/s].",
+            [](const Answer& a) { return fitted_values(together(a).measurements()); })
+      .show("deviations", "ln of measured over fitted, in standard errors, of each measurement.",
+            [](const Answer& a) { return deviations(together(a).measurements()); })
+      .show("error_shares", "Of the variance of z*, what each source makes [0, 1].", &error_shares)
+      .show("growth_exponent", "Of growth = fitted; else None.", &together, &Inference::growth_exponent)
+      .show("contact_numbers",
+            "z* and the numbers of the contact law that were asked for, by name; SI. Empty for contacts = "
+            "given.",
+            &contact_numbers)
+      .show("undetermined", "Those of contact_numbers that the measurements do not determine.", &undetermined)
+      .show("would_determine",
+            "What would determine them, measured at the same states within 2 %; None where nothing would.",
+            &would_determine)
+      .show("contact_law", "The law that is implied; None for contacts = given.", &contact_law)
+      .show("chi_square", "Sum of squared deviations.", &together, &Inference::chi_square)
+      .show("degrees_of_freedom", "How many of them are free.", &together, &Inference::degrees_of_freedom)
+      .show("probability", "That errors as stated make chi_square so large.", &together,
+            &Inference::probability)
+      .show("notes", "What cannot be explained, or contradicts, a sentence each.", &Answer::found,
+            &InferenceAnswer::validity)
+      .def("__repr__", &inference_text);
+  define_method(
+      type, "predict",
+      predict_keywords("without it that of the packing as pressure changes it") +
+          std::vector{with_default("specimen", "'same'", "str",
+                                   "\"same\", or \"prepared_alike\": another one of the same grains, at the "
+                                   "void ratio given.")},
+      {.summary = "A quantity of the packing at other stresses, with its standard error.",
+       .returns = "MeasuredRows",
+       .refuses = "For another quantity, or a wave speed without grain_density.",
+       .more_errors = "NotConverged\n    Where no coordination number explains what was measured.\n"},
+      &predict, 1);
 }
 
 } // namespace
 
-py::object predicted_rows(const Elsewhere& where, const effective::State& first,
+std::vector<Keyword> predict_keywords(const std::string& otherwise) {
+  using estimate::Input;
+  Keyword void_ratio = of_input(Input::void_ratio).or_none();
+  void_ratio.says += " Default: " + otherwise + ".";
+  return {required("quantity", "str", "G, G_hh, K, V_s, V_s_hh, V_p or V_p_h."),
+          of_input(Input::pressure).or_none(), of_input(Input::stress_v).or_none(),
+          of_input(Input::stress_h).or_none(), void_ratio};
+}
+
+py::object predicted_rows(const Arguments& a, const effective::State& first,
                           const std::function<double(double)>& void_ratio_at,
                           const std::function<Measured(const effective::State& at, Notes& notes)>& predict) {
-  PyObject* const stresses[] = {where.pressure.ptr(), where.stress_v.ptr(), where.stress_h.ptr()};
-  static const KeywordFunction function{"predict", {{"pressure"}, {"stress_v"}, {"stress_h"}}, nullptr, ""};
-  const Arguments arguments(function, stresses);
-  const bool own_void_ratio = where.void_ratio.is_none();
-  const Argument columns[] = {
-      stress_argument(arguments, 0, 1, 2, true), stress_argument(arguments, 0, 1, 2, false),
-      own_void_ratio ? Argument{"void_ratio", 0.0} : Argument{"void_ratio", where.void_ratio}};
+  constexpr std::size_t pressure = 2, stress_v = 3, stress_h = 4, void_ratio = 5;
+  const bool own_void_ratio = !a.given(void_ratio);
+  const Argument columns[] = {stress_argument(a, pressure, stress_v, stress_h, true),
+                              stress_argument(a, pressure, stress_v, stress_h, false),
+                              own_void_ratio ? Argument{"void_ratio", 0.0}
+                                             : Argument{"void_ratio", a[void_ratio]}};
   return py::cast(answer_rows(columns, false, MeasuredRow{}, [&](const double* x, Notes& notes) {
     effective::State at = first;
     at.stress_v = x[0];
@@ -225,11 +209,9 @@ py::object sphere_inference(const std::vector<inverse::Observation>& measurement
 }
 
 void bind_inverse(py::module_& module) {
-  auto rows =
-      result_class<MeasuredRow>(module, "MeasuredRows", "Numbers with standard errors, in their unit.");
-  show_member<MeasuredRow>(rows, "value", offsetof(MeasuredRow, value), "The number.");
-  show_member<MeasuredRow>(rows, "standard_error", offsetof(MeasuredRow, standard_error),
-                           "Its standard error.");
+  result_class<MeasuredRow>(module, "MeasuredRows", "Numbers with standard errors, in their unit.")
+      .show("value", "The number.", &MeasuredRow::value)
+      .show("standard_error", "Its standard error.", &MeasuredRow::standard_error);
   bind_answer(module);
   bind_sand_inference(module);
   bind_infer(module);

@@ -18,28 +18,16 @@ struct MeasuredRow {
   double standard_error = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Where a quantity is predicted, as keywords of predict().
-struct Elsewhere {
-  py::object pressure, stress_v, stress_h, void_ratio; ///< None: not given
-};
-
-/// What the docstrings of predict() say of quantity and stresses.
-inline constexpr const char* elsewhere_parameters = R"(
-Parameters
-----------
-quantity : str
-    G, G_hh, K, V_s, V_s_hh, V_p or V_p_h.
-pressure : array_like, optional
-    Isotropic stress [Pa], instead of stress_v and stress_h.
-stress_v, stress_h : array_like, optional
-    Compression positive [Pa].
-)";
+/// Keywords of predict(), after self: the quantity, the stresses, the void ratio.
+/// \param    otherwise   the void ratio where none is given, in words
+[[nodiscard]] std::vector<Keyword> predict_keywords(const std::string& otherwise);
 
 /// Predictions for every element.
+/// \param    a               the keywords of predict
 /// \param    first           the state of the first measurement, whose stresses and void ratio are replaced
 /// \param    void_ratio_at   that of the packing at another mean stress [Pa], where none is given
 [[nodiscard]] py::object
-predicted_rows(const Elsewhere& where, const effective::State& first,
+predicted_rows(const Arguments& a, const effective::State& first,
                const std::function<double(double mean_stress)>& void_ratio_at,
                const std::function<Measured(const effective::State& at, Notes& notes)>& predict);
 

@@ -8,10 +8,9 @@
 #include <granum/io/lammps/arrays.hpp>
 #include <granum/io/packing_files.hpp>
 
-#include "arrays.hpp"
 #include "bindings.hpp"
-#include "docstrings.hpp"
 #include "errors.hpp"
+#include "members.hpp"
 #include "packing.hpp"
 
 namespace granum::python {
@@ -93,32 +92,26 @@ SharedPacking lammps_packing(const py::array_t<long, py::array::c_style | py::ar
 } // namespace
 
 void bind_io(py::module_& module) {
-  py::class_<Frames>(module, "Frames",
-                     "An iterator over the states in some files, with one state in memory at a time.")
+  ResultClass<Frames>(module, "Frames",
+                      "An iterator over the states in some files, with one state in memory at a time.")
+      .show("skipped", "Frames skipped so far because another file has no frame of that time step.",
+            &Frames::skipped)
       .def("__iter__", [](const py::object& self) { return self; })
-      .def("__next__", &Frames::next)
-      .def_property_readonly("skipped", &Frames::skipped,
-                             "Frames skipped so far because another file has no frame of that time step.");
+      .def("__next__", &Frames::next);
   module.def("_frames", &open, py::arg("files"), py::arg("box"), py::arg("columns"));
   module.def("_lammps_packing", &lammps_packing, py::kw_only(), py::arg("id"), py::arg("position"),
              py::arg("radius"), py::arg("type"), py::arg("cell"), py::arg("periodic"), py::arg("units"),
              py::arg("step"), py::arg("column_names"), py::arg("values"), py::arg("columns"));
-  module.def(
-      "formats",
-      [] {
-        py::dict out;
-        for (const io::PackingFormat* format : io::packing_formats)
-          out[py::str(std::string(format->name))] = std::string(format->sign);
-        return out;
-      },
-      (R"(Formats of packings that can be read.
-
-Returns
--------
-dict
-    By the name of a format: how its files are recognised.
-)" + notes("", "io::packing_formats", "io/packing_format.hpp"))
-          .c_str());
+  define(module, "formats", {},
+         {"Formats of packings that can be read.",
+          "dict of str\n    By the name of a format: how its files are recognised.", "", "",
+          "io::packing_formats", "io/packing_format.hpp"},
+         [] {
+           py::dict out;
+           for (const io::PackingFormat* format : io::packing_formats)
+             out[py::str(std::string(format->name))] = std::string(format->sign);
+           return out;
+         });
 }
 
 } // namespace granum::python

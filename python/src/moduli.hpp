@@ -3,9 +3,9 @@
 
 #include <limits>
 
-#include "rows.hpp"
+#include "shared_keywords.hpp"
 
-/// Moduli and stresses of isotropic packings and paths, returned by several functions.
+/// What functions of isotropic packings and paths have in common.
 namespace granum::python {
 
 struct ModuliRow {
@@ -18,15 +18,10 @@ struct AxialStressRow {
   double h = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Moduli of a function that computes only the shear modulus.
-/// \param    shear_modulus   function of the numbers of an element, and notes
-template <class Model>
-py::object moduli_of_shear(std::span<const Argument> columns, bool strict, const Model& shear_modulus) {
-  return py::cast(answer_rows(columns, strict, ModuliRow{}, [&](const double* x, Notes& notes) {
-    ModuliRow row;
-    row.shear_modulus = shear_modulus(x, notes);
-    return row;
-  }));
-}
+inline constexpr const char* refused_numbers = "For impossible numbers; with arrays only under strict.";
+
+/// Keywords of a packing of equal spheres: the grains' material, porosity and coordination number.
+[[nodiscard]] std::vector<Keyword> equal_spheres();
+[[nodiscard]] Keyword no_slip_keyword();
 
 } // namespace granum::python

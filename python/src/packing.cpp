@@ -10,10 +10,8 @@
 #include <granum/packing/density.hpp>
 
 #include "bindings.hpp"
-#include "docstrings.hpp"
 #include "errors.hpp"
-#include "keywords.hpp"
-#include "rows.hpp"
+#include "members.hpp"
 
 namespace granum::python {
 
@@ -29,39 +27,43 @@ struct Contacts {
   const std::vector<Contact>* list;
 };
 
+/// A member of all contacts, as an array.
 template <class Number>
-void show_contact(py::class_<Contacts>& type, const char* name, const Number Contact::*member,
-                  const char* documentation) {
-  type.def_property_readonly(
-      name, [member](const Contacts& c) { return member_view(*c.list, member, c.owner); }, documentation);
+auto of_all(const Number Contact::*member) {
+  return [member](const Contacts& c) { return member_view(*c.list, member, c.owner); };
+}
+
+py::array normals(const Contacts& c) {
+  std::vector<Vec3> out;
+  out.reserve(c.list->size());
+  for (const Contact& contact : *c.list)
+    out.push_back(packing::normal(contact));
+  return array_of(out);
 }
 
 void bind_contacts(py::module_& module) {
-  py::class_<Contacts> type(module, "Contacts",
-                            "Contacts as arrays, sorted by (i, j). All vectors point from i to j.");
-  type.def("__len__", [](const Contacts& c) { return c.list->size(); });
-  show_contact(type, "i", &Contact::i, "First grain.");
-  show_contact(type, "j", &Contact::j, "Second grain, j > i; or the number of a wall.");
-  show_contact(type, "branch", &Contact::branch,
-               "Centre of j, its nearest image, minus centre of i [m], (N, 3).");
-  type.def_property_readonly(
-      "normal",
-      [](const Contacts& c) {
-        std::vector<Vec3> normals;
-        normals.reserve(c.list->size());
-        for (const Contact& contact : *c.list)
-          normals.push_back(packing::normal(contact));
-        return array_of(normals);
-      },
-      "Unit vector of branch [1], (N, 3): what fabric is of.");
-  show_contact(type, "overlap", &Contact::overlap, "Full approach, R_i + R_j - |branch| [m].");
-  show_contact(type, "normal_force", &Contact::normal_force, "Compression positive [N].");
-  show_contact(type, "tangential_force", &Contact::tangential_force, "Exerted by i on j [N], (N, 3).");
-  show_contact(type, "normal_stiffness", &Contact::normal_stiffness, "k_n [N/m]; 0 if unknown.");
-  show_contact(type, "tangential_stiffness", &Contact::tangential_stiffness, "k_t [N/m].");
-  show_contact(type, "rolling_stiffness", &Contact::rolling_stiffness, "Moment over angle [N m].");
-  show_contact(type, "twisting_stiffness", &Contact::twisting_stiffness, "The same about the normal [N m].");
-  show_contact(type, "sliding", &Contact::sliding, "Whether it is at the Coulomb limit.");
+  ResultClass<Contacts>(module, "Contacts",
+                        "Contacts as arrays, sorted by (i, j). All vectors point from i to j.")
+      .show("i", "First grain.", of_all(&Contact::i))
+      .show("j", "Second grain, j > i; or the number of a wall.", of_all(&Contact::j))
+      .show("branch", "Centre of j, its nearest image, minus centre of i [m], (N, 3).",
+            of_all(&Contact::branch))
+      .show("normal", "Unit vector of branch [1], (N, 3): what fabric is of.", &normals)
+      .show("overlap", "Full approach, R_i + R_j - |branch| [m].", of_all(&Contact::overlap))
+      .show("normal_force", "Compression positive [N].", of_all(&Contact::normal_force))
+      .show("tangential_force", "Exerted by i on j [N], (N, 3).", of_all(&Contact::tangential_force))
+      .show("normal_stiffness", "k_n [N/m]; 0 if unknown.", of_all(&Contact::normal_stiffness))
+      .show("tangential_stiffness", "k_t [N/m].", of_all(&Contact::tangential_stiffness))
+      .show("rolling_stiffness", "Moment over angle [N m].", of_all(&Contact::rolling_stiffness))
+      .show("twisting_stiffness", "The same about the normal [N m].", of_all(&Contact::twisting_stiffness))
+      .show("sliding", "Whether it is at the Coulomb limit.", of_all(&Contact::sliding))
+      .def("__len__", [](const Contacts& c) { return c.list->size(); });
+}
+
+/// A view of a vector of the packing.
+template <class Number>
+py::array view_of(const std::vector<Number>& values, const py::object& self) {
+  return view<Number>({static_cast<py::ssize_t>(values.size())}, {sizeof(Number)}, values.data(), self);
 }
 
 py::array positions(const py::object& self) {
@@ -70,15 +72,6 @@ py::array positions(const py::object& self) {
     return py::array_t<double>(std::vector<py::ssize_t>{0, 3});
   return view<double>({static_cast<py::ssize_t>(position.size()), 3}, {sizeof(Vec3), sizeof(double)},
                       &position.front().x, self);
-}
-
-py::array radii(const py::object& self) {
-  const auto& radius = self.cast<const Packing&>().assembly.radius;
-  return view<double>({static_cast<py::ssize_t>(radius.size())}, {sizeof(double)}, radius.data(), self);
-}
-
-py::array longs(const std::vector<long>& values, const py::object& self) {
-  return view<long>({static_cast<py::ssize_t>(values.size())}, {sizeof(long)}, values.data(), self);
 }
 
 py::list notes_of(const Packing& packing) {
@@ -137,53 +130,45 @@ SharedPacking from_state(const py::tuple& state) {
   return out;
 }
 
+/// Properties that keep the packing alive.
+void bind_views(ResultClass<Packing, SharedPacking>& type) {
+  using Object = const py::object&;
+  const auto show = [&type](const char* name, const char* says, const auto& of) {
+    type.def_property_readonly(name, of, says);
+  };
+  show("position", "Centres [m], (N, 3).", &positions);
+  show("radius", "[m], (N,).",
+       [](Object self) { return view_of(self.cast<const Packing&>().assembly.radius, self); });
+  show("contacts", "Between grains.", [](Object self) {
+    return Contacts{self, &self.cast<const Packing&>().assembly.contacts};
+  });
+  show("wall_contacts", "Of grain i with wall j.", [](Object self) {
+    return Contacts{self, &self.cast<const Packing&>().assembly.wall_contacts};
+  });
+  show("id", "Id of each grain in the files.",
+       [](Object self) { return view_of(self.cast<const Packing&>().id, self); });
+  show("type", "Type of each grain, if the files contain types; else empty.",
+       [](Object self) { return view_of(self.cast<const Packing&>().type, self); });
+  show("body", "Number of the rigid body of each grain, from 0; empty if each grain is its own body.",
+       [](Object self) { return view_of(self.cast<const Packing&>().assembly.body, self); });
+}
+
 void bind_class(py::module_& module) {
-  py::class_<Packing, SharedPacking>(module, "Packing", R"(Grains, contacts and their cell.
+  ResultClass<Packing, SharedPacking> type(module, "Packing", R"(Grains, contacts and their cell.
 
 Arrays are read-only views of the memory of the packing. SI; compression is positive. Grains are sorted by id,
-contacts by (i, j).)")
-      .def_property_readonly("position", &positions, "Centres [m], (N, 3).")
-      .def_property_readonly("radius", &radii, "[m], (N,).")
-      .def_property_readonly(
-          "cell", [](const Packing& p) { return array_of(p.assembly.cell); },
-          "Its columns are the three edges [m], (3, 3).")
-      .def_property_readonly(
-          "periodic", [](const Packing& p) { return py::tuple(py::cast(p.periodic)); },
-          "Whether the pairs of faces are periodic.")
-      .def_property_readonly(
-          "contacts",
-          [](const py::object& self) {
-            return Contacts{self, &self.cast<const Packing&>().assembly.contacts};
-          },
-          "Between grains.")
-      .def_property_readonly(
-          "wall_contacts",
-          [](const py::object& self) {
-            return Contacts{self, &self.cast<const Packing&>().assembly.wall_contacts};
-          },
-          "Of grain i with wall j.")
-      .def_property_readonly(
-          "volume", [](const Packing& p) { return p.assembly.volume(); }, "Of the cell [m^3].")
-      .def_property_readonly(
-          "void_ratio", [](const Packing& p) { return packing::void_ratio(p.assembly); },
-          "Volume of voids over that of grains, of the whole cell [1].")
-      .def_property_readonly(
-          "id", [](const py::object& self) { return longs(self.cast<const Packing&>().id, self); },
-          "Id of each grain in the files.")
-      .def_property_readonly(
-          "type", [](const py::object& self) { return longs(self.cast<const Packing&>().type, self); },
-          "Type of each grain, if the files contain types; else empty.")
-      .def_property_readonly(
-          "body",
-          [](const py::object& self) {
-            const auto& body = self.cast<const Packing&>().assembly.body;
-            return view<std::uint32_t>({static_cast<py::ssize_t>(body.size())}, {sizeof(std::uint32_t)},
-                                       body.data(), self);
-          },
-          "Number of the rigid body of each grain, from 0; empty if each grain is its own body.")
-      .def_readonly("step", &Packing::step, "Time step of the files; 0 without.")
-      .def_readonly("time", &Packing::time, "[s]; None if the files do not contain it.")
-      .def_property_readonly("notes", &notes_of, "Assumptions and missing data, one sentence each.")
+contacts by (i, j).)");
+  bind_views(type);
+  using packing::Assembly;
+  type.show("cell", "Its columns are the three edges [m], (3, 3).", &Packing::assembly, &Assembly::cell)
+      .show("periodic", "Whether the pairs of faces are periodic.",
+            [](const Packing& p) { return py::tuple(py::cast(p.periodic)); })
+      .show("volume", "Of the cell [m^3].", &Packing::assembly, &Assembly::volume)
+      .show("void_ratio", "Volume of voids over that of grains, of the whole cell [1].",
+            [](const Packing& p) { return packing::void_ratio(p.assembly); })
+      .show("step", "Time step of the files; 0 without.", &Packing::step)
+      .show("time", "[s]; None if the files do not contain it.", &Packing::time)
+      .show("notes", "Assumptions and missing data, one sentence each.", &notes_of)
       .def("__len__", [](const Packing& p) { return p.assembly.grain_count(); })
       .def("__copy__", [](const SharedPacking& p) { return p; })
       .def("__deepcopy__",
@@ -253,33 +238,30 @@ enum : std::size_t {
   body_at,
 };
 
-void take(const Arguments& a, std::size_t at, const char* name, std::vector<double>& to) {
+template <class Value>
+void take(const Arguments& a, std::size_t at, std::vector<Value>& to) {
   if (a.given(at))
-    to = list_of(name, a[at]);
-}
-void take(const Arguments& a, std::size_t at, const char* name, std::vector<Vec3>& to) {
-  if (a.given(at))
-    to = vectors_of(name, a[at]);
+    to = taken<std::vector<Value>>(a, at);
 }
 
 void take_contacts(const Arguments& a, GivenArrays& to) {
   to.contacts = pairs_of(a[contacts_at]);
-  take(a, forces_at, "forces", to.force);
-  take(a, branch_at, "branch", to.branch);
-  take(a, overlap_at, "overlap", to.overlap);
-  take(a, normal_force_at, "normal_force", to.normal_force);
-  take(a, tangential_force_at, "tangential_force", to.tangential_force);
-  take(a, normal_stiffness_at, "normal_stiffness", to.normal_stiffness);
-  take(a, tangential_stiffness_at, "tangential_stiffness", to.tangential_stiffness);
-  take(a, rolling_stiffness_at, "rolling_stiffness", to.rolling_stiffness);
-  take(a, twisting_stiffness_at, "twisting_stiffness", to.twisting_stiffness);
+  take(a, forces_at, to.force);
+  take(a, branch_at, to.branch);
+  take(a, overlap_at, to.overlap);
+  take(a, normal_force_at, to.normal_force);
+  take(a, tangential_force_at, to.tangential_force);
+  take(a, normal_stiffness_at, to.normal_stiffness);
+  take(a, tangential_stiffness_at, to.tangential_stiffness);
+  take(a, rolling_stiffness_at, to.rolling_stiffness);
+  take(a, twisting_stiffness_at, to.twisting_stiffness);
   if (a.given(sliding_at))
     to.sliding = py::reinterpret_borrow<py::object>(a[sliding_at]);
 }
 
 py::object packing_from(const Arguments& a) {
   GivenArrays given;
-  take(a, position_at, "position", given.position);
+  take(a, position_at, given.position);
   if (py::array_t<double> radius = numbers_of("radius", a[radius_at]); radius.ndim() == 0)
     given.radius.assign(given.position.size(), *radius.data());
   else
@@ -316,76 +298,55 @@ py::object packing_from(const Arguments& a) {
   return py::cast(out);
 }
 
+std::vector<Keyword> packing_keywords() {
+  const char *const of_contacts = "(M,) array_like", *const vectors = "(M, 3) array_like";
+  return {
+      required("position", "(N, 3) array_like", "Centres of the grains [m]."),
+      required("radius", "float or (N,) array_like", "Radius of each grain, > 0 [m]."),
+      optional("cell", "(3,) or (3, 3) array_like",
+               "Edges of a rectangular cell, or a matrix with the edges as its columns [m]; without it the "
+               "smallest\n"
+               "    rectangular box around the grains, not periodic."),
+      with_default("periodic", "(True, True, True)", "(3,) sequence of bool",
+                   "Which pairs of faces are periodic."),
+      optional("contacts", "(M, 2) array_like of int",
+               "Pairs of grains in contact, numbered from 0; a second number w < 0 is the wall -1 - w. "
+               "Without it,\n"
+               "    the contacts of overlapping spheres are used where needed."),
+      optional("forces", vectors, "Total force exerted by the first grain of each pair on the second [N]."),
+      optional("branch", vectors,
+               "Centre of the second grain minus centre of the first [m]; without it the nearest periodic "
+               "image. For\n"
+               "    a wall, where it is required, from the centre to the wall."),
+      optional("overlap", of_contacts, "Full approach of the centres [m]; without it from radii and branch."),
+      optional("normal_force", of_contacts, "Normal force, instead of forces, compression positive [N]."),
+      optional("tangential_force", vectors,
+               "Together with normal_force: exerted by the first on the second [N]."),
+      optional("normal_stiffness", of_contacts, ""),
+      optional("tangential_stiffness", of_contacts, "k_n and k_t [N/m]."),
+      optional("sliding", "(M,) array_like of bool", "Contacts at the Coulomb limit."),
+      optional("rolling_stiffness", of_contacts, ""),
+      optional("twisting_stiffness", of_contacts,
+               "Moment over angle of contacts with resistance to rolling, and to twisting about the normal "
+               "[N m]."),
+      optional("body", "(N,) sequence of int",
+               "Number of the rigid body (clump) of each grain; negative: none. Grains of one body move "
+               "together;\n"
+               "    C_n, z*, rattlers and stress are those of bodies.")};
+}
+
 } // namespace
 
 void bind_packing(py::module_& module) {
   bind_contacts(module);
   bind_class(module);
-  define(module,
-         {"packing",
-          {{"position"},
-           {"radius"},
-           {"cell", "None"},
-           {"periodic", "(True, True, True)"},
-           {"contacts", "None"},
-           {"forces", "None"},
-           {"branch", "None"},
-           {"overlap", "None"},
-           {"normal_force", "None"},
-           {"tangential_force", "None"},
-           {"normal_stiffness", "None"},
-           {"tangential_stiffness", "None"},
-           {"sliding", "None"},
-           {"rolling_stiffness", "None"},
-           {"twisting_stiffness", "None"},
-           {"body", "None"}},
-          &packing_from,
-          std::string() + R"(A packing from the arrays of any code, checked and sorted like one from files.
-
-Parameters
-----------
-position : (N, 3) array_like
-    Centres of the grains [m].
-radius : float or (N,) array_like
-    Radius of each grain, > 0 [m].
-cell : (3,) or (3, 3) array_like, optional
-    Edges of a rectangular cell, or a matrix with the edges as its columns [m]; without it the smallest
-    rectangular box around the grains, not periodic.
-periodic : (3,) sequence of bool
-    Which pairs of faces are periodic.
-contacts : (M, 2) array_like of int, optional
-    Pairs of grains in contact, numbered from 0; a second number w < 0 is the wall -1 - w. Without it, the
-    contacts of overlapping spheres are used where needed.
-forces : (M, 3) array_like, optional
-    Total force exerted by the first grain of each pair on the second [N].
-branch : (M, 3) array_like, optional
-    Centre of the second grain minus centre of the first [m]; without it the nearest periodic image. For a
-    wall, where it is required, from the centre to the wall.
-overlap : (M,) array_like, optional
-    Full approach of the centres [m]; without it from radii and branch.
-normal_force : (M,) array_like, optional
-    Normal force, instead of forces, compression positive [N].
-tangential_force : (M, 3) array_like, optional
-    Together with normal_force: exerted by the first on the second [N].
-normal_stiffness, tangential_stiffness : (M,) array_like, optional
-    k_n and k_t [N/m].
-sliding : (M,) array_like of bool, optional
-    Contacts at the Coulomb limit.
-rolling_stiffness, twisting_stiffness : (M,) array_like, optional
-    Moment over angle of contacts with resistance to rolling, and to twisting about the normal [N m].
-body : (N,) sequence of int, optional
-    Number of the rigid body (clump) of each grain; negative: none. Grains of one body move together; C_n, z*,
-    rattlers and stress are those of bodies.
-
-Returns
--------
-Packing
-
-Raises
-------
-InvalidArgument
-    Naming the array and its element: shapes, unknown grains, numbers that are not finite.
-)" + notes("", "io::packing_of", "io/arrays/packing.hpp")});
+  define(
+      module, "packing", packing_keywords(),
+      {"A packing from the arrays of any code, checked and sorted like one from files.", "Packing", "", "",
+       "io::packing_of", "io/arrays/packing.hpp",
+       "InvalidArgument\n    Naming the array and its element: shapes, unknown grains, numbers that are not "
+       "finite.\n"},
+      &packing_from);
 }
 
 } // namespace granum::python

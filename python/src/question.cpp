@@ -63,7 +63,7 @@ std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more) {
   return all;
 }
 
-const std::string question_parameters = std::string(state_parameters) +
+const std::string question_parameters = state_parameters() +
                                         R"(preparation : str, optional
     "dense", "loose", or "friction:0.3", a friction coefficient; without it unknown.
 grain_density : array_like, optional

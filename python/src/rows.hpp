@@ -17,8 +17,9 @@
 #include <granum/core/error.hpp>
 #include <granum/core/validity.hpp>
 
-#include "arrays.hpp"
 #include "errors.hpp"
+#include "functions.hpp"
+#include "members.hpp"
 
 /// Calls a function of the library for every element of arrays, broadcast as in numpy.
 namespace granum::python {
@@ -29,6 +30,11 @@ struct Argument {
   std::variant<py::handle, double> value;
   const char* in_library = nullptr; ///< its name in the library, if different
 };
+
+/// The columns of a call: the values of all keywords that are array_like, in their order.
+[[nodiscard]] std::vector<Argument> columns_of(const Arguments& arguments);
+/// The flag `strict`; true for a function that has none.
+[[nodiscard]] bool is_strict(const Arguments& arguments);
 
 /// The error with the name of the argument as typed.
 [[nodiscard]] InvalidArgument as_typed(const InvalidArgument& error, std::span<const Argument> arguments);
@@ -187,11 +193,46 @@ template <class Row, class Get>
   return out;
 }
 
+/// A result of rows: `answer`(numbers, notes) for every element of the columns of a call.
+template <class Row, class Answer>
+[[nodiscard]] py::object rows_of(const Arguments& arguments, const Row& refused, const Answer& answer) {
+  return py::cast(answer_rows(columns_of(arguments), is_strict(arguments), refused, answer));
+}
+
+/// A float or an array: `formula`(numbers) for every element of the columns of a call.
+template <class Formula>
+[[nodiscard]] py::object numbers_of_rows(std::span<const Argument> columns, const Formula& formula) {
+  return computed(
+      answer_rows<double>(columns, true, 0.0, [&](const double* x, Notes&) { return formula(x); }),
+      [](double number) { return number; });
+}
+template <class Formula>
+[[nodiscard]] py::object numbers_of_rows(const Arguments& arguments, const Formula& formula) {
+  return numbers_of_rows(columns_of(arguments), formula);
+}
+
+/// A class of results of rows.
+template <class Row>
+class RowsClass : public py::class_<Rows<Row>> {
+ public:
+  using py::class_<Rows<Row>>::class_;
+
+  /// A view of a number of the rows.
+  RowsClass& show(const char* name, const char* says, double Row::*number) {
+    const Row row{};
+    const std::size_t offset = static_cast<std::size_t>(reinterpret_cast<const char*>(&(row.*number)) -
+                                                        reinterpret_cast<const char*>(&row));
+    this->def_property_readonly(
+        name, [offset](const py::object& result) { return member<Row>(result, offset); }, says);
+    return *this;
+  }
+};
+
 /// A class of results with the members of all results.
 template <class Row>
-py::class_<Rows<Row>> result_class(py::module_& module, const char* name, const char* documentation) {
-  return py::class_<Rows<Row>>(module, name, documentation)
-      .def_property_readonly(
+RowsClass<Row> result_class(py::module_& module, const char* name, const char* documentation) {
+  RowsClass<Row> type(module, name, documentation);
+  type.def_property_readonly(
           "errors", [](const Rows<Row>& rows) { return errors_by_index(rows.errors, rows.shape); },
           "Messages of refused elements, by index; their numbers are NaN.")
       .def_property_readonly(
@@ -200,13 +241,7 @@ py::class_<Rows<Row>> result_class(py::module_& module, const char* name, const 
       .def_property_readonly(
           "shape", [](const Rows<Row>& rows) { return py::tuple(py::cast(rows.shape)); },
           "Shape of the arrays; () for a call with numbers only.");
-}
-
-/// A property that shows a double of the row, at its offset.
-template <class Row, class Class>
-void show_member(Class& type, const char* name, std::size_t offset, const char* documentation) {
-  type.def_property_readonly(
-      name, [offset](const py::object& result) { return member<Row>(result, offset); }, documentation);
+  return type;
 }
 
 } // namespace granum::python

@@ -26,35 +26,16 @@ RangeView sand_contacts(const Sand& sand, Field field) {
   return {py::float_(range.value), py::float_(range.low), py::float_(range.high)};
 }
 
-py::object predict_sand(const Sand& sand, const std::string& quantity, const py::object& pressure,
-                        const py::object& stress_v, const py::object& stress_h,
-                        const py::object& void_ratio) {
-  const inverse::Quantity asked = inverse::quantity_of(quantity);
+py::object predict_sand(const Arguments& a) {
+  const auto& sand = a.as<const Sand&>(0);
+  const inverse::Quantity asked = inverse::quantity_of(a.text(1));
   return predicted_rows(
-      {pressure, stress_v, stress_h, void_ratio}, sand.first, [&](double) { return sand.first.void_ratio; },
+      a, sand.first, [&](double) { return sand.first.void_ratio; },
       [&](const effective::State& at, Notes& notes) {
         notes.add(sand.found.doubts(at));
         return sand.found.predict(asked, at);
       });
 }
-
-const std::string sand_prediction =
-    std::string("A quantity of the sand at other stresses, with its standard error.\n\n"
-                "From one measurement the standard deviation of ln G is sqrt(0.05^2 + (0.05 ln(p/p_0))^2 + "
-                "measurement^2), half of that for a\nspeed; measurements that contradict one another make it "
-                "larger.\n") +
-    elsewhere_parameters + R"(void_ratio : array_like, optional
-    e there [1]; without it that of the first measurement.
-
-Returns
--------
-MeasuredRows
-
-Raises
-------
-InvalidArgument
-    For another quantity, a wave speed without grain_density, a compression wave in wet pores.
-)";
 
 void bind_numbers(py::class_<Sand>& type) {
   type.def_property_readonly(
@@ -118,17 +99,24 @@ void bind_sand_inference(py::module_& module) {
       module, "SandInference",
       "What measurements say of a sand: its level, how it grows with stress, Poisson's ratio.");
   bind_numbers(type);
-  type.def("predict", &predict_sand, py::arg("quantity"), py::kw_only(), py::arg("pressure") = py::none(),
-           py::arg("stress_v") = py::none(), py::arg("stress_h") = py::none(),
-           py::arg("void_ratio") = py::none(), sand_prediction.c_str())
-      .def("__repr__", [](const Sand& s) {
-        const auto number = [](const Measured& m) {
-          return std::string(py::str("{:.3f} +- {:.3f}").format(m.value, m.standard_error));
-        };
-        return "SandInference(level=" + number(s.found.level()) +
-               ", stress_exponent=" + number(s.found.exponent()) +
-               ", poisson_ratio=" + number(s.found.poisson_ratio()) + ")";
-      });
+  define_method(
+      type, "predict", predict_keywords("that of the first measurement"),
+      {.summary = "A quantity of the sand at other stresses, with its standard error.\n\nFrom one "
+                  "measurement the standard deviation of ln G is sqrt(0.05^2 + (0.05 ln(p/p_0))^2 + "
+                  "measurement^2), half of that for a\nspeed; measurements that contradict one another "
+                  "make it larger.",
+       .returns = "MeasuredRows",
+       .refuses = "For another quantity, a wave speed without grain_density, a compression wave in wet "
+                  "pores."},
+      &predict_sand, 1);
+  type.def("__repr__", [](const Sand& s) {
+    const auto number = [](const Measured& m) {
+      return std::string(py::str("{:.3f} +- {:.3f}").format(m.value, m.standard_error));
+    };
+    return "SandInference(level=" + number(s.found.level()) +
+           ", stress_exponent=" + number(s.found.exponent()) +
+           ", poisson_ratio=" + number(s.found.poisson_ratio()) + ")";
+  });
 }
 
 } // namespace granum::python

@@ -19,15 +19,6 @@ namespace granum::python {
 
 namespace {
 
-const std::string rung_and_modulus = R"(rung : int or str
-    0 to 3, or isotropic, fabric, directional, relaxed, uniform_stress.
-modulus : str
-    K, G_hh, G_vh, E_v, E_h, C11, C33, C12 or C13.
-)";
-
-const std::string refused =
-    raises_invalid("For impossible numbers (with arrays only under strict), or another rung or modulus.");
-
 // ---- exponents
 
 struct ExponentRow {
@@ -48,8 +39,8 @@ py::object exponents(const Arguments& a) {
 
 void bind_exponents(py::module_& module) {
   auto type = result_class<ExponentRow>(module, "Exponents", "Exponents of the stresses in a modulus.");
-  show_member<ExponentRow>(type, "stress_v", offsetof(ExponentRow, stress_v), "d ln X/d ln stress_v [1].");
-  show_member<ExponentRow>(type, "stress_h", offsetof(ExponentRow, stress_h), "d ln X/d ln stress_h [1].");
+  type.show("stress_v", "d ln X/d ln stress_v [1].", &ExponentRow::stress_v)
+      .show("stress_h", "d ln X/d ln stress_h [1].", &ExponentRow::stress_h);
   type.def_property_readonly(
       "sum",
       [](const Rows<ExponentRow>& rows) {
@@ -58,16 +49,18 @@ void bind_exponents(py::module_& module) {
         });
       },
       "s = d ln X/d ln p at constant stress ratio [1].");
-  define(module, {"exponents", state_keywords({{"rung"}, {"modulus"}}), &exponents,
-                  std::string("Exponents of a modulus at frozen contacts: C_n, z* and a do not change.\n") +
-                      state_parameters + rung_and_modulus + R"(
-Returns
--------
-Exponents
-    NaN where the modulus vanishes at every stress.
-)" + refused +
-                      notes("Differentiated exactly under the integral. [Chung2014]", "effective::exponents",
-                            "effective/rungs.hpp")});
+  define(module, "exponents",
+         state_keywords(
+             {rung_keyword(),
+              required("modulus",
+                       "{\"K\", \"G_hh\", \"G_vh\", \"E_v\", \"E_h\", \"C11\", \"C33\", \"C12\", \"C13\"}",
+                       "Of the packing.")}),
+         {"Exponents of a modulus at frozen contacts: C_n, z* and a do not change.",
+          "Exponents\n    NaN where the modulus vanishes at every stress.",
+          "For impossible numbers (with arrays only under strict), or another rung or modulus.",
+          "Differentiated exactly under the integral. [Chung2014]", "effective::exponents",
+          "effective/rungs.hpp"},
+         &exponents);
 }
 
 // ---- the ladder
@@ -75,63 +68,49 @@ Exponents
 py::object choose(const Arguments& a) {
   QuestionArguments arguments(a);
   const double* numbers = arguments.one_packing("estimate");
-  return py::cast(
-      estimate::choose(arguments.answer(numbers), number_of("tolerance", a[question_keyword_count])));
+  return py::cast(estimate::choose(arguments.answer(numbers), a.number(question_keyword_count)));
+}
+
+py::object estimate_of(const estimate::RungAssessment& r) {
+  if (!r.stiffness)
+    return py::none();
+  return estimate_object({.stiffness = *r.stiffness, .validity = {}, .relative_error = r.relative_error});
 }
 
 void bind_ladder(py::module_& module) {
-  py::class_<Measured>(module, "Measured", "A number and its standard error, in its unit.")
-      .def_readonly("value", &Measured::value, "The number, in its unit.")
-      .def_readonly("standard_error", &Measured::standard_error, "Its standard error, in the same unit.")
+  ResultClass<Measured>(module, "Measured", "A number and its standard error, in its unit.")
+      .show("value", "The number, in its unit.", &Measured::value)
+      .show("standard_error", "Its standard error, in the same unit.", &Measured::standard_error)
       .def("__repr__", [](const Measured& m) {
         return "Measured(" + exact_text(m.value) + " +- " + exact_text(m.standard_error) + ")";
       });
   using estimate::RungAssessment;
-  py::class_<RungAssessment>(module, "RungAssessment", "One rung of the ladder for one packing.")
-      .def_property_readonly(
-          "rung", [](const RungAssessment& r) { return *r.rung->number; }, "Its number.")
-      .def_property_readonly(
-          "title", [](const RungAssessment& r) { return r.rung->title; }, "Short description.")
-      .def_property_readonly(
-          "typical_time", [](const RungAssessment& r) { return r.rung->typical_time; },
-          "Time of one evaluation [s].")
-      .def_readonly("missing", &RungAssessment::missing, "Required inputs that are not given.")
-      .def_property_readonly(
-          "estimate",
-          [](const RungAssessment& r) -> py::object {
-            if (!r.stiffness)
-              return py::none();
-            return estimate_object(
-                {.stiffness = *r.stiffness, .validity = {}, .relative_error = r.relative_error});
-          },
-          "Stiffness and stated errors; None if an input is missing.")
-      .def_property_readonly("largest_error", &RungAssessment::largest_error,
-                             "Largest stated error of K, G_hh and G_vh [1]; None if none is stated.")
-      .def_readonly("error_source", &RungAssessment::error_source, "Source of its stated errors.")
-      .def_property_readonly(
-          "verdict", [](const RungAssessment& r) { return estimate::name(r.verdict); },
-          "chosen, cheaper_does, beyond_tolerance, error_unknown or inputs_missing.")
-      .def_readonly("reason", &RungAssessment::reason, "The verdict in words.");
+  ResultClass<RungAssessment>(module, "RungAssessment", "One rung of the ladder for one packing.")
+      .show("rung", "Its number.", [](const RungAssessment& r) { return *r.rung->number; })
+      .show("title", "Short description.", [](const RungAssessment& r) { return r.rung->title; })
+      .show("typical_time", "Time of one evaluation [s].",
+            [](const RungAssessment& r) { return r.rung->typical_time; })
+      .show("missing", "Required inputs that are not given.", &RungAssessment::missing)
+      .show("estimate", "Stiffness and stated errors; None if an input is missing.", &estimate_of)
+      .show("largest_error", "Largest stated error of K, G_hh and G_vh [1]; None if none is stated.",
+            &RungAssessment::largest_error)
+      .show("error_source", "Source of its stated errors.", &RungAssessment::error_source)
+      .show("verdict", "chosen, cheaper_does, beyond_tolerance, error_unknown or inputs_missing.",
+            [](const RungAssessment& r) { return estimate::name(r.verdict); })
+      .show("reason", "The verdict in words.", &RungAssessment::reason);
   using estimate::Ladder;
-  py::class_<Ladder>(module, "Ladder", "The ladder for one packing, and the chosen rung.")
-      .def_readonly("tolerance", &Ladder::tolerance, "[1]")
-      .def_readonly("tolerance_met", &Ladder::tolerance_met,
-                    "Whether the stated error of the choice is within it.")
-      .def_property_readonly(
-          "mechanical_coordination_number",
-          [](const Ladder& ladder) {
-            const estimate::Range& z = ladder.mechanical_coordination_number;
-            return std::array{z.value, z.low, z.high};
-          },
-          "z* of the answer, with the ends of its range.")
-      .def_readonly("rungs", &Ladder::rungs,
-                    "Rungs 0 to 5; 4 and 5 are not evaluated, because they need a packing.")
-      .def_property_readonly(
-          "choice", [](const Ladder& ladder) { return ladder.choice(); }, "The chosen rung.")
-      .def_readonly("advice", &Ladder::advice, "Inputs that would allow a better or a cheaper rung.")
-      .def_property_readonly(
-          "notes", [](const Ladder& ladder) { return ladder.validity.notes; },
-          "Remarks on numbers outside the range of a formula, a sentence each.");
+  ResultClass<Ladder>(module, "Ladder", "The ladder for one packing, and the chosen rung.")
+      .show("tolerance", "[1]", &Ladder::tolerance)
+      .show("tolerance_met", "Whether the stated error of the choice is within it.", &Ladder::tolerance_met)
+      .show("mechanical_coordination_number", "z* of the answer, with the ends of its range.",
+            [](const Ladder& ladder) {
+              const estimate::Range& z = ladder.mechanical_coordination_number;
+              return std::array{z.value, z.low, z.high};
+            })
+      .show("rungs", "Rungs 0 to 5; 4 and 5 are not evaluated, because they need a packing.", &Ladder::rungs)
+      .show("choice", "The chosen rung.", &Ladder::choice)
+      .show("advice", "Inputs that would allow a better or a cheaper rung.", &Ladder::advice)
+      .show_notes();
   define(module,
          {"estimate", question_keywords({{"tolerance"}}), &choose,
           std::string("The cheapest rung whose stated error is within a tolerance, for one packing.\n") +

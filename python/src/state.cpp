@@ -5,6 +5,8 @@
 
 #include <granum/effective/relaxation.hpp>
 
+#include "shared_keywords.hpp"
+
 namespace granum::python {
 
 namespace {
@@ -46,51 +48,24 @@ Argument stress_argument(const Arguments& a, std::size_t pressure, std::size_t s
 }
 
 std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more) {
-  std::vector<Keyword> all{{"law"},
-                           {"radius"},
-                           {"void_ratio"},
-                           {"coordination_number"},
-                           {"pressure", "None"},
-                           {"stress_v", "None"},
-                           {"stress_h", "None"},
-                           {"fabric_anisotropy", "0.0"},
-                           {"tangential_ratio", "None"},
-                           {"mechanical_coordination_number", "None"},
-                           {"rattler_fraction", "None"},
-                           {"contact_means", "None"},
-                           {"strict", "False"}};
-  all.insert(all.end(), more);
-  return all;
+  using estimate::Input;
+  static const std::vector<Keyword> all{law_keyword(),
+                                        of_input(Input::radius),
+                                        of_input(Input::void_ratio),
+                                        of_input(Input::coordination_number),
+                                        of_input(Input::pressure).or_none().called("stress_v"),
+                                        of_input(Input::stress_v).or_none(),
+                                        of_input(Input::stress_h).or_none(),
+                                        of_input(Input::fabric).or_number(0),
+                                        tangential_ratio_keyword("array_like"),
+                                        of_input(Input::mechanical_coordination_number).or_none(),
+                                        of_input(Input::rattler_fraction).or_none(),
+                                        contact_means_keyword(),
+                                        strict_keyword()};
+  return all + more;
 }
 
-const char* const state_parameters = R"(
-Parameters
-----------
-law : NormalLaw
-    Normal contact of two grains, for instance from sphere().
-radius : array_like
-    R > 0 of a grain [m].
-void_ratio : array_like
-    e > 0 [1].
-coordination_number : array_like
-    C_n = 2 N_c/N over all grains, >= 0 [1].
-pressure : array_like, optional
-    Isotropic stress [Pa], instead of stress_v and stress_h.
-stress_v, stress_h : array_like, optional
-    Vertical stress and horizontal stress, compression positive [Pa].
-fabric_anisotropy : array_like
-    a of E(gamma; a); > 0: more contacts are vertical [1].
-tangential_ratio : array_like, optional
-    k_t/k_n [1]; without it mindlin_stiffness_ratio of the law's material.
-mechanical_coordination_number : array_like, optional
-    z*, contacts per grain without rattlers [1].
-rattler_fraction : array_like, optional
-    Share of grains that carry no force, instead of z* = C_n/(1 - share) [1].
-contact_means : ContactMeans, optional
-    Means for unequal grains; default: equal grains.
-strict : bool
-    Raise at the first element that is refused, instead of NaN and a message in `errors`.
-)";
+std::string state_parameters() { return "\nParameters\n----------\n" + entries(state_keywords()); }
 
 StateArguments::StateArguments(const Arguments& a, CoordinationNumber coordination_number)
     : law_(&a.as<const contact::NormalLaw&>(law_at, "a contact law")),
@@ -151,6 +126,11 @@ effective::State StateArguments::state(const double* x) const {
     packing.state.mechanical_coordination_number =
         effective::mechanical_coordination_number(x[2], *packing.rattler_fraction);
   return packing.state;
+}
+
+Keyword rung_keyword() {
+  return required("rung", "int or str",
+                  "0 to 3, or isotropic, fabric, directional, relaxed, uniform_stress.");
 }
 
 effective::Modulus modulus_of(const std::string& text) {

@@ -10,7 +10,7 @@
 #include <granum/effective/state.hpp>
 #include <granum/estimate/question.hpp>
 
-#include "keywords.hpp"
+#include "functions.hpp"
 #include "rows.hpp"
 
 /// The state of a packing as keywords of Python, common to all closed forms.
@@ -22,7 +22,7 @@ namespace granum::python {
 inline constexpr std::size_t state_keyword_count = 13;
 
 /// The docstring of these keywords, for all closed forms.
-extern const char* const state_parameters;
+[[nodiscard]] std::string state_parameters();
 
 /// The stress of one direction: `pressure` if given, else `stress`, whose keyword is `name`.
 /// \throws   TypeError if both or none are given
@@ -62,6 +62,8 @@ class StateArguments {
   bool strict_;
 };
 
+/// The keyword rung, which closed_form_of reads.
+[[nodiscard]] Keyword rung_keyword();
 /// "G_vh" and so on.
 /// \throws   InvalidArgument for another name
 [[nodiscard]] effective::Modulus modulus_of(const std::string& text);

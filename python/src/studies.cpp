@@ -11,7 +11,7 @@
 
 #include "bindings.hpp"
 #include "errors.hpp"
-#include "rows.hpp"
+#include "members.hpp"
 #include "studies/scene/scene_builder.hpp"
 #include "studies/verify/findings.hpp"
 #include "studies/verify/study.hpp"
@@ -198,23 +198,20 @@ std::vector<std::string> failures(const Study& study) {
 } // namespace
 
 void bind_studies(py::module_& module) {
-  py::class_<studies::Verdict>(module, "Verdict", "A claim, and whether the study confirms it.")
-      .def_readonly("claim", &studies::Verdict::claim, "The claim.")
-      .def_readonly("holds", &studies::Verdict::holds, "Whether it is confirmed.")
-      .def_readonly("measured", &studies::Verdict::measured, "The result, as text.")
+  ResultClass<studies::Verdict>(module, "Verdict", "A claim, and whether the study confirms it.")
+      .show("claim", "The claim.", &studies::Verdict::claim)
+      .show("holds", "Whether it is confirmed.", &studies::Verdict::holds)
+      .show("measured", "The result, as text.", &studies::Verdict::measured)
       .def("__repr__", [](const studies::Verdict& v) {
         return std::string(v.holds ? "<holds: " : "<does not hold: ") + v.claim + ": " + v.measured + ">";
       });
-  py::class_<Study>(module, "Study", "Results of verify: closed form, network and probe.")
-      .def_property_readonly("states", &states,
-                             "All states, a dict of columns with units in their names, as in states.csv.")
-      .def_property_readonly("exponents", &exponents_table,
-                             "s of G ~ p^s by closed forms, network and probe, a dict of columns.")
-      .def_property_readonly(
-          "verdicts", [](const Study& study) { return studies::verdicts(study.scene, study.specimens); },
-          "The verdict on each claim for which the study has data.")
-      .def_property_readonly("failures", &failures,
-                             "Messages for specimens that failed or were stopped; empty if all ran.")
+  ResultClass<Study>(module, "Study", "Results of verify: closed form, network and probe.")
+      .show("states", "All states, a dict of columns with units in their names, as in states.csv.", &states)
+      .show("exponents", "s of G ~ p^s by closed forms, network and probe, a dict of columns.",
+            &exponents_table)
+      .show("verdicts", "The verdict on each claim for which the study has data.",
+            [](const Study& study) { return studies::verdicts(study.scene, study.specimens); })
+      .show("failures", "Messages for specimens that failed or were stopped; empty if all ran.", &failures)
       .def("__str__", [](const Study& study) {
         return studies::states_table(study.specimens) + "\n" +
                studies::exponents_table(studies::exponents(study.scene, study.specimens)) + "\n" +

@@ -13,21 +13,13 @@ CLASSES = sorted(name for name in granum.__all__ if inspect.isclass(getattr(gran
 
 
 def signature_of(name):
-    """Names of the parameters, as Python or the first line of pybind11 has them."""
-    function = getattr(granum, name)
-    try:
-        return [parameter.name for parameter in inspect.signature(function).parameters.values()]
-    except ValueError:
-        inside = re.match(rf"{name}\((.*?)\) ->", inspect.getdoc(function)).group(1)
-        names = (part.split(":")[0].strip() for part in re.split(r", (?=\*|\w+:|\w+ =)", inside))
-        return [part.lstrip("*") for part in names if part.strip("*")]
+    """Names of the parameters."""
+    return [parameter.name for parameter in inspect.signature(getattr(granum, name)).parameters.values()]
 
 
 def sections_of(name):
-    """The summary and the sections of a docstring, without the signature that pybind11 writes before it."""
+    """The summary and the sections of a docstring."""
     lines = inspect.getdoc(getattr(granum, name)).splitlines()
-    if lines[0].startswith(name + "("):
-        lines = lines[2:]
     sections, title = {"Summary": []}, "Summary"
     for line, below in zip(lines, [*lines[1:], ""]):
         if below and set(below) == {"-"}:

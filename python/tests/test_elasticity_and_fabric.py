@@ -128,7 +128,7 @@ def test_fabric_measures_by_any_of_them():
     for wrong in ({}, {"F33": 0.4, "anisotropy": 0.2}):
         with pytest.raises(TypeError, match="takes one of"):
             granum.fabric_measures(**wrong)
-    with pytest.raises(TypeError, match="incompatible function arguments"):
+    with pytest.raises(TypeError, match="unexpected keyword argument 'a'"):
         granum.fabric_measures(a=1)
 
 

@@ -154,10 +154,7 @@ def is_there(target):
         value = getattr(value, parts.pop(0), None)
     if value is None or not parts:
         return value is not None
-    try:
-        return parts[0] in inspect.signature(value).parameters
-    except ValueError:  # pybind11 writes the arguments into the documentation
-        return re.search(rf"\b{parts[0]}\b", inspect.getdoc(value).split(" -> ")[0]) is not None
+    return parts[0] in inspect.signature(value).parameters
 
 
 @pytest.mark.parametrize("command", COMMANDS)

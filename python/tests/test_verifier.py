@@ -71,7 +71,7 @@ def test_a_shear_path_keeps_its_stress(states):
 @pytest.mark.parametrize(
     "name, wrong, said",
     [
-        ("kind", "medium", "dense or loose"),
+        ("kind", "medium", "dense, loose"),
         ("grains", 3, "grains"),
         ("friction_coefficient", -1, "friction"),
         ("radius", 0.0, "radius"),

@@ -90,8 +90,13 @@ foreach(command IN LISTS commands)
   string(APPEND every_help "${text}")
 endforeach()
 
-# The package of Python: what it holds is named in its __init__.py.
-text_of(python_names "${ROOT}/python/granum/__init__.py")
+# The package of Python: what it holds is named in its sources.
+set(python_names "")
+file(GLOB python_sources "${ROOT}/python/granum/*.py" "${ROOT}/python/src/*.cpp")
+foreach(source IN LISTS python_sources)
+  text_of(text "${source}")
+  string(APPEND python_names "${text}")
+endforeach()
 
 file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/other_names.txt" allowed REGEX "^[^#]")
 list(TRANSFORM allowed REPLACE "  +#.*$" "")

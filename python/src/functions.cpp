@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "keywords.hpp"
+#include "functions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,6 +8,7 @@
 
 #include <granum/core/near_miss.hpp>
 
+#include "docstrings.hpp"
 #include "errors.hpp"
 
 namespace granum::python {
@@ -33,10 +34,20 @@ std::size_t place_of(const Record& record, PyObject* name) {
       return k;
   std::vector<std::string> known;
   for (const Keyword& keyword : record.function.keywords)
-    known.emplace_back(keyword.name);
+    known.push_back(keyword.name);
   const std::string typed = py::str(py::handle(name));
   throw py::type_error(std::string(record.function.name) + "() got an unexpected keyword argument '" + typed +
                        "'" + did_you_mean(typed, known));
+}
+
+/// The error with the name of the keyword as typed.
+InvalidArgument typed_error(const InvalidArgument& error, const Arguments& a) {
+  if (const auto& refused = error.refused())
+    for (std::size_t k = 0; k < a.function().keywords.size(); ++k)
+      if (const char* const name = a.keyword(k).in_library;
+          name != nullptr && a.given(k) && refused->name == name)
+        return {a.keyword(k).name, refused->value, refused->unit, refused->range};
+  return error;
 }
 
 py::object call(const Record& record, PyObject* const* arguments, Py_ssize_t positional, PyObject* names) {
@@ -59,7 +70,12 @@ py::object call(const Record& record, PyObject* const* arguments, Py_ssize_t pos
     if (values[k] == nullptr && keywords[k].shown_default == nullptr)
       throw py::type_error(std::string(record.function.name) + "() needs the keyword argument '" +
                            keywords[k].name + "'");
-  return record.function.call(Arguments(record.function, std::span(values.data(), keywords.size())));
+  const Arguments given(record.function, std::span(values.data(), keywords.size()));
+  try {
+    return record.function.call(given);
+  } catch (const InvalidArgument& error) {
+    throw typed_error(error, given);
+  }
 }
 
 extern "C" PyObject* call_record(PyObject* self, PyObject* const* arguments, Py_ssize_t positional,
@@ -85,29 +101,102 @@ std::string signature(const KeywordFunction& function) {
   return text + ")\n--\n\n";
 }
 
-} // namespace
-
-void Arguments::refuse(std::size_t k, const char* expected) const {
-  throw py::type_error(std::string(function_.name) + "(): " + function_.keywords[k].name + " must be " +
-                       expected + ", not " + Py_TYPE(values_[k])->tp_name);
+std::string documentation_of(const Docstring& text, const std::vector<Keyword>& keywords) {
+  std::string out = text.summary + "\n";
+  if (const std::string all = entries(keywords); !all.empty())
+    out += "\nParameters\n----------\n" + all;
+  if (!text.returns.empty())
+    out += "\nReturns\n-------\n" + text.returns + "\n";
+  if (!text.refuses.empty())
+    out += raises_invalid(text.refuses) + text.more_errors;
+  else if (!text.more_errors.empty())
+    out += "\nRaises\n------\n" + text.more_errors;
+  return out + (text.function.empty() ? "" : notes(text.remarks, text.function, text.header));
 }
 
-void define(py::module_& module, KeywordFunction function) {
+} // namespace
+
+Keyword Keyword::called(const char* name_in_library) const {
+  Keyword out = *this;
+  out.in_library = name_in_library;
+  return out;
+}
+
+Keyword Keyword::or_none() const {
+  Keyword out = *this;
+  out.shown_default = "None";
+  out.type += ", optional";
+  return out;
+}
+
+Keyword Keyword::or_number(double otherwise) const {
+  static auto& texts = *new std::deque<std::string>; // keywords point to them
+  Keyword out = *this;
+  out.shown_default = texts.emplace_back(py::repr(py::float_(otherwise))).c_str();
+  out.number = otherwise;
+  return out;
+}
+
+Keyword required(std::string name, std::string type, std::string says) {
+  return with_default(std::move(name), nullptr, std::move(type), std::move(says));
+}
+
+Keyword optional(std::string name, std::string type, std::string says) {
+  return required(std::move(name), std::move(type), std::move(says)).or_none();
+}
+
+Keyword with_default(std::string name, const char* shown, std::string type, std::string says) {
+  return {std::move(name), shown, std::move(type), std::move(says)};
+}
+
+Keyword column(std::string name, std::string says) {
+  return required(std::move(name), "array_like", std::move(says));
+}
+
+std::string entries(const std::vector<Keyword>& keywords) {
+  std::string text, names;
+  for (const Keyword& keyword : keywords) {
+    if (keyword.type.empty()) // self
+      continue;
+    names += (names.empty() ? "" : ", ") + keyword.name;
+    if (keyword.says.empty()) // that of the next
+      continue;
+    text += names + " : " + keyword.type + "\n    " + keyword.says + "\n";
+    names.clear();
+  }
+  return text;
+}
+
+void Arguments::refuse(std::size_t k, std::string_view expected) const {
+  const std::string& type = keyword(k).type;
+  const std::string kind = type.starts_with("NormalLaw") ? "contact law" : type.substr(0, type.find(','));
+  throw py::type_error(std::string(function_.name) + "(): " + keyword(k).name + " must be " +
+                       (expected.empty() ? "a " + kind : std::string(expected)) + ", not " +
+                       Py_TYPE(values_[k])->tp_name);
+}
+
+void define(const py::object& scope, KeywordFunction function) {
   static auto& records = *new std::deque<Record>;
   Record& record = records.emplace_back();
   record.function = std::move(function);
   if (record.function.keywords.size() > most_keywords)
     throw std::length_error(std::string(record.function.name) + " has too many keywords");
   for (const Keyword& keyword : record.function.keywords)
-    record.names.push_back(PyUnicode_InternFromString(keyword.name));
-  record.text = signature(record.function) + record.function.documentation;
+    record.names.push_back(PyUnicode_InternFromString(keyword.name.c_str()));
+  record.text =
+      signature(record.function) + (record.function.documentation.empty()
+                                        ? documentation_of(record.function.text, record.function.keywords)
+                                        : record.function.documentation);
   record.definition = {record.function.name,
                        reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(call_record)),
                        METH_FASTCALL | METH_KEYWORDS, record.text.c_str()};
-  const py::capsule self(&record, nullptr, nullptr);
+  const auto self = py::reinterpret_steal<py::object>(PyCapsule_New(&record, nullptr, nullptr));
   const auto name = py::reinterpret_steal<py::object>(PyUnicode_InternFromString("granum"));
-  module.attr(record.function.name) =
+  auto made =
       py::reinterpret_steal<py::object>(PyCFunction_NewEx(&record.definition, self.ptr(), name.ptr()));
+  if (PyType_Check(scope.ptr()) != 0)
+    made = py::reinterpret_steal<py::object>(PyInstanceMethod_New(made.ptr()));
+  scope.attr(record.function.name) = made;
 }
 
 } // namespace granum::python
