@@ -33,7 +33,7 @@ granum_cli_test("infer: uncertain inputs have their share" EXIT 0 BELOW "error_s
     "grain-shear-modulus=^0\\.3" "grain-poisson-ratio=^0\\.2" "grain-density=^0\\.02" "void-ratio=^0\\.001"
   ARGS ${beads} --vs 587m/s --uncertainty grain-shear-modulus=5% --uncertainty grain-poisson-ratio=0.05
       --uncertainty grain-density=20kg/m3 --uncertainty void-ratio=0.01 --measurement-error 0% --json)
-granum_cli_test("infer: assumed inputs are uncertain" EXIT 0 STDOUT "in the variance of z\\*: grain-shear-modulus 9.*note: assumed --grain-density 2650 kg/m3\nnote: standard deviation of grain-shear-modulus: 9 GPa"
+granum_cli_test("infer: assumed inputs are uncertain" EXIT 0 STDOUT "in the variance of z\\*: grain-shear-modulus 9.*- assumed --grain-density 2650 kg/m3\n- standard deviation of grain-shear-modulus: 9 GPa"
   ARGS infer ${packing} --vs 280m/s+-2%)
 granum_cli_test("infer: exact measurements are possible" EXIT 0 JSON "error_shares/rung 3=^(1\\.0|0\\.9)"
   ARGS infer ${packing} --shear-modulus ${G} --rattler-fraction 2% --uncertainty grain-shear-modulus=0% --uncertainty fabric=0
@@ -46,10 +46,10 @@ granum_cli_test("infer: table of measurements" EXIT 0 JSON "degrees_of_freedom=^
   STDERR "measurements contradict each other"
   ARGS infer --table beads_speeds.csv --porosity 0.38 ${glass} --measurement-error 1% --growth fitted --json)
 
-granum_cli_test("infer: K and G that contradict each other" EXIT 4 STDOUT "chi\\^2 of the measurements"
+granum_cli_test("infer: K and G that contradict each other" EXIT 4 STDOUT "chi\\^2 .*of the measurements"
   STDERR "^granum: error: the measurements contradict each other: [^\n]*V_p = 838 m/s at 2760 kPa, [0-9.]+ standard errors softer[^\n]*\n$"
   ARGS ${beads} --vs 587m/s+-1% --vp 838m/s+-1% --strict)
-granum_cli_test("infer: too stiff for any contacts" EXIT 1 STDOUT "V_s +1587 m/s \\+- 2 % .*z\\* none"
+granum_cli_test("infer: too stiff for any contacts" EXIT 1 STDOUT "V_s +1587 m/s \\+- 2 % +none"
   STDERR "no coordination number explains V_s = 1587 m/s at 2760 kPa: with 12 contacts[^\n]*\ngranum: error: no measurement can be explained"
   ARGS ${beads} --vs 1587m/s)
 granum_cli_test("infer: too soft for any contacts" EXIT 1 JSON "measurements/0/explained=^too soft$"

@@ -112,7 +112,7 @@ TEST_CASE("document: the page has answers, tables, notes and their sources") {
   Document document = example();
   document.warnings.add("beware");
   const std::string text = page(document);
-  for (const char* part : {"What is it?", "sand: G is 100 MPa (90 MPa to 1.2 GPa); in brackets", "first_one",
+  for (const char* part : {"What is it?", "sand: G is 100 MPa (90 MPa to 1.2 GPa); in brackets", "first one",
                            "a note [Lo2021]", "Lo2021: ", "beware", "<pre>An example"})
     CHECK_MESSAGE(has(text, part), part, " is missing");
   CHECK_FALSE(has(text, "for files"));

@@ -65,6 +65,9 @@ struct Table {
   Form form = Form::list;
   std::string remark = {}; ///< below it
 };
+/// Adds a range to items: value, low and high in an object at the key.
+void add_range(io::Items& to, const std::string& key, const estimate::Range& range);
+
 /// The values of rows as a table.
 template <class Row>
 [[nodiscard]] Table table_of(std::string key, std::string title, const io::Columns<Row>& columns,

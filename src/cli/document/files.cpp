@@ -104,6 +104,13 @@ const Table* table_with_headings(const Document& document) {
 
 } // namespace
 
+void add_range(io::Items& to, const std::string& key, const estimate::Range& range) {
+  for (const auto& [name, part] : {std::pair{"/value", &estimate::Range::value},
+                                   {"/low", &estimate::Range::low},
+                                   {"/high", &estimate::Range::high}})
+    io::add_item(to, key + name, range.*part);
+}
+
 ordered_json members_of(const std::vector<Section>& sections) {
   ordered_json out = ordered_json::object();
   for (const Section& section : sections)

@@ -172,10 +172,7 @@ Items ladder_choice(const Ladder& ladder) {
   io::add_item(to.items, "", with_error(choice, c.G_hh(), &ModulusErrors::G_hh), shown("G_hh"));
   io::add_item(to.items, "", with_error(choice, c.bulk_modulus(), &ModulusErrors::bulk_modulus), shown("K"));
   io::add_item(to.items, "", range_text(Dimension::dimensionless, z), shown("z*"));
-  for (const auto& [key, part] : {std::pair{"value", &estimate::Range::value},
-                                  {"low", &estimate::Range::low},
-                                  {"high", &estimate::Range::high}})
-    io::add_item(to.items, std::string("mechanical_coordination_number/") + key, z.*part);
+  add_range(to.items, "mechanical_coordination_number", z);
   io::add_item(to.items, "advice", ladder.advice);
   return to;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "infer.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
-#include <granum/io/output_file.hpp>
 
+#include "cli/estimate/answer_sections.hpp"
 #include "cli/frame/help.hpp"
 #include "cli/frame/messages.hpp"
 #include "cli/options/column_names.hpp"
@@ -137,16 +138,6 @@ Quantity pictured(const InferOptions& o, const InferCase& question) {
   return question.measurements.front().quantity;
 }
 
-/// What was inferred of a sand, of spheres, or of both.
-struct Inferred {
-  InferCase of_sand, of_beads; ///< the predictions of the latter are of spheres that are compressed
-  std::optional<inverse::SandInference> sand;
-  std::optional<inverse::InferenceAnswer> beads;
-  Validity validity;
-
-  [[nodiscard]] bool both() const { return sand && beads; }
-};
-
 Inferred inferred(const InferCase& question) {
   Inferred all{.of_sand = question, .of_beads = question, .sand = {}, .beads = {}, .validity = {}};
   Validity of_sand;
@@ -167,44 +158,87 @@ Inferred inferred(const InferCase& question) {
   return all;
 }
 
-std::string text_of(const Inferred& all) {
-  std::string text;
-  if (all.both())
-    text = "The kind of grains is not given; choose with --grain-shape sand or sphere\n\n";
-  if (all.sand)
-    text += sand_inference_text(all.of_sand, *all.sand) + "\n";
-  if (all.both())
-    text += "beads (spheres of the model)\n\n";
-  if (all.beads)
-    return text + infer_table(all.of_beads, *all.beads);
-  for (const std::string& note : all.of_sand.assumptions)
-    text += "note: " + note + "\n";
-  return text;
-}
+/// The predictions for a state, from a sand or a packing of spheres.
+using Forecast = std::function<Measured(const effective::State& state, inverse::AskedPacking specimen)>;
 
-nlohmann::ordered_json json_of(const Inferred& all) {
-  nlohmann::ordered_json json = all.beads ? infer_json(all.of_beads, *all.beads) : json_head("infer");
-  json["grain_shape"] = name(all.beads ? estimate::GrainShape::sphere : estimate::GrainShape::sand);
-  json["sand"] = all.sand ? sand_inference_json(all.of_sand, *all.sand) : nlohmann::ordered_json();
-  if (!all.beads) {
-    json["inputs"] = all.of_sand.packing;
-    json["notes"] = all.of_sand.assumptions;
+/// Data, fit and its band over the mean stress, with the kind of grains in the title.
+/// \param    void_ratio_at   of the measured packing at another mean stress
+plot::Chart chart_of(const InferCase& question, Quantity quantity, estimate::GrainShape shape,
+                     const Forecast& forecast, const std::function<double(double)>& void_ratio_at) {
+  constexpr std::size_t curve_points = 60;
+  const inverse::QuantityRow& row = inverse::row_of(quantity);
+  plot::Chart chart{.title = std::string(row.meaning) +
+                             (shape == estimate::GrainShape::sand ? ", sand" : ", beads (spheres)"),
+                    .x = {.title = "p' [kPa]", .scale = plot::Scale::logarithmic, .unit = 1e3},
+                    .y = {.title = std::string(row.key) + (row.speed ? " [m/s]" : " [MPa]"),
+                          .scale = plot::Scale::logarithmic,
+                          .unit = row.speed ? 1 : 1e6}};
+  plot::Series data{
+      .name = "measured", .mark = plot::Mark::marker, .style = 1, .colour = plot::Colour::measured};
+  plot::Series points{.name = "predicted",
+                      .mark = plot::Mark::marker,
+                      .style = 1,
+                      .tone = plot::Tone::hollow,
+                      .colour = plot::Colour::closed_form};
+  double least = question.measurements.front().state.mean_stress(), most = least;
+  const auto add = [&](plot::Series& to, const effective::State& state, const Measured& value) {
+    to.add(state.mean_stress(), value.value, value.standard_error);
+  };
+  for (const inverse::Observation& m : question.measurements) {
+    least = std::min(least, m.state.mean_stress());
+    most = std::max(most, m.state.mean_stress());
+    if (m.quantity == quantity)
+      add(data, m.state, m.value);
   }
-  return json;
+  for (const auto& [state, specimen] : question.predicted) {
+    least = std::min(least, state.mean_stress());
+    most = std::max(most, state.mean_stress());
+    add(points, state, forecast(state, specimen));
+  }
+  if (least == most) {
+    least /= 3;
+    most *= 3;
+  }
+  if (least >= 1e6)
+    chart.x = {.title = "p' [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6};
+  plot::Series curve{
+      .name = "fit", .mark = plot::Mark::line, .style = 0, .colour = plot::Colour::closed_form};
+  plot::Series low = curve;
+  low.name = "its standard error";
+  low.tone = plot::Tone::faint;
+  plot::Series high = low;
+  high.name.clear();
+  const effective::State& first = question.measurements.front().state;
+  for (const double p : spread(least, most, curve_points, true)) {
+    effective::State state = first;
+    state.stress_v *= p / first.mean_stress();
+    state.stress_h *= p / first.mean_stress();
+    state.void_ratio = void_ratio_at(p);
+    const Measured value = forecast(state, inverse::AskedPacking::same);
+    curve.add(p, value.value);
+    low.add(p, value.value - value.standard_error);
+    high.add(p, value.value + value.standard_error);
+  }
+  chart.x.asked = points.x;
+  chart.x.asked.insert(chart.x.asked.end(), data.x.begin(), data.x.end());
+  for (plot::Series* series : {&curve, &low, &high, &data, &points})
+    if (!series->x.empty())
+      chart.series.push_back(std::move(*series));
+  return chart;
 }
 
 /// Data, fit and predictions, in a chart for each kind of grains.
 std::vector<plot::Chart> charts_of(const Inferred& all, Quantity of_picture) {
   std::vector<plot::Chart> charts;
   if (all.sand)
-    charts.push_back(infer_chart(
+    charts.push_back(chart_of(
         all.of_sand, of_picture, estimate::GrainShape::sand,
         [&](const effective::State& state, inverse::AskedPacking) {
           return all.sand->predict(of_picture, state);
         },
         [&](double) { return all.of_sand.measurements.front().state.void_ratio; }));
   if (all.beads)
-    charts.push_back(infer_chart(
+    charts.push_back(chart_of(
         all.of_beads, of_picture, estimate::GrainShape::sphere,
         [&](const effective::State& state, inverse::AskedPacking specimen) {
           return all.beads->together->predict(of_picture, state, specimen);
@@ -213,26 +247,33 @@ std::vector<plot::Chart> charts_of(const Inferred& all, Quantity of_picture) {
   return charts;
 }
 
+std::string title_text(const Inferred& all) {
+  if (all.both())
+    return "Sand or beads? Both follow; --grain-shape sand (or sphere) prints one of them";
+  return all.sand ? "Stiffness of a sand by what was measured of it"
+                  : "Contacts implied by measured stiffness";
+}
+
 ExitCode run(const InferOptions& o) {
-  require_free(o.output, o.picture);
+  Outlets to{.output = o.output, .picture = o.picture, .full = true, .always_csv = true};
+  require_free(to);
   const InferCase question = infer_case(o);
   const Quantity of_picture = pictured(o, question);
   const Inferred all = inferred(question);
-  Validity validity = likely_mistakes(o.inputs, question.measurements.front().state);
-  validity.merge(all.validity);
-  const bool csv = !o.output.out.empty() && !o.output.json;
-  const auto* const sand = all.sand ? &*all.sand : nullptr;
-  const auto* const beads = all.beads ? &*all.beads : nullptr;
-  const ExitCode code =
-      deliver(o.output, csv ? infer_csv(all.of_sand, sand, all.of_beads, beads) : within_width(text_of(all)),
-              json_of(all), validity);
-  if (all.beads && !all.beads->together) {
-    say("error", "no measurement can be explained by contacts between these grains");
-    return code == ExitCode::ok ? ExitCode::fell_short : code;
-  }
-  if (!o.picture.empty())
-    io::write_file(o.picture, plot::svg(charts_of(all, of_picture)), existing(o.output.force));
-  return code;
+  Document document{.command = "infer", .title = title_text(all)};
+  document.warnings = likely_mistakes(o.inputs, question.measurements.front().state);
+  document.warnings.merge(all.validity);
+  add_inferred(document, all);
+  const bool explained = !all.beads || all.beads->together;
+  if (explained && !to.picture.empty())
+    document.add(Seen::data, Picture{charts_of(all, of_picture)});
+  if (!explained)
+    to.picture.clear();
+  const ExitCode code = deliver(to, document);
+  if (explained)
+    return code;
+  say("error", "no measurement can be explained by contacts between these grains");
+  return code == ExitCode::ok ? ExitCode::fell_short : code;
 }
 
 } // namespace

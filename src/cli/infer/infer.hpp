@@ -11,9 +11,9 @@
 
 #include <granum/inverse/sand_inference.hpp>
 #include <granum/io/csv/table.hpp>
-#include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/document/document.hpp"
 #include "cli/frame/frame.hpp"
 #include "cli/options/input_options.hpp"
 #include "cli/options/packing_json.hpp"
@@ -106,29 +106,17 @@ void note_assumed_error(const InferOptions& options, InferCase& question, bool s
 /// The value of --growth for measured sands.
 inline constexpr std::string_view sand_growth_name = "sand";
 
-/// The result for a sand, as text and as JSON.
-[[nodiscard]] std::string sand_inference_text(const InferCase& question, const inverse::SandInference& sand);
-[[nodiscard]] nlohmann::ordered_json sand_inference_json(const InferCase& question,
-                                                         const inverse::SandInference& sand);
-[[nodiscard]] nlohmann::ordered_json measured_json(const Measured& number);
-/// Its stresses and void ratio, SI.
-[[nodiscard]] nlohmann::ordered_json state_json(const effective::State& state);
-/// "p = 100 kPa, e = 0.6".
-[[nodiscard]] std::string place_text(const effective::State& state);
+/// What was inferred of a sand, of spheres, or of both.
+struct Inferred {
+  InferCase of_sand, of_beads; ///< the predictions of the latter are of spheres that are compressed
+  std::optional<inverse::SandInference> sand;
+  std::optional<inverse::InferenceAnswer> beads;
+  Validity validity;
 
-[[nodiscard]] std::string infer_table(const InferCase& question, const inverse::InferenceAnswer& answer);
-/// Measured and predicted states with both forecasts, of a sand and of spheres; null for one that there is
-/// not.
-[[nodiscard]] std::string infer_csv(const InferCase& of_sand, const inverse::SandInference* sand,
-                                    const InferCase& of_beads, const inverse::InferenceAnswer* beads);
-[[nodiscard]] nlohmann::ordered_json infer_json(const InferCase& question,
-                                                const inverse::InferenceAnswer& answer);
-/// The predictions for a state, from a sand or a packing of spheres.
-using Forecast = std::function<Measured(const effective::State& state, inverse::AskedPacking specimen)>;
-/// Data, fit and its band over the mean stress, with the kind of grains in the title.
-/// \param    void_ratio_at   of the measured packing at another mean stress
-[[nodiscard]] plot::Chart infer_chart(const InferCase& question, inverse::Quantity quantity,
-                                      estimate::GrainShape shape, const Forecast& forecast,
-                                      const std::function<double(double mean_stress)>& void_ratio_at);
+  [[nodiscard]] bool both() const { return sand && beads; }
+};
+
+/// Measurements, what was inferred and predictions for each kind of grains; and as CSV all states.
+void add_inferred(Document& to, const Inferred& all);
 
 } // namespace granum::cli
