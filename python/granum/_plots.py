@@ -35,17 +35,7 @@ def _plain_numbers(ax):
 
 
 def _ladder(self, ax=None):
-    """Stated error of each rung against its computing time, with the tolerance.
-
-    Parameters
-    ----------
-    ax : matplotlib.axes.Axes, optional
-        Axes to draw on; default: those of a new figure.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-    """
+    """Stated error of each rung against its computing time, with the tolerance."""
     ax = _axes(ax)
     for rung in self.rungs:
         error = rung.largest_error
@@ -70,15 +60,6 @@ def _ladder(self, ax=None):
 
 def _rose(self, ax=None):
     """Density of contact normals by the angle from the vertical, with standard errors, and E(gamma; a) for comparison.
-
-    Parameters
-    ----------
-    ax : matplotlib.projections.polar.PolarAxes, optional
-        Axes to draw on; default: those of a new figure.
-
-    Returns
-    -------
-    matplotlib.projections.polar.PolarAxes
     """
     ax = _axes(ax, projection="polar")
     low = np.array([part.low for part in self.rose])
@@ -112,17 +93,7 @@ def _rose(self, ax=None):
 
 
 def _study(self, ax=None):
-    """G_vh against p, both logarithmic: closed form, contact network and probe for every specimen.
-
-    Parameters
-    ----------
-    ax : matplotlib.axes.Axes, optional
-        Axes to draw on; default: those of a new figure.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-    """
+    """G_vh against p, both logarithmic: closed form, contact network and probe for every specimen."""
     ax = _axes(ax)
     states = {name: np.asarray(column) for name, column in self.states.items()}
     specimens = zip(states["contact"], states["density"], states["seed"])
@@ -172,14 +143,8 @@ def _chains(self, ax=None, *, across=0, up=2):
 
     Parameters
     ----------
-    ax : matplotlib.axes.Axes, optional
-        Axes to draw on; default: those of a new figure.
     across, up : int
         Axes of the packing, 0 to 2, shown horizontally and vertically.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
     """
     ax = _axes(ax)
     collections = importlib.import_module("matplotlib.collections")
@@ -205,16 +170,10 @@ def _inference(self, ax=None, *, quantity="G", pressure):
 
     Parameters
     ----------
-    ax : matplotlib.axes.Axes, optional
-        Axes to draw on; default: those of a new figure.
     quantity : str
         G, G_hh, K, V_s, V_s_hh, V_p or V_p_h.
     pressure : array_like
         Pressures of the prediction [Pa].
-
-    Returns
-    -------
-    matplotlib.axes.Axes
     """
     ax = _axes(ax)
     pressure = np.asarray(pressure, dtype=float)
@@ -236,6 +195,21 @@ def _inference(self, ax=None, *, quantity="G", pressure):
     return ax
 
 
+# What the docstrings of all of them say.
+_PARAMETERS = """
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; default: those of a new figure.
+"""
+_RETURNS = """
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+
+
 def _attach():
     """Makes each function the method plot of its class."""
     for type_, function in (
@@ -246,6 +220,9 @@ def _attach():
         (SandInference, _inference),
         (Inference, _inference),
     ):
+        summary, _, others = (function.__doc__ or "").rstrip().partition("\n\n    Parameters\n    ----------\n")
+        if "matplotlib" not in others:
+            function.__doc__ = summary + _PARAMETERS + (others and others + "\n") + _RETURNS
         function.__name__ = "plot"
         function.__qualname__ = f"{type_.__name__}.plot"
         type_.plot = function

@@ -8,27 +8,9 @@ namespace granum::python {
 
 namespace py = pybind11;
 
-void bind_errors(py::module_& module);
-void bind_contact(py::module_& module);
-void bind_sizes(py::module_& module);
-void bind_fabric(py::module_& module);
-void bind_elastic(py::module_& module);
-void bind_effective(py::module_& module);
-void bind_batch(py::module_& module);
-void bind_sensitivity(py::module_& module);
-void bind_contact_prior(py::module_& module);
-void bind_packing_answer(py::module_& module);
-void bind_inverse(py::module_& module);
-void bind_rock_physics(py::module_& module);
-void bind_uniaxial(py::module_& module);
-void bind_ground(py::module_& module);
-void bind_sands(py::module_& module);
-void bind_hardin(py::module_& module);
-void bind_packing(py::module_& module);
-void bind_io(py::module_& module);
-void bind_analysis(py::module_& module);
-void bind_measure(py::module_& module);
-void bind_triaxial(py::module_& module);
-void bind_studies(py::module_& module);
+using Binding = void(py::module_& module);
+Binding bind_errors, bind_contact, bind_sizes, bind_fabric, bind_elastic, bind_effective, bind_batch,
+    bind_sensitivity, bind_contact_prior, bind_packing_answer, bind_inverse, bind_rock_physics, bind_ground,
+    bind_sands, bind_hardin, bind_packing, bind_io, bind_analysis, bind_measure, bind_triaxial, bind_studies;
 
 } // namespace granum::python

@@ -107,10 +107,9 @@ std::string documentation_of(const Docstring& text, const std::vector<Keyword>& 
     out += "\nParameters\n----------\n" + all;
   if (!text.returns.empty())
     out += "\nReturns\n-------\n" + text.returns + "\n";
-  if (!text.refuses.empty())
-    out += raises_invalid(text.refuses) + text.more_errors;
-  else if (!text.more_errors.empty())
-    out += "\nRaises\n------\n" + text.more_errors;
+  if (!text.refuses.empty() || !text.more_errors.empty())
+    out += "\nRaises\n------\n" +
+           (text.refuses.empty() ? "" : "InvalidArgument\n    " + text.refuses + "\n") + text.more_errors;
   return out + (text.function.empty() ? "" : notes(text.remarks, text.function, text.header));
 }
 

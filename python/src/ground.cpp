@@ -16,8 +16,6 @@ namespace granum::python {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 struct GroundRow {
   double total_v = nan, total_h = nan, pore_pressure = nan, stress_v = nan, stress_h = nan;
 };
@@ -30,7 +28,7 @@ enum : std::size_t {
   water_table_at,
   water_unit_weight_at,
   earth_pressure_at_rest_at,
-  surcharge_at,
+  surcharge_at
 };
 
 py::object ground_stress(const Arguments& a) {

@@ -102,8 +102,8 @@ void bind_answer(py::module_& module) {
   using inverse::InferredPacking;
   ResultClass<Answer> type(module, "Inference", R"(What measurements say of the contacts of a packing.
 
-Its numbers raise NotConverged if `explained` is False: no coordination number explains what was
-measured.)");
+Its numbers raise NotConverged where no coordination number explains what was measured: `explained` is
+False.)");
   type.show("explained", "Whether any coordination number explains what was measured.",
             [](const Answer& a) { return a.found.together.has_value(); })
       .show("pressure", "Mean stress that the contacts belong to: that of the first measurement [Pa].",

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <vector>
 
 #include <granum/core/measured.hpp>
@@ -14,8 +13,8 @@
 namespace granum::python {
 
 struct MeasuredRow {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  double standard_error = std::numeric_limits<double>::quiet_NaN();
+  double value = nan;
+  double standard_error = nan;
 };
 
 /// Keywords of predict(), after self: the quantity, the stresses, the void ratio.

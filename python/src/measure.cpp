@@ -7,9 +7,13 @@
 
 #include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/network/linear_response.hpp>
 
 #include "bindings.hpp"
 #include "errors.hpp"
+#include "estimate.hpp"
+#include "members.hpp"
 #include "packing.hpp"
 #include "shared_keywords.hpp"
 #include "studies/analyse/materials.hpp"
@@ -20,6 +24,190 @@
 namespace granum::python {
 
 namespace {
+
+using analysis::Measurement;
+using studies::MeasuredFrame;
+
+// ---- parts of a measurement
+
+py::array_t<bool> flags(const std::vector<bool>& all) {
+  py::array_t<bool> out(static_cast<py::ssize_t>(all.size()));
+  std::copy(all.begin(), all.end(), out.mutable_data());
+  return out;
+}
+
+void bind_counts(py::module_& module) {
+  using analysis::Counts;
+  using Mechanical = packing::MechanicalCoordination;
+  ResultClass<Counts>(module, "Counts", "Numbers of grains and contacts.")
+      .show("grains", "Number of grains.", &Counts::grains)
+      .show("contacts", "Contacts between grains.", &Counts::contacts)
+      .show("wall_contacts", "Contacts of grains with walls.", &Counts::wall_contacts)
+      .show("without_contact", "Grains without a contact.", &Counts::without_contact)
+      .show("coordination_number", "C_n = 2 N_c/N, all grains [1].", &Counts::coordination_number)
+      .show("coordination_error", "Its standard error [1].", &Counts::coordination_error)
+      .show("touching_coordination_number", "C_n over the grains with a contact [1].",
+            &Counts::touching_coordination_number)
+      .show("coordination_number_with_walls", "[1]", &Counts::coordination_number_with_walls)
+      .show("sliding_fraction", "Share of sliding contacts [1].", &Counts::sliding_fraction)
+      .show("mechanical_coordination_number", "z*, without rattlers [1].", &Counts::mechanical,
+            &Mechanical::coordination_number)
+      .show("rattler_fraction", "x_0 [1].", &Counts::mechanical, &Mechanical::rattler_fraction)
+      .show("rattlers", "Number of rattlers.", &Counts::mechanical, &Mechanical::rattler_count)
+      .show("is_rattler", "One flag for each grain, or for each body if grains form bodies.",
+            [](const Counts& c) { return flags(c.mechanical.rattler); });
+  using analysis::Microstructure;
+  ResultClass<Microstructure>(module, "Microstructure", "Numbers of the contact network.")
+      .show("coordination_number", "C_n, all grains [1].", &Microstructure::coordination_number)
+      .show("mechanical_coordination_number", "z* [1].", &Microstructure::mechanical_coordination_number)
+      .show("rattler_fraction", "[1]", &Microstructure::rattler_fraction)
+      .show("fabric_anisotropy", "a of E(gamma; a) [1].", &Microstructure::fabric_anisotropy)
+      .show("fabric_anisotropy_error", "Its standard error [1].", &Microstructure::fabric_anisotropy_error)
+      .show("sliding_fraction", "[1]", &Microstructure::sliding_fraction);
+  using analysis::Sizes;
+  ResultClass<Sizes>(module, "Sizes", "Sizes of the grains.")
+      .show("smallest", "Radius [m].", &Sizes::smallest)
+      .show("largest", "Radius [m].", &Sizes::largest)
+      .show("equivalent", "<R^3>/<R^2> [m].", &Sizes::equivalent)
+      .show("gradation", "d10, d50, d60.", &Sizes::gradation)
+      .show("contacts", "Means over the contacts of the packing.", &Sizes::contacts);
+}
+
+void bind_fabric_parts(py::module_& module) {
+  using analysis::Fabric;
+  using fabric::AnisotropyEstimate;
+  ResultClass<Fabric>(module, "Fabric", "Directions of the contacts.")
+      .show("tensor", "F_ij, mean of n_i n_j, (3, 3).", &Fabric::tensor)
+      .show("contacts", "Number of contacts.", &Fabric::contacts)
+      .show("anisotropy", "a, by F33 [1].", &Fabric::by_moment, &AnisotropyEstimate::anisotropy)
+      .show("standard_error", "Standard error of a [1].", &Fabric::by_moment,
+            &AnisotropyEstimate::standard_error)
+      .show("likeliest_anisotropy", "a by maximum likelihood [1].", &Fabric::by_likelihood,
+            &fabric::LikelihoodEstimate::anisotropy)
+      .show("isotropy_p_value", "p-value of these directions if the packing were isotropic.",
+            &Fabric::isotropy, [](const auto& test) { return test.p_value; })
+      .show("rose", "Bins over [0, pi/2].", &Fabric::rose);
+}
+
+void bind_forces(py::module_& module) {
+  using packing::ContactStress;
+  ResultClass<ContactStress>(module, "ContactStress", "Mean stress from the contact forces.")
+      .show("symmetric", "[Pa], (3, 3).", &ContactStress::symmetric)
+      .show("tensor", "As summed [Pa], (3, 3).", &ContactStress::tensor)
+      .show("asymmetry", "Antisymmetric over symmetric part [1].", &ContactStress::asymmetry)
+      .show("mean", "p = trace/3 [Pa].", &ContactStress::mean);
+  using analysis::Forces;
+  ResultClass<Forces>(module, "Forces", "Forces of the contacts.")
+      .show("mean", "Mean normal force <f_n> of contacts with f_n > 0 [N].",
+            [](const Forces& f) { return f.distribution.mean; })
+      .show("largest", "[N]", [](const Forces& f) { return f.distribution.largest; })
+      .show("pressing", "Contacts with f_n > 0.", [](const Forces& f) { return f.distribution.pressing; })
+      .show("in_tension", "Contacts with f_n < 0.", [](const Forces& f) { return f.distribution.in_tension; })
+      .show("Z_2", "<f_n^2>/<f_n>^2 [1].", &Forces::Z_2)
+      .show("mean_tangential_over_normal", "[1]", &Forces::mean_tangential_over_normal)
+      .show("friction_coefficient", "Estimated from the forces [1].", &Forces::friction,
+            [](const auto& friction) { return friction.coefficient; })
+      .show("sliding_fraction", "With the given coefficient, else with the estimated one [1].",
+            &Forces::sliding_fraction)
+      .show("unbalanced_force_ratio", "Mean residual force over mean contact force [1].", &Forces::unbalance,
+            [](const auto& unbalance) { return unbalance.force_ratio; });
+  using analysis::LawCheck;
+  ResultClass<LawCheck>(module, "LawCheck", "Comparison of forces and overlaps with a contact law.")
+      .show("contacts", "Number of compared contacts.", &LawCheck::contacts)
+      .show("force_exponent", "1 + 1/alpha [1].", &LawCheck::force_exponent,
+            [](const auto& exponent) { return exponent.value; })
+      .show("coefficient_ratio", "Median of f_n over the force of the law [1]; None if G_g is not known.",
+            &LawCheck::coefficient_ratio)
+      .show("median_misfit", "[1]", &LawCheck::median_misfit)
+      .show("worst_misfit", "[1]", &LawCheck::worst_misfit);
+}
+
+void bind_network(py::module_& module) {
+  using analysis::Network;
+  ResultClass<Network>(module, "Network", "Linear response of the contact network, rung 4.")
+      .show("relaxed", "6 x 6 with every grain in equilibrium [Pa]. Raises NotConverged if not solved.",
+            [](const Network& n) { return n.response.relaxed().matrix; })
+      .show("affine", "6 x 6 under uniform strain without spin [Pa].",
+            [](const Network& n) { return n.response.affine().matrix; })
+      .show("converged", "Whether the solver converged.",
+            [](const Network& n) { return n.response.converged(); })
+      .show("iterations", "Iterations of conjugate gradients.",
+            [](const Network& n) { return n.response.report().iterations; })
+      .show("residual", "Residual force over affine force, for the worst load case [1].",
+            [](const Network& n) { return n.response.report().residual; })
+      .show("grains", "Number of grains that carry load.",
+            [](const Network& n) { return n.response.report().grains; })
+      .show("contacts", "Number of contacts between them.",
+            [](const Network& n) { return n.response.report().contacts; })
+      .show("G_hh", "Shear modulus of the horizontal plane [Pa].", &Network::G_hh)
+      .show("G_vh", "Mean shear modulus of both vertical planes [Pa].", &Network::G_vh)
+      .show("bulk_modulus", "K of the nearest isotropic solid [Pa].", &Network::isotropic_relaxed,
+            &elastic::Isotropic::bulk_modulus)
+      .show("shear_modulus", "G of the nearest isotropic solid [Pa].", &Network::isotropic_relaxed,
+            &elastic::Isotropic::shear_modulus)
+      .show("moduli", "Moduli of the relaxed network.", [](const Network& n) { return n.relaxed.moduli; })
+      .show("symmetry", "Symmetry of the relaxed network.",
+            [](const Network& n) { return n.relaxed.symmetry; })
+      .show("bulk_modulus_bounds", "[Pa]",
+            [](const Network& n) { return std::pair(n.bulk_bounds.lower, n.bulk_bounds.upper); });
+}
+
+// ---- the measurement
+
+/// Results of the closed forms by the names of their columns, rung0 to rung3 and uniform_stress.
+py::dict rungs_of(const MeasuredFrame& frame) {
+  py::dict out;
+  for (const analysis::ClosedForm& form : frame.packing.closed_forms)
+    if (form.answer)
+      out[form.rung->column] = estimate_object(*form.answer);
+  return out;
+}
+
+void bind_interior(py::module_& module) {
+  using analysis::InteriorMeasures;
+  ResultClass<InteriorMeasures>(module, "Interior",
+                                "The part of a packing away from walls, used for the closed forms.")
+      .show("grains", "Number of grains with centres inside.", &InteriorMeasures::grains)
+      .show("void_ratio", "Void ratio of this part [1].", &InteriorMeasures::void_ratio)
+      .show("microstructure", "C_n, z*, rattlers, a and sliding in this part.", &InteriorMeasures::micro)
+      .show("stress", "Stress from the contacts [Pa], (3, 3).", &InteriorMeasures::stress);
+}
+
+void bind_measurement(py::module_& module) {
+  constexpr auto packing = &MeasuredFrame::packing;
+  ResultClass<MeasuredFrame>(
+      module, "Measurement",
+      "Results of measure() for one packing. Parts that were not requested, or lack an "
+      "input, are None; notes list the missing inputs.")
+      .show("volume", "Volume of the cell [m^3].", packing, &Measurement::volume)
+      .show("void_ratio", "Void ratio of the whole cell [1].", packing, &Measurement::void_ratio)
+      .show("sizes", "Sizes of the grains.", packing, &Measurement::sizes)
+      .show("counts", "Numbers of grains and contacts.", packing, &Measurement::counts)
+      .show("fabric", "Directions of the contacts.", packing, &Measurement::fabric)
+      .show("stress", "Stress from the contact forces.", packing, &Measurement::stress)
+      .show("bulk_density", "Dry [kg/m3].", packing, &Measurement::bulk_density)
+      .show("forces", "Forces of the contacts.", packing, &Measurement::forces)
+      .show("law_check", "Comparison of forces and overlaps with a contact law.", packing,
+            &Measurement::law_check)
+      .show("law", "Contact law of grains of the equivalent radius.", packing, &Measurement::law)
+      .show("interior", "Results in the window; None if the whole packing is used.", packing,
+            &Measurement::interior)
+      .show("network", "Rung 4; None if no grain carries load.", packing, &Measurement::network)
+      .show("microstructure",
+            "C_n, z*, rattlers, a, sliding. Raises InvalidArgument for fewer than 2 contacts.", packing,
+            &Measurement::microstructure)
+      .show("rungs", "Results of the closed forms for this packing: rung0 to rung3, uniform_stress.",
+            &rungs_of)
+      .show("notes", "Assumptions and missing inputs, one sentence each.", packing, &Measurement::notes)
+      .show("warnings", "Problems that invalidate comparisons, one sentence each.", &MeasuredFrame::warnings)
+      .def("__repr__", [](const MeasuredFrame& f) {
+        const analysis::Counts& c = f.packing.counts;
+        return "<Measurement of " + std::to_string(c.grains) +
+               " grains: C_n = " + short_text(c.coordination_number) +
+               ", z* = " + short_text(c.mechanical.coordination_number) +
+               ", e = " + short_text(f.packing.void_ratio) + ">";
+      });
+}
 
 using studies::MeasuredFrame;
 
@@ -37,7 +225,7 @@ enum : std::size_t {
   prestress_at,
   window_at,
   rolling_stiffness_at,
-  twisting_stiffness_at,
+  twisting_stiffness_at
 };
 
 constexpr std::pair<const char*, packing::StiffnessFrom> sources_of_stiffness[] = {
@@ -208,6 +396,15 @@ void define_overlap_contacts(py::module_& module) {
 }
 
 } // namespace
+
+void bind_analysis(py::module_& module) {
+  bind_counts(module);
+  bind_fabric_parts(module);
+  bind_forces(module);
+  bind_network(module);
+  bind_interior(module);
+  bind_measurement(module);
+}
 
 void bind_measure(py::module_& module) {
   define(

@@ -11,26 +11,12 @@ PYBIND11_MODULE(_granum, module) {
   using namespace granum::python;
   module.doc() = "The library granum; import granum instead.";
   module.attr("__version__") = std::string(granum::version());
-  bind_errors(module);
-  bind_contact(module);
-  bind_sizes(module);
-  bind_fabric(module);
-  bind_elastic(module);
-  bind_effective(module);
-  bind_batch(module);
-  bind_sensitivity(module);
-  bind_contact_prior(module);
-  bind_packing_answer(module);
-  bind_inverse(module);
-  bind_rock_physics(module);
-  bind_uniaxial(module);
-  bind_ground(module);
-  bind_sands(module);
-  bind_hardin(module);
-  bind_packing(module);
-  bind_io(module);
-  bind_analysis(module);
-  bind_measure(module);
-  bind_triaxial(module);
-  bind_studies(module);
+  Binding* const in_order[] = {
+      &bind_errors,    &bind_contact,      &bind_sizes,       &bind_fabric,        &bind_elastic,
+      &bind_effective, &bind_batch,        &bind_sensitivity, &bind_contact_prior, &bind_packing_answer,
+      &bind_inverse,   &bind_rock_physics, &bind_ground,      &bind_sands,         &bind_hardin,
+      &bind_packing,   &bind_io,           &bind_analysis,    &bind_measure,       &bind_triaxial,
+      &bind_studies};
+  for (Binding* const bind : in_order)
+    bind(module);
 }

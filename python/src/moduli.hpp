@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <limits>
-
+#include "rows.hpp"
 #include "shared_keywords.hpp"
 
 /// What functions of isotropic packings and paths have in common.
 namespace granum::python {
 
 struct ModuliRow {
-  double bulk_modulus = std::numeric_limits<double>::quiet_NaN();
-  double shear_modulus = std::numeric_limits<double>::quiet_NaN();
+  double bulk_modulus = nan;
+  double shear_modulus = nan;
 };
 
 struct AxialStressRow {
-  double v = std::numeric_limits<double>::quiet_NaN();
-  double h = std::numeric_limits<double>::quiet_NaN();
+  double v = nan;
+  double h = nan;
 };
 
 inline constexpr const char* refused_numbers = "For impossible numbers; with arrays only under strict.";

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "packing.hpp"
-
+#include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <cstring>
+#include <deque>
+#include <memory>
 
 #include <granum/core/error.hpp>
 #include <granum/io/arrays/packing.hpp>
+#include <granum/io/lammps/arrays.hpp>
+#include <granum/io/packing_files.hpp>
 #include <granum/packing/density.hpp>
 
 #include "bindings.hpp"
 #include "errors.hpp"
 #include "members.hpp"
+#include "packing.hpp"
 
 namespace granum::python {
 
@@ -209,93 +214,85 @@ std::optional<Mat3> cell_of(const py::handle& value) {
   return matrix_of("cell", value);
 }
 
-/// Copies of the arrays of a call, kept while the packing is built.
-struct GivenArrays {
-  std::vector<Vec3> position, branch, force, tangential_force;
-  std::vector<double> radius, overlap, normal_force, normal_stiffness, tangential_stiffness,
-      rolling_stiffness, twisting_stiffness;
-  std::vector<long> body;
-  std::vector<std::array<long, 2>> contacts;
-  py::array_t<bool, py::array::c_style | py::array::forcecast> sliding{0};
+/// The arrays of a call, kept while the packing is built.
+class GivenArrays {
+ public:
+  explicit GivenArrays(const Arguments& arguments) : arguments_(arguments) {}
+
+  /// Empty where none was given.
+  std::span<const double> numbers(std::size_t k) { return kept<double>(k, numbers_); }
+  std::span<const Vec3> vectors(std::size_t k) { return kept<Vec3>(k, vectors_); }
+
+ private:
+  template <class Value>
+  std::span<const Value> kept(std::size_t k, std::deque<std::vector<Value>>& all) {
+    return all.emplace_back(
+        taken<std::optional<std::vector<Value>>>(arguments_, k).value_or(std::vector<Value>()));
+  }
+
+  const Arguments& arguments_;
+  std::deque<std::vector<double>> numbers_;
+  std::deque<std::vector<Vec3>> vectors_;
 };
 
-enum : std::size_t {
-  position_at,
-  radius_at,
-  cell_at,
-  periodic_at,
-  contacts_at,
-  forces_at,
-  branch_at,
-  overlap_at,
-  normal_force_at,
-  tangential_force_at,
-  normal_stiffness_at,
-  tangential_stiffness_at,
-  sliding_at,
-  rolling_stiffness_at,
-  twisting_stiffness_at,
-  body_at,
-};
-
-template <class Value>
-void take(const Arguments& a, std::size_t at, std::vector<Value>& to) {
-  if (a.given(at))
-    to = taken<std::vector<Value>>(a, at);
-}
-
-void take_contacts(const Arguments& a, GivenArrays& to) {
-  to.contacts = pairs_of(a[contacts_at]);
-  take(a, forces_at, to.force);
-  take(a, branch_at, to.branch);
-  take(a, overlap_at, to.overlap);
-  take(a, normal_force_at, to.normal_force);
-  take(a, tangential_force_at, to.tangential_force);
-  take(a, normal_stiffness_at, to.normal_stiffness);
-  take(a, tangential_stiffness_at, to.tangential_stiffness);
-  take(a, rolling_stiffness_at, to.rolling_stiffness);
-  take(a, twisting_stiffness_at, to.twisting_stiffness);
-  if (a.given(sliding_at))
-    to.sliding = py::reinterpret_borrow<py::object>(a[sliding_at]);
+std::vector<double> radii_of(const py::handle& value, std::size_t grains) {
+  const py::array_t<double> radius = numbers_of("radius", value);
+  return radius.ndim() == 0 ? std::vector<double>(grains, *radius.data()) : list_of("radius", radius);
 }
 
 py::object packing_from(const Arguments& a) {
-  GivenArrays given;
-  take(a, position_at, given.position);
-  if (py::array_t<double> radius = numbers_of("radius", a[radius_at]); radius.ndim() == 0)
-    given.radius.assign(given.position.size(), *radius.data());
-  else
-    given.radius = list_of("radius", radius);
-  io::PackingArrays arrays{.position = given.position, .radius = given.radius};
+  using Flags = py::array_t<bool, py::array::c_style | py::array::forcecast>;
+  enum : std::size_t {
+    position_at,
+    radius_at,
+    cell_at,
+    periodic_at,
+    contacts_at,
+    forces_at,
+    branch_at,
+    overlap_at,
+    normal_force_at,
+    tangential_force_at,
+    normal_stiffness_at,
+    tangential_stiffness_at,
+    sliding_at,
+    rolling_stiffness_at,
+    twisting_stiffness_at,
+    body_at
+  }; // places of the keywords
+  GivenArrays given(a);
+  const auto position = given.vectors(position_at);
+  const std::vector<double> radius = radii_of(a[radius_at], position.size());
+  io::PackingArrays arrays{.position = position, .radius = radius};
   if (a.given(cell_at))
     arrays.cell = cell_of(a[cell_at]);
   if (a.given(periodic_at))
     arrays.periodic = a.as<std::array<bool, 3>>(periodic_at, "three of True or False");
-  if (a.given(body_at)) {
-    given.body = a.as<std::vector<long>>(body_at, "integers, one for each grain");
-    arrays.body = given.body;
-  }
+  std::vector<long> body;
+  if (a.given(body_at))
+    body = a.as<std::vector<long>>(body_at, "integers, one for each grain");
+  arrays.body = body;
+  std::vector<std::array<long, 2>> pairs;
+  Flags sliding{0};
   if (a.given(contacts_at)) {
-    take_contacts(a, given);
-    arrays.contacts = io::ContactArrays{
-        .grains = given.contacts,
-        .branch = given.branch,
-        .overlap = given.overlap,
-        .force = given.force,
-        .normal_force = given.normal_force,
-        .tangential_force = given.tangential_force,
-        .normal_stiffness = given.normal_stiffness,
-        .tangential_stiffness = given.tangential_stiffness,
-        .sliding = std::span(given.sliding.data(), static_cast<std::size_t>(given.sliding.size())),
-        .rolling_stiffness = given.rolling_stiffness,
-        .twisting_stiffness = given.twisting_stiffness};
+    pairs = pairs_of(a[contacts_at]);
+    if (a.given(sliding_at))
+      sliding = py::reinterpret_borrow<py::object>(a[sliding_at]);
+    const auto force = given.vectors(forces_at); // in the order of the keywords
+    arrays.contacts =
+        io::ContactArrays{.grains = pairs,
+                          .branch = given.vectors(branch_at),
+                          .overlap = given.numbers(overlap_at),
+                          .force = force,
+                          .normal_force = given.numbers(normal_force_at),
+                          .tangential_force = given.vectors(tangential_force_at),
+                          .normal_stiffness = given.numbers(normal_stiffness_at),
+                          .tangential_stiffness = given.numbers(tangential_stiffness_at),
+                          .sliding = std::span(sliding.data(), static_cast<std::size_t>(sliding.size())),
+                          .rolling_stiffness = given.numbers(rolling_stiffness_at),
+                          .twisting_stiffness = given.numbers(twisting_stiffness_at)};
   }
-  auto out = std::make_shared<Packing>();
-  {
-    const Unlocked unlocked;
-    *out = io::packing_of(arrays);
-  }
-  return py::cast(out);
+  return py::cast(unlocked([&] { return std::make_shared<Packing>(io::packing_of(arrays)); }));
 }
 
 std::vector<Keyword> packing_keywords() {
@@ -335,6 +332,78 @@ std::vector<Keyword> packing_keywords() {
                "    C_n, z*, rattlers and stress are those of bodies.")};
 }
 
+/// The states in some files, in order.
+class Frames {
+ public:
+  explicit Frames(std::unique_ptr<io::PackingFiles> files) : files_(std::move(files)) {}
+
+  SharedPacking next() {
+    const OneStep step(running_);
+    std::optional<Packing> packing;
+    {
+      const Unlocked unlocked;
+      packing = files_->next();
+    }
+    skipped_ = files_->skipped();
+    if (!packing)
+      throw py::stop_iteration();
+    return std::make_shared<Packing>(std::move(*packing));
+  }
+  [[nodiscard]] std::size_t skipped() const { return skipped_; }
+
+ private:
+  std::unique_ptr<io::PackingFiles> files_;
+  std::size_t skipped_ = 0; ///< before the step that may be running
+  bool running_ = false;
+};
+
+Frames open(const std::vector<std::filesystem::path>& files, const py::object& box,
+            const std::map<std::string, std::string>& columns) {
+  io::PackingFileOptions options;
+  options.columns.insert(columns.begin(), columns.end());
+  if (!box.is_none()) {
+    const Vec3 edges = vector_of("box", box);
+    options.box = io::CsvBox{.cell = Mat3::diagonal(edges.x, edges.y, edges.z)};
+  }
+  const Unlocked unlocked;
+  return Frames(std::make_unique<io::PackingFiles>(files, std::move(options)));
+}
+
+// ---- out of LAMMPS' memory
+
+std::vector<long> integers_of(const py::array_t<long, py::array::c_style | py::array::forcecast>& array) {
+  return {array.data(), array.data() + array.size()};
+}
+
+/// What from_lammps of the package collects.
+SharedPacking lammps_packing(const py::array_t<long, py::array::c_style | py::array::forcecast>& id,
+                             const py::object& position, const py::object& radius,
+                             const py::array_t<long, py::array::c_style | py::array::forcecast>& type,
+                             const py::object& cell, const std::array<bool, 3>& periodic,
+                             const std::string& units, long step,
+                             const std::optional<std::vector<std::string>>& column_names,
+                             const py::array_t<double, py::array::c_style>& values,
+                             const std::map<std::string, std::string>& columns) {
+  const std::vector<long> ids = integers_of(id), types = integers_of(type);
+  const std::vector<Vec3> positions = vectors_of("position", position);
+  const std::vector<double> radii = list_of("radius", radius);
+  io::LammpsArrays arrays{.id = ids,
+                          .position = positions,
+                          .radius = radii,
+                          .type = types,
+                          .cell = matrix_of("cell", cell),
+                          .periodic = periodic,
+                          .units = units,
+                          .step = step};
+  if (column_names)
+    arrays.contacts =
+        io::LammpsLocals{.columns = *column_names,
+                         .values = std::span(values.data(), static_cast<std::size_t>(values.size())),
+                         .map = {columns.begin(), columns.end()}};
+  const Unlocked unlocked;
+  return std::make_shared<Packing>(io::lammps_packing(arrays));
+}
+
 } // namespace
 
 void bind_packing(py::module_& module) {
@@ -347,6 +416,29 @@ void bind_packing(py::module_& module) {
        "InvalidArgument\n    Naming the array and its element: shapes, unknown grains, numbers that are not "
        "finite.\n"},
       &packing_from);
+}
+
+void bind_io(py::module_& module) {
+  ResultClass<Frames>(module, "Frames",
+                      "An iterator over the states in some files, with one state in memory at a time.")
+      .show("skipped", "Frames skipped so far because another file has no frame of that time step.",
+            &Frames::skipped)
+      .def("__iter__", [](const py::object& self) { return self; })
+      .def("__next__", &Frames::next);
+  module.def("_frames", &open, py::arg("files"), py::arg("box"), py::arg("columns"));
+  module.def("_lammps_packing", &lammps_packing, py::kw_only(), py::arg("id"), py::arg("position"),
+             py::arg("radius"), py::arg("type"), py::arg("cell"), py::arg("periodic"), py::arg("units"),
+             py::arg("step"), py::arg("column_names"), py::arg("values"), py::arg("columns"));
+  define(module, "formats", {},
+         {"Formats of packings that can be read.",
+          "dict of str\n    By the name of a format: how its files are recognised.", "", "",
+          "io::packing_formats", "io/packing_format.hpp"},
+         [] {
+           py::dict out;
+           for (const io::PackingFormat* format : io::packing_formats)
+             out[py::str(std::string(format->name))] = std::string(format->sign);
+           return out;
+         });
 }
 
 } // namespace granum::python

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <set>
 #include <span>
@@ -23,6 +24,9 @@
 
 /// Calls a function of the library for every element of arrays, broadcast as in numpy.
 namespace granum::python {
+
+/// A number that an element does not have.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// An argument of a call: the value given by the caller, or a number.
 struct Argument {

@@ -24,7 +24,7 @@ enum : std::size_t {
   mechanical_at,
   rattlers_at,
   contact_means_at,
-  strict_at,
+  strict_at
 };
 
 Argument stress_of(const Arguments& a, bool vertical) {

@@ -12,6 +12,7 @@
 #include "bindings.hpp"
 #include "errors.hpp"
 #include "members.hpp"
+#include "rows.hpp"
 #include "studies/scene/scene_builder.hpp"
 #include "studies/verify/findings.hpp"
 #include "studies/verify/study.hpp"
@@ -139,7 +140,6 @@ void put_columns(py::dict& out, const io::Columns<Row>& columns, const std::vect
                      [&](const Row* row) { return of(column.of(*row)); });
       return array;
     };
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const py::str name(name_of(column));
     if (!rows.empty() && std::holds_alternative<std::string>(column.of(*rows.front()))) {
       py::list texts;
