@@ -83,6 +83,11 @@ class Arguments {
   [[nodiscard]] Value as(std::size_t k, std::string_view expected = {}) const {
     if (values_[k] == Py_None)
       refuse(k, expected);
+    if constexpr (std::is_base_of_v<py::array, Value>) {
+      if (Value array = Value::ensure(values_[k]))
+        return array;
+      refuse(k, expected);
+    }
     try {
       return py::handle(values_[k]).cast<Value>();
     } catch (const py::cast_error&) {

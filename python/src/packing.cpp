@@ -261,7 +261,7 @@ py::object packing_from(const Arguments& a) {
     body_at
   }; // places of the keywords
   GivenArrays given(a);
-  const auto position = given.vectors(position_at);
+  const std::vector<Vec3> position = vectors_of("position", a[position_at]);
   const std::vector<double> radius = radii_of(a[radius_at], position.size());
   io::PackingArrays arrays{.position = position, .radius = radius};
   if (a.given(cell_at))
@@ -277,7 +277,7 @@ py::object packing_from(const Arguments& a) {
   if (a.given(contacts_at)) {
     pairs = pairs_of(a[contacts_at]);
     if (a.given(sliding_at))
-      sliding = py::reinterpret_borrow<py::object>(a[sliding_at]);
+      sliding = a.as<Flags>(sliding_at, "flags, one for each contact");
     const auto force = given.vectors(forces_at); // in the order of the keywords
     arrays.contacts =
         io::ContactArrays{.grains = pairs,

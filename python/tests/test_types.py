@@ -27,6 +27,20 @@ def test_stubs_are_those_of_the_package(source, tmp_path):
     assert code == 0, said
 
 
+def test_where_the_module_cannot_be_imported_any_use_passes(source, tmp_path):
+    (tmp_path / "module").mkdir()
+    made = subprocess.run(
+        [sys.executable, source / "python" / "make_stub.py", source / "python" / "granum", "module", "made.pyi"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert made.returncode == 0 and "cannot be imported here" in made.stderr, made.stderr
+    (tmp_path / "user.py").write_text("import made\nreveal_type(made.sphere(radius='any'))\n")
+    code, said = run("mypy", "--strict", "user.py", cwd=tmp_path)
+    assert code == 0 and 'Revealed type is "Any"' in said, said
+
+
 def test_the_examples_have_the_right_types(source, tmp_path):
     examples = sorted((source / "examples" / "python").glob("*.py"))
     code, said = run("mypy", "--strict", *map(str, examples), cwd=tmp_path)
