@@ -115,6 +115,13 @@ std::string documentation_of(const Docstring& text, const std::vector<Keyword>& 
 
 } // namespace
 
+std::size_t place_of(const KeywordFunction& function, std::string_view name) {
+  for (std::size_t k = 0; k < function.keywords.size(); ++k)
+    if (function.keywords[k].name == name)
+      return k;
+  throw std::logic_error(std::string(function.name) + " has no " + std::string(name));
+}
+
 Keyword Keyword::called(const char* name_in_library) const {
   Keyword out = *this;
   out.in_library = name_in_library;
@@ -165,6 +172,8 @@ std::string entries(const std::vector<Keyword>& keywords) {
   }
   return text;
 }
+
+std::size_t Arguments::at(std::string_view keyword_name) const { return place_of(function_, keyword_name); }
 
 void Arguments::refuse(std::size_t k, std::string_view expected) const {
   const std::string& type = keyword(k).type;

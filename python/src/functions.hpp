@@ -72,6 +72,8 @@ class Arguments {
   [[nodiscard]] const KeywordFunction& function() const { return function_; }
   [[nodiscard]] const Keyword& keyword(std::size_t k) const;
   [[nodiscard]] const char* name(std::size_t k) const { return keyword(k).name.c_str(); }
+  /// The place of a keyword, for functions that take longer than a search.
+  [[nodiscard]] std::size_t at(std::string_view keyword_name) const;
   /// Whether a value was given.
   [[nodiscard]] bool given(std::size_t k) const { return values_[k] != nullptr && values_[k] != Py_None; }
   [[nodiscard]] bool is_none(std::size_t k) const { return values_[k] == Py_None; }
@@ -136,10 +138,9 @@ struct KeywordFunction {
   Docstring text = {};        ///< with the entries of the keywords, where there is no documentation
 };
 
-[[nodiscard]] inline const Keyword& keyword_of(const KeywordFunction& function, std::size_t k) {
-  return function.keywords[k];
-}
-inline const Keyword& Arguments::keyword(std::size_t k) const { return keyword_of(function_, k); }
+/// \throws   std::logic_error for a name that the function has not
+[[nodiscard]] std::size_t place_of(const KeywordFunction& function, std::string_view name);
+inline const Keyword& Arguments::keyword(std::size_t k) const { return function_.keywords[k]; }
 
 template <class Type>
 inline constexpr bool is_shared = false;

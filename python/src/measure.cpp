@@ -211,23 +211,6 @@ void bind_measurement(py::module_& module) {
 
 using studies::MeasuredFrame;
 
-enum : std::size_t {
-  packing_at,
-  law_at,
-  grain_shear_modulus_at,
-  grain_poisson_ratio_at,
-  materials_at,
-  tangential_ratio_at,
-  friction_coefficient_at,
-  grain_density_at,
-  stiffness_from_at,
-  network_at,
-  prestress_at,
-  window_at,
-  rolling_stiffness_at,
-  twisting_stiffness_at
-};
-
 constexpr std::pair<const char*, packing::StiffnessFrom> sources_of_stiffness[] = {
     {"overlap", packing::StiffnessFrom::overlap},
     {"force", packing::StiffnessFrom::force},
@@ -258,16 +241,17 @@ std::optional<packing::TurningSpring> turning_spring(const Arguments& a, std::si
 
 /// The part of the packing used for the closed forms: the interior, the whole, or three ranges.
 std::optional<analysis::Window> window_of(const Arguments& a, const Packing& packing) {
-  if (a.is_none(window_at))
+  const std::size_t window = a.at("window");
+  if (a.is_none(window))
     return std::nullopt;
-  if (!a.given(window_at) || py::isinstance<py::str>(a[window_at])) {
-    if (a.given(window_at) && a.text(window_at) != "auto")
-      throw InvalidArgument("window is 'auto', None or three ranges, not " + a.text(window_at));
+  if (!a.given(window) || py::isinstance<py::str>(a[window])) {
+    if (a.given(window) && a.text(window) != "auto")
+      throw InvalidArgument("window is 'auto', None or three ranges, not " + a.text(window));
     const auto interior = studies::interior_window(packing);
     return interior ? std::optional(studies::window_in(packing, *interior)) : std::nullopt;
   }
   using Range = std::optional<std::pair<std::optional<double>, std::optional<double>>>;
-  const auto ranges = a.as<std::array<Range, 3>>(window_at, "'auto', None or three ranges (low, high)");
+  const auto ranges = a.as<std::array<Range, 3>>(window, "'auto', None or three ranges (low, high)");
   studies::WindowChoice choice;
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (ranges[axis])
@@ -278,7 +262,7 @@ std::optional<analysis::Window> window_of(const Arguments& a, const Packing& pac
 studies::MaterialsByType materials_by_type(const Arguments& a) {
   studies::MaterialsByType out;
   for (const auto& [type, material] : a.as<std::map<long, std::pair<double, double>>>(
-           materials_at, "a dict of types and their (shear modulus, Poisson's ratio)"))
+           a.at("materials"), "a dict of types and their (shear modulus, Poisson's ratio)"))
     out[type] = {material.first, material.second};
   return out;
 }
@@ -294,35 +278,36 @@ void take_law(const Arguments& a, std::size_t at, analysis::Given& given) {
 }
 
 analysis::Given given_of(const Arguments& a, const Packing& packing) {
-  analysis::Given given{.grain_shear_modulus = a.number_if_given(grain_shear_modulus_at),
-                        .grain_density = a.number_if_given(grain_density_at),
-                        .law_assumed = !a.given(law_at),
-                        .tangential_ratio = a.number_if_given(tangential_ratio_at),
-                        .friction_coefficient = a.number_if_given(friction_coefficient_at)};
-  if (a.given(grain_poisson_ratio_at))
-    given.grain_poisson_ratio = a.number(grain_poisson_ratio_at);
-  if (a.given(law_at)) {
-    if (a.given(grain_shear_modulus_at) || a.given(grain_poisson_ratio_at) || a.given(materials_at))
+  analysis::Given given{.grain_shear_modulus = a.number_if_given(a.at("grain_shear_modulus")),
+                        .grain_density = a.number_if_given(a.at("grain_density")),
+                        .law_assumed = !a.given(a.at("law")),
+                        .tangential_ratio = a.number_if_given(a.at("tangential_ratio")),
+                        .friction_coefficient = a.number_if_given(a.at("friction_coefficient"))};
+  if (a.given(a.at("grain_poisson_ratio")))
+    given.grain_poisson_ratio = a.number(a.at("grain_poisson_ratio"));
+  if (a.given(a.at("law"))) {
+    if (a.given(a.at("grain_shear_modulus")) || a.given(a.at("grain_poisson_ratio")) ||
+        a.given(a.at("materials")))
       throw py::type_error("law contains the material of the grains: leave out grain_shear_modulus, "
                            "grain_poisson_ratio and materials");
-    take_law(a, law_at, given);
+    take_law(a, a.at("law"), given);
   }
-  if (a.given(materials_at))
+  if (a.given(a.at("materials")))
     given.materials = studies::materials_of(packing, materials_by_type(a));
-  if (a.given(stiffness_from_at))
-    given.stiffness_from = a.choice(stiffness_from_at, sources_of_stiffness);
-  given.rolling = turning_spring(a, rolling_stiffness_at);
-  given.twisting = turning_spring(a, twisting_stiffness_at);
+  if (a.given(a.at("stiffness_from")))
+    given.stiffness_from = a.choice(a.at("stiffness_from"), sources_of_stiffness);
+  given.rolling = turning_spring(a, a.at("rolling_stiffness"));
+  given.twisting = turning_spring(a, a.at("twisting_stiffness"));
   return given;
 }
 
 py::object measure(const Arguments& a) {
-  const auto packing = a.as<SharedPacking>(packing_at);
+  const auto packing = a.as<SharedPacking>(a.at("packing"));
   const analysis::Given given = given_of(a, *packing);
   analysis::Wanted wanted = analysis::everything();
   wanted.network->stop_requested = stop_on_signal();
-  wanted.network->prestress = a.flag(prestress_at);
-  if (a.given(network_at) && !a.flag(network_at))
+  wanted.network->prestress = a.flag(a.at("prestress"));
+  if (a.given(a.at("network")) && !a.flag(a.at("network")))
     wanted.network.reset();
   wanted.window = window_of(a, *packing);
   MeasuredFrame frame;

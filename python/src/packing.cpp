@@ -220,14 +220,14 @@ class GivenArrays {
   explicit GivenArrays(const Arguments& arguments) : arguments_(arguments) {}
 
   /// Empty where none was given.
-  std::span<const double> numbers(std::size_t k) { return kept<double>(k, numbers_); }
-  std::span<const Vec3> vectors(std::size_t k) { return kept<Vec3>(k, vectors_); }
+  std::span<const double> numbers(const char* name) { return kept(name, numbers_); }
+  std::span<const Vec3> vectors(const char* name) { return kept(name, vectors_); }
 
  private:
   template <class Value>
-  std::span<const Value> kept(std::size_t k, std::deque<std::vector<Value>>& all) {
-    return all.emplace_back(
-        taken<std::optional<std::vector<Value>>>(arguments_, k).value_or(std::vector<Value>()));
+  std::span<const Value> kept(const char* name, std::deque<std::vector<Value>>& all) {
+    return all.emplace_back(taken<std::optional<std::vector<Value>>>(arguments_, arguments_.at(name))
+                                .value_or(std::vector<Value>()));
   }
 
   const Arguments& arguments_;
@@ -242,55 +242,37 @@ std::vector<double> radii_of(const py::handle& value, std::size_t grains) {
 
 py::object packing_from(const Arguments& a) {
   using Flags = py::array_t<bool, py::array::c_style | py::array::forcecast>;
-  enum : std::size_t {
-    position_at,
-    radius_at,
-    cell_at,
-    periodic_at,
-    contacts_at,
-    forces_at,
-    branch_at,
-    overlap_at,
-    normal_force_at,
-    tangential_force_at,
-    normal_stiffness_at,
-    tangential_stiffness_at,
-    sliding_at,
-    rolling_stiffness_at,
-    twisting_stiffness_at,
-    body_at
-  }; // places of the keywords
   GivenArrays given(a);
-  const std::vector<Vec3> position = vectors_of("position", a[position_at]);
-  const std::vector<double> radius = radii_of(a[radius_at], position.size());
+  const std::vector<Vec3> position = vectors_of("position", a[a.at("position")]);
+  const std::vector<double> radius = radii_of(a[a.at("radius")], position.size());
   io::PackingArrays arrays{.position = position, .radius = radius};
-  if (a.given(cell_at))
-    arrays.cell = cell_of(a[cell_at]);
-  if (a.given(periodic_at))
-    arrays.periodic = a.as<std::array<bool, 3>>(periodic_at, "three of True or False");
+  if (a.given(a.at("cell")))
+    arrays.cell = cell_of(a[a.at("cell")]);
+  if (a.given(a.at("periodic")))
+    arrays.periodic = a.as<std::array<bool, 3>>(a.at("periodic"), "three of True or False");
   std::vector<long> body;
-  if (a.given(body_at))
-    body = a.as<std::vector<long>>(body_at, "integers, one for each grain");
+  if (a.given(a.at("body")))
+    body = a.as<std::vector<long>>(a.at("body"), "integers, one for each grain");
   arrays.body = body;
   std::vector<std::array<long, 2>> pairs;
   Flags sliding{0};
-  if (a.given(contacts_at)) {
-    pairs = pairs_of(a[contacts_at]);
-    if (a.given(sliding_at))
-      sliding = a.as<Flags>(sliding_at, "flags, one for each contact");
-    const auto force = given.vectors(forces_at); // in the order of the keywords
+  if (a.given(a.at("contacts"))) {
+    pairs = pairs_of(a[a.at("contacts")]);
+    if (a.given(a.at("sliding")))
+      sliding = a.as<Flags>(a.at("sliding"), "flags, one for each contact");
+    const auto force = given.vectors("forces"); // in the order of the keywords
     arrays.contacts =
         io::ContactArrays{.grains = pairs,
-                          .branch = given.vectors(branch_at),
-                          .overlap = given.numbers(overlap_at),
+                          .branch = given.vectors("branch"),
+                          .overlap = given.numbers("overlap"),
                           .force = force,
-                          .normal_force = given.numbers(normal_force_at),
-                          .tangential_force = given.vectors(tangential_force_at),
-                          .normal_stiffness = given.numbers(normal_stiffness_at),
-                          .tangential_stiffness = given.numbers(tangential_stiffness_at),
+                          .normal_force = given.numbers("normal_force"),
+                          .tangential_force = given.vectors("tangential_force"),
+                          .normal_stiffness = given.numbers("normal_stiffness"),
+                          .tangential_stiffness = given.numbers("tangential_stiffness"),
                           .sliding = std::span(sliding.data(), static_cast<std::size_t>(sliding.size())),
-                          .rolling_stiffness = given.numbers(rolling_stiffness_at),
-                          .twisting_stiffness = given.numbers(twisting_stiffness_at)};
+                          .rolling_stiffness = given.numbers("rolling_stiffness"),
+                          .twisting_stiffness = given.numbers("twisting_stiffness")};
   }
   return py::cast(unlocked([&] { return std::make_shared<Packing>(io::packing_of(arrays)); }));
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <granum/core/number.hpp>
 #include <granum/elastic/isotropic.hpp>
@@ -36,13 +35,6 @@ std::string meaning_of(const estimate::InputRow& row) {
         text[at] = '_';
   }
   return text;
-}
-
-std::size_t place_of(const KeywordFunction& function, const std::string& name) {
-  for (std::size_t k = 0; k < function.keywords.size(); ++k)
-    if (function.keywords[k].name == name)
-      return k;
-  throw std::logic_error(std::string(function.name) + " has no " + name);
 }
 
 } // namespace
