@@ -6,12 +6,10 @@
 
 #include <granum/core/validity.hpp>
 #include <granum/hardin/fit.hpp>
-#include <granum/plot/chart.hpp>
-#include <nlohmann/json.hpp>
 
 #include "cli/frame/frame.hpp"
 
-/// Input of granum fit, and the presentation of the fitted law.
+/// Input of granum fit.
 namespace granum::cli {
 
 /// Columns by the name of their quantity, without unit; empty: the usual names are tried.
@@ -37,11 +35,5 @@ struct FitQuestion {
 /// void ratio f(e) = 1. Rows with an empty cell in these columns are left out.
 /// \throws   FileError for an unreadable file, a missing column, or a row that cannot be used in a fit
 [[nodiscard]] std::vector<hardin::MeasuredModulus> read_rows(FitQuestion& question);
-
-[[nodiscard]] nlohmann::ordered_json fit_json(const FitQuestion& question, const hardin::FitReport& report);
-[[nodiscard]] std::string fit_table(const FitQuestion& question, const hardin::FitReport& report);
-/// G/f(e) of the rows over the stress of the law, the law, and the slopes of cones and spheres.
-[[nodiscard]] plot::Chart fit_chart(const FitQuestion& question, const hardin::Fit& fit,
-                                    const std::vector<hardin::MeasuredModulus>& rows);
 
 } // namespace granum::cli
