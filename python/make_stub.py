@@ -66,7 +66,8 @@ KINDS = {
     "infer": [
         ({"sand": "str", "grain_shape": 'Literal["sand"] = ...', **ANY_RADIUS}, OF_SPHERES, "SandInference"),
         ({"grain_shape": 'Literal["sand"]', **ANY_RADIUS}, OF_SPHERES, "SandInference"),
-        ({"grain_shape": 'Literal["sphere"] = ...', **ANY_RADIUS}, OF_SANDS, "Inference"),
+        ({"grain_shape": 'Optional[Literal["sphere"]] = ...', **ANY_RADIUS}, OF_SANDS, "Inference"),
+        ({**ANY_RADIUS}, set(), "Union[Inference, SandInference]"),
     ]
 }
 

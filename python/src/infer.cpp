@@ -9,18 +9,64 @@
 #include <granum/core/check.hpp>
 #include <granum/elastic/saturation.hpp>
 #include <granum/inverse/sand_inference.hpp>
+#include <granum/inverse/shared_inputs.hpp>
 
-#include "docstrings.hpp"
 #include "inverse.hpp"
 #include "question.hpp"
-#include "shared_inputs.hpp"
-#include "state.hpp"
+#include "shared_keywords.hpp"
 
 namespace granum::python {
 
 namespace {
 
-/// Keywords of infer in their order.
+using estimate::Input;
+using estimate::InputValues;
+
+/// The keywords of infer, in their order.
+std::vector<Keyword> infer_keywords() {
+  std::vector<Keyword> all{
+      law_keyword(),
+      of_input(Input::radius, "float"),
+      of_input(Input::void_ratio),
+      of_input(Input::pressure).or_none(),
+      of_input(Input::stress_v).or_none(),
+      of_input(Input::stress_h).or_none(),
+      of_input(Input::fabric).or_number(0),
+      tangential_ratio_keyword("array_like"),
+      contact_means_keyword(),
+      column("relative_error", "Standard errors of the measurements over their values [1]."),
+      of_input(Input::grain_density, "float").or_none(),
+      with_default("pore_density", "0.0", "float",
+                   "Of the fluid in the pores of spheres, if it is not water [kg/m3]."),
+      optional("rattler_fraction", "float", "x_0 of spheres at the first measurement, if known [1]."),
+      optional("growth", "str",
+               "Growth of z* of spheres with pressure: \"packings\" (as in granum's own packings; the "
+               "default),\n    \"fixed\" or \"fitted\". Growth of G of a sand: \"sand\" (as in measured "
+               "sands; the default) or\n    \"fitted\"."),
+      with_default("contacts", "'given'", "str",
+                   "Of spheres, properties of the contacts that are inferred besides z*: \"given\" (none), "
+                   "\"rough\"\n    (roughness), or \"power-law\" (softness, k_n over that of Hertz, and "
+                   "alpha)."),
+      optional("uncertainty", "dict",
+               "Standard deviations of the inputs common to all measurements of spheres, by their "
+               "names,\n    grain_shear_modulus and grain_poisson_ratio: {\"void_ratio\": 0.01} [their "
+               "units]; none by default."),
+      of_input(Input::saturation, "float").or_number(0),
+      optional(
+          "grain_shape", "str",
+          "\"sphere\", the model, or \"sand\", what was measured on sands. By default \"sand\" if a number "
+          "or the\n    name of a sand is given, else \"sphere\".")};
+  all = all + sand_keywords();
+  for (const inverse::QuantityRow& row : inverse::quantities()) {
+    const bool speed = row.speed;
+    all.push_back(optional(row.key, "array_like",
+                           std::string("Measured ") + (speed ? "wave speed [m/s]" : "modulus [Pa]") +
+                               "; NaN where there is none."));
+  }
+  return all;
+}
+
+/// Where the keywords are; those that are numbers of a sand, and then quantities, follow.
 struct Given {
   enum : std::size_t {
     law,
@@ -111,44 +157,47 @@ std::vector<inverse::Observation> measurements_of(const Arguments& a, const cont
   return measurements;
 }
 
-std::optional<double> number_if_given(const Arguments& a, std::size_t k, const char* name) {
-  return a.given(k) ? std::optional(number_of(name, a[k])) : std::nullopt;
+/// What is known of the packing besides its measurements: its law, material and sand.
+InputValues values_of(const Arguments& a, const effective::State& first) {
+  InputValues values = values_of_law(first.law);
+  values.give(Input::radius, first.radius);
+  values.give(Input::void_ratio, first.void_ratio);
+  values.contact_means = first.contacts;
+  values.set_stresses({first.stress_v, first.stress_h});
+  for (const auto& [input, place] :
+       {std::pair{Input::fabric, Given::fabric}, {Input::tangential_ratio, Given::tangential_ratio}})
+    if (a.given(place))
+      values.give(input, input == Input::fabric ? first.fabric_anisotropy : first.tangential_ratio);
+  for (const auto& [input, place] :
+       {std::pair{Input::grain_density, Given::grain_density}, {Input::saturation, Given::saturation}})
+    if (const std::optional<double> number = a.number_if_given(place))
+      values.give(input, *number);
+  give_word(values, Input::grain_shape, a, Given::grain_shape);
+  give_word(values, Input::sand, a, Given::sand);
+  for (std::size_t k = 0; k < std::size(numbers_of_sand); ++k)
+    if (const std::optional<double> number = a.number_if_given(Given::numbers_of_sand + k))
+      values.give(numbers_of_sand[k], *number);
+  return completed(std::move(values));
 }
 
-double saturation_of(const Arguments& a) {
-  const double share = number_if_given(a, Given::saturation, "saturation").value_or(0);
-  require_closed("saturation", share, 0, 1);
-  return share;
-}
-
-inverse::InferenceOptions options_of(const Arguments& a, const effective::State& first) {
-  inverse::InferenceOptions options;
-  options.grain_density = number_if_given(a, Given::grain_density, "grain_density");
+inverse::InferenceOptions options_of(const Arguments& a, const InputValues& values) {
   if (a.given(Given::saturation) && a.given(Given::pore_density))
     throw py::type_error("saturation and pore_density say the same: give one");
-  options.pore_density = number_if_given(a, Given::pore_density, "pore_density")
-                             .value_or(elastic::water_density * saturation_of(a));
-  options.rattler_fraction = number_if_given(a, Given::rattlers, "rattler_fraction");
+  inverse::InferenceOptions options;
+  options.grain_density = values.if_given(Input::grain_density);
+  options.pore_density = a.number_if_given(Given::pore_density)
+                             .value_or(elastic::water_density * values.within(Input::saturation));
+  options.rattler_fraction = a.number_if_given(Given::rattlers);
   if (a.given(Given::growth))
     options.growth = inverse::growth_rule_of(a.text(Given::growth));
   if (a.given(Given::contacts))
     options.contacts = inverse::unknown_contacts(a.text(Given::contacts));
-  if (a.given(Given::uncertainty))
-    options.inputs =
-        shared_inputs(a.as<std::map<std::string, double>>(Given::uncertainty,
-                                                          "a dict of inputs and their standard deviations"),
-                      first, options.grain_density.value_or(0), a.given(Given::tangential_ratio));
+  const estimate::Deviations stated = deviations_of(a, Given::uncertainty, inverse::shared_rows(values),
+                                                    "an input common to all measurements");
+  std::vector<estimate::UncertainInput> uncertain = uncertain_inputs(values, stated);
+  std::erase_if(uncertain, [](const estimate::UncertainInput& one) { return one.assumed; });
+  options.inputs = inverse::shared_inputs(values, uncertain);
   return options;
-}
-
-py::object infer_spheres(const Arguments& a, const std::vector<inverse::Observation>& measurements) {
-  for (const SandNumber& number : numbers_of_sand)
-    if (const std::size_t k = Given::numbers_of_sand + static_cast<std::size_t>(&number - numbers_of_sand);
-        a.given(k))
-      throw py::type_error(std::string(number.keyword) + " is a number of a sand: give sand or grain_shape");
-  if (a.given(Given::growth) && a.text(Given::growth) == "sand")
-    throw InvalidArgument("growth sand is that of sands: give sand or grain_shape");
-  return sphere_inference(measurements, options_of(a, measurements.front().state));
 }
 
 inverse::SandGrowth sand_growth_of(const std::string& growth) {
@@ -159,23 +208,27 @@ inverse::SandGrowth sand_growth_of(const std::string& growth) {
   throw InvalidArgument("growth of a sand is sand or fitted, not " + growth);
 }
 
-py::object infer_sand(const Arguments& a, const Grains& grains,
+py::object infer_spheres(const Arguments& a, const InputValues& values,
+                         const std::vector<inverse::Observation>& measurements) {
+  constexpr std::size_t d50 = Given::quantities - 1;
+  if (a.given(d50))
+    throw py::type_error("d50 is a number of a sand: give sand or grain_shape");
+  if (a.given(Given::growth) && a.text(Given::growth) == "sand")
+    throw InvalidArgument("growth sand is that of sands: give sand or grain_shape");
+  return sphere_inference(measurements, options_of(a, values));
+}
+
+py::object infer_sand(const Arguments& a, const InputValues& values,
                       const std::vector<inverse::Observation>& measurements) {
-  constexpr std::pair<std::size_t, const char*> of_spheres[] = {{Given::pore_density, "pore_density"},
-                                                                {Given::rattlers, "rattler_fraction"},
-                                                                {Given::contacts, "contacts"},
-                                                                {Given::uncertainty, "uncertainty"}};
-  for (const auto& [k, name] : of_spheres)
-    if (a.given(k))
-      throw py::type_error(std::string(name) + " belongs to spheres: a sand takes none");
-  estimate::Question sand{.state = measurements.front().state,
-                          .grain_density = number_if_given(a, Given::grain_density, "grain_density"),
-                          .saturation = saturation_of(a),
-                          .grain_shape = estimate::GrainShape::sand,
-                          .sand = grains.known()};
-  for (std::size_t k = 0; k < std::size(numbers_of_sand); ++k)
-    if (const auto value = number_if_given(a, Given::numbers_of_sand + k, numbers_of_sand[k].keyword))
-      sand.sand.*numbers_of_sand[k].member = value;
+  for (const std::size_t of_spheres :
+       {Given::pore_density, Given::rattlers, Given::contacts, Given::uncertainty})
+    if (a.given(of_spheres))
+      throw py::type_error(std::string(a.name(of_spheres)) + " belongs to spheres: a sand takes none");
+  const estimate::Question sand{.state = measurements.front().state,
+                                .grain_density = values.if_given(Input::grain_density),
+                                .saturation = values.within(Input::saturation),
+                                .grain_shape = estimate::GrainShape::sand,
+                                .sand = sand_of(values)};
   return sand_inference(measurements, sand,
                         a.given(Given::growth) ? sand_growth_of(a.text(Given::growth))
                                                : inverse::SandGrowth::measured);
@@ -185,10 +238,10 @@ py::object infer(const Arguments& a) {
   const auto& law = a.as<const contact::NormalLaw&>(Given::law, "a contact law");
   const MeasuredColumns measured = columns_of(a, law);
   const std::vector<inverse::Observation> measurements = measurements_of(a, law, measured);
-  const Grains grains = grains_of(a, Given::grain_shape, Given::sand);
   try {
-    return grains.shape == estimate::GrainShape::sand ? infer_sand(a, grains, measurements)
-                                                      : infer_spheres(a, measurements);
+    const InputValues values = values_of(a, measurements.front().state);
+    return told_shape(values) == estimate::GrainShape::sand ? infer_sand(a, values, measurements)
+                                                            : infer_spheres(a, values, measurements);
   } catch (const InvalidArgument& error) {
     std::vector<Argument> typed = measured.arguments;
     if (a.given(Given::pressure))
@@ -200,109 +253,23 @@ py::object infer(const Arguments& a) {
 } // namespace
 
 void bind_infer(py::module_& module) {
-  std::vector<Keyword> keywords{{"law"},
-                                {"radius"},
-                                {"void_ratio"},
-                                {"pressure", "None"},
-                                {"stress_v", "None"},
-                                {"stress_h", "None"},
-                                {"fabric_anisotropy", "0.0"},
-                                {"tangential_ratio", "None"},
-                                {"contact_means", "None"},
-                                {"relative_error"},
-                                {"grain_density", "None"},
-                                {"pore_density", "0.0"},
-                                {"rattler_fraction", "None"},
-                                {"growth", "None"},
-                                {"contacts", "'given'"},
-                                {"uncertainty", "None"},
-                                {"saturation", "0.0"},
-                                {"grain_shape", "'sphere'"},
-                                {"sand", "None"}};
-  for (const SandNumber& number : numbers_of_sand)
-    keywords.push_back({number.keyword, "None"});
-  for (const inverse::QuantityRow& row : inverse::quantities())
-    keywords.push_back({row.key, "None"});
-  define(module,
-         {"infer", keywords, &infer,
-          std::string() + R"(The contacts that measured moduli or wave speeds imply; of a sand, its own law.
-
-All measurements are of one packing or one sand, and are fitted together. Calibrate once, predict elsewhere.
-Spheres are those of the model; a sand (`sand`, or grain_shape "sand") follows the laws measured on sands.
-
-Parameters
-----------
-law : NormalLaw
-    Normal contact of two grains, as sphere() makes it.
-radius : float
-    R > 0 of a grain [m].
-void_ratio : array_like
-    e > 0 at each measurement [1].
-pressure : array_like, optional
-    Isotropic stress [Pa], instead of stress_v and stress_h.
-stress_v, stress_h : array_like, optional
-    Compression positive [Pa].
-fabric_anisotropy : array_like
-    a of E(gamma; a) [1].
-tangential_ratio : array_like, optional
-    k_t/k_n [1]; without it mindlin_stiffness_ratio of the law's material.
-contact_means : ContactMeans, optional
-    Of unequal grains; without it those of equal ones.
-relative_error : array_like
-    Standard errors of the measurements over their values [1].
-grain_density : float, optional
-    Of the solid of the grains [kg/m3]; required for wave speeds.
-pore_density : float
-    Of the fluid in the pores of spheres, if it is not water [kg/m3].
-rattler_fraction : float, optional
-    x_0 of spheres at the first measurement, if known [1].
-growth : str, optional
-    Growth of z* of spheres with pressure: "packings" (as in granum's own packings; the default), "fixed" or
-    "fitted". Growth of G of a sand: "sand" (as in measured sands; the default) or "fitted".
-contacts : str
-    Of spheres, properties of the contacts that are inferred besides z*: "given" (none), "rough" (roughness),
-    or "power-law" (softness, k_n over that of Hertz, and alpha).
-uncertainty : dict, optional
-    Standard deviations of the inputs common to all measurements of spheres, by their names above,
-    grain_shear_modulus and grain_poisson_ratio: {"void_ratio": 0.01} [their units]; none by default.
-saturation : float
-    Share of the pores' volume that is water, in [0, 1] [1].
-grain_shape : str
-    "sphere", the model, or "sand", what was measured on sands.
-sand : str, optional
-    A sand by name, "toyoura", see known_sands(); implies grain_shape "sand" where that is not said. The law
-    moves contact_softness alone.
-uniformity : float, optional
-    C_u = d60/d10 of a sand, >= 1 [1].
-least_void_ratio, largest_void_ratio : float, optional
-    e_min and e_max of a sand [1].
-relative_density : float, optional
-    D_r of a sand of void_ratio, in [0, 1.2]; its law takes it unless both limits are known [1].
-d50 : float, optional
-    Of a sand [m].
-G, G_hh, K : array_like, optional
-    Measured moduli [Pa]; NaN where there is none.
-V_s, V_s_hh, V_p, V_p_h : array_like, optional
-    Measured wave speeds, vertical or horizontal [m/s]; NaN where there is none.
-
-Returns
--------
-Inference or SandInference
-    The latter of a sand.
-
-Raises
-------
-InvalidArgument
-    Without measurements, for numbers out of range, for a speed without grain_density.
-TypeError
-    For a keyword of spheres beside a sand, or the other way round.
-NotConverged
-    If least squares fail.
-)" +
-              notes("z* by weighted least squares in ln of the measured values, through rung 3; "
-                    "errors to first order. A sand: inverse::infer_sand of inverse/sand_inference.hpp, "
-                    "by the pooled law of sands. [Lo2021]",
-                    "inverse::infer", "inverse/inference.hpp")});
+  define(module, "infer", infer_keywords(),
+         {.summary =
+              "The contacts that measured moduli or wave speeds imply; of a sand, its own law.\n\nAll "
+              "measurements are of one packing or one sand, and are fitted together. Calibrate once, "
+              "predict\nelsewhere. Spheres are those of the model; a sand follows the laws measured on "
+              "sands, and `law` moves its\ncontact_softness alone.",
+          .returns = "Inference or SandInference\n    The latter of a sand.",
+          .refuses = "Without measurements, for numbers out of range, for a speed without grain_density.",
+          .remarks =
+              "z* by weighted least squares in ln of the measured values, through rung 3; errors to "
+              "first order.\nA sand: inverse::infer_sand of inverse/sand_inference.hpp, by the pooled law "
+              "of sands. [Lo2021]",
+          .function = "inverse::infer",
+          .header = "inverse/inference.hpp",
+          .more_errors = "TypeError\n    For a keyword of spheres beside a sand.\nNotConverged\n    If least "
+                         "squares fail.\n"},
+         &infer);
 }
 
 } // namespace granum::python

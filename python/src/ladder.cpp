@@ -11,7 +11,6 @@
 #include <granum/estimate/ladder.hpp>
 
 #include "bindings.hpp"
-#include "docstrings.hpp"
 #include "estimate.hpp"
 #include "members.hpp"
 #include "question.hpp"
@@ -116,7 +115,7 @@ void bind_exponents(py::module_& module) {
 py::object choose(const Arguments& a) {
   QuestionArguments arguments(a);
   const double* numbers = arguments.one_packing("estimate");
-  return py::cast(estimate::choose(arguments.answer(numbers), a.number(question_keyword_count)));
+  return py::cast(estimate::choose(arguments.answer(numbers), a.number(question_keyword_count())));
 }
 
 py::object estimate_of(const estimate::RungAssessment& r) {
@@ -159,27 +158,21 @@ void bind_ladder(py::module_& module) {
       .show("choice", "The chosen rung.", &Ladder::choice)
       .show("advice", "Inputs that would allow a better or a cheaper rung.", &Ladder::advice)
       .show_notes();
-  define(module,
-         {"estimate", question_keywords({{"tolerance"}}), &choose,
-          std::string("The cheapest rung whose stated error is within a tolerance, for one packing.\n") +
-              question_parameters + R"(tolerance : float
-    > 0, of the largest stated error among K, G_hh and G_vh [1]: 0.05 for 5 %.
-
-Returns
--------
-Ladder
-
-Raises
-------
-InvalidArgument
-    For impossible numbers, and for a sand: rungs apply to spheres. The error of the answer for a sand is the
-    range of packing_answer; use grain_shape="sphere" for the rungs.
-TypeError
-    For arrays.
-)" +
-              notes("The stated error of rung 3 is half of the range of packing_answer; those of other "
-                    "rungs include their distance from it.",
-                    "estimate::choose", "estimate/ladder.hpp")});
+  define(
+      module, "estimate",
+      question_keywords({required("tolerance", "float",
+                                  "> 0, of the largest stated error among K, G_hh and G_vh [1]: 0.05 for "
+                                  "5 %.")}),
+      {.summary = "The cheapest rung whose stated error is within a tolerance, for one packing.",
+       .returns = "Ladder",
+       .refuses = "For impossible numbers, and for a sand: rungs apply to spheres. The error of the answer "
+                  "for a sand is the\n    range of packing_answer; use grain_shape=\"sphere\" for the rungs.",
+       .remarks = "The stated error of rung 3 is half of the range of packing_answer; those of other rungs "
+                  "include their\ndistance from it.",
+       .function = "estimate::choose",
+       .header = "estimate/ladder.hpp",
+       .more_errors = "TypeError\n    For arrays.\n"},
+      &choose);
 }
 
 } // namespace

@@ -10,7 +10,6 @@
 #include <granum/estimate/answer.hpp>
 
 #include "bindings.hpp"
-#include "docstrings.hpp"
 #include "estimate.hpp"
 #include "question.hpp"
 #include "range.hpp"
@@ -104,24 +103,18 @@ void bind_packing_answer(py::module_& module) {
   type.def_property_readonly("shares", &shares,
                              "Share of each input in the range of shear_modulus: by name, in [0, 1].");
   type.def("__repr__", &text_of);
-  define(module,
-         {"packing_answer", question_keywords(), &packing_answer,
-          std::string("The best estimate for a packing, with its range: the first result of granum "
-                      "estimate.\n\nRung 3 with the given contacts, or else with the middle of the possible "
-                      "contacts of a packing of this void ratio. The range covers the "
-                      "preparation, the error of rung 3 and uncertain inputs.\n") +
-              question_parameters + R"(
-Returns
--------
-PackingAnswer
-
-Raises
-------
-InvalidArgument
-    For impossible numbers; with arrays only under strict.
-)" +
-              notes("Water in saturated pores by Gassmann. [Gassmann1951] [Mavko2009]", "estimate::answer",
-                    "estimate/answer.hpp")});
+  define(module, "packing_answer", question_keywords(),
+         {.summary =
+              "The best estimate for a packing, with its range: the first result of granum "
+              "estimate.\n\nRung 3 with the given contacts, or else with the middle of the possible "
+              "contacts of a packing of this void\nratio. The range covers the preparation, the error of "
+              "rung 3 and uncertain inputs.",
+          .returns = "PackingAnswer",
+          .refuses = "For impossible numbers; with arrays only under strict.",
+          .remarks = "Water in saturated pores by Gassmann. [Gassmann1951] [Mavko2009]",
+          .function = "estimate::answer",
+          .header = "estimate/answer.hpp"},
+         &packing_answer);
 }
 
 } // namespace granum::python

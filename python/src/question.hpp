@@ -1,50 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <iterator>
-#include <map>
 #include <string>
 #include <vector>
 
 #include <granum/estimate/answer.hpp>
-#include <granum/sands/known_sands.hpp>
+#include <granum/estimate/input_values.hpp>
 
 #include "state.hpp"
 
-/// The question of granum estimate, as keywords of Python.
+/// The question of granum estimate, as keywords of Python: rows of the table of inputs, with a contact law as an
+/// object.
 namespace granum::python {
 
 /// Keywords of a question in the order in which QuestionArguments reads them, followed by those of one
 /// function.
-[[nodiscard]] std::vector<Keyword> question_keywords(std::initializer_list<Keyword> more = {});
-/// The kind of grains, by the keywords grain_shape and sand.
-struct Grains {
-  estimate::GrainShape shape = estimate::GrainShape::sphere;
-  const sands::KnownSand* sand = nullptr; ///< if it was named
-
-  /// The properties of the named sand.
-  [[nodiscard]] sands::Sand known() const { return sand != nullptr ? sands::sand_of(*sand) : sands::Sand{}; }
-};
-/// \throws   InvalidArgument for a shape or a sand that is unknown
-[[nodiscard]] Grains grains_of(const Arguments& arguments, std::size_t grain_shape_at, std::size_t sand_at);
-
-/// A number of a sand, and its keyword.
-struct SandNumber {
-  const char* keyword;
-  std::optional<double> sands::Sand::*member;
-};
-inline constexpr SandNumber numbers_of_sand[] = {{"uniformity", &sands::Sand::uniformity},
-                                                 {"least_void_ratio", &sands::Sand::least_void_ratio},
-                                                 {"largest_void_ratio", &sands::Sand::largest_void_ratio},
-                                                 {"relative_density", &sands::Sand::relative_density},
-                                                 {"d50", &sands::Sand::d50}};
-
+[[nodiscard]] std::vector<Keyword> question_keywords(const std::vector<Keyword>& more = {});
 /// How many keywords a question has: the index of the first keyword of a function.
-inline constexpr std::size_t question_keyword_count = state_keyword_count + 7 + std::size(numbers_of_sand);
+[[nodiscard]] std::size_t question_keyword_count();
+/// Keywords of the properties of a sand: its name, C_u, limits, relative density and d50, in this order.
+[[nodiscard]] std::vector<Keyword> sand_keywords();
+/// Those of them that are numbers.
+inline constexpr estimate::Input numbers_of_sand[] = {
+    estimate::Input::uniformity, estimate::Input::least_void_ratio, estimate::Input::largest_void_ratio,
+    estimate::Input::relative_density, estimate::Input::d50};
 
-/// The docstring of these keywords.
-extern const std::string question_parameters;
+/// Values of a law, without other inputs, whose names in messages are those of Python.
+[[nodiscard]] estimate::InputValues values_of_law(const contact::NormalLaw& law);
+/// Gives the input of a keyword its word, if that was given.
+/// \throws   InvalidArgument for a word that is unknown
+void give_word(estimate::InputValues& values, estimate::Input input, const Arguments& arguments,
+               std::size_t at);
+/// Stated standard deviations, by the names of inputs.
+/// \throws   InvalidArgument for a name that is not one of the rows, or a negative deviation
+[[nodiscard]] estimate::Deviations deviations_of(const Arguments& arguments, std::size_t at,
+                                                 std::span<const estimate::InputRow* const> rows,
+                                                 const std::string& other);
 
 /// The keywords of a question, read.
 class QuestionArguments {
@@ -52,7 +43,7 @@ class QuestionArguments {
   explicit QuestionArguments(const Arguments& arguments);
 
   [[nodiscard]] std::span<const Argument> columns() const { return columns_; }
-  [[nodiscard]] bool strict() const { return state_.strict(); }
+  [[nodiscard]] bool strict() const { return strict_; }
   /// The numbers of a call without arrays.
   /// \throws   TypeError if there are arrays
   [[nodiscard]] const double* one_packing(const char* function);
@@ -60,18 +51,12 @@ class QuestionArguments {
   [[nodiscard]] estimate::Answer answer(const double* numbers) const;
 
  private:
-  [[nodiscard]] estimate::Question question(const double* numbers) const;
-  [[nodiscard]] estimate::UncertainInput input(const std::string& name, double deviation, bool assumed,
-                                               const double* numbers) const;
-
-  StateArguments state_;
-  effective::Preparation preparation_;
-  bool has_density_ = false, has_strain_ = false;
-  Grains grains_;
-  std::array<bool, std::size(numbers_of_sand)> has_number_of_sand_{};
-  std::map<std::string, double> deviations_;
+  estimate::InputValues values_; ///< of all elements
+  estimate::Deviations deviations_;
   std::vector<Argument> columns_;
+  std::vector<estimate::Input> inputs_; ///< of the columns
   std::vector<double> numbers_;
+  bool strict_;
 };
 
 } // namespace granum::python

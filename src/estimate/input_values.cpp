@@ -41,8 +41,14 @@ double InputValues::within(Input input) const {
 
 void InputValues::give(Input input, double number, Source source, bool per_cent) {
   values_[index_of(input)] = {.number = number, .source = source, .per_cent = per_cent};
-  if (input == Input::uniformity)
+  if (input == Input::uniformity && !law)
     set_sizes(sizes::Distribution::uniformity(number));
+}
+
+void InputValues::give(contact::NormalLaw made) {
+  give(Input::grain_shear_modulus, made.grain().shear_modulus);
+  give(Input::grain_poisson_ratio, made.grain().poisson_ratio);
+  law = std::move(made);
 }
 
 void InputValues::give(Input input, const std::string& text, Source source) {
@@ -115,8 +121,8 @@ void imply_by_sand(InputValues& values) {
   const sands::KnownSand& sand = *values.known_sand;
   if (values.mineral == nullptr)
     values.mineral = &contact::mineral(sand.mineral);
-  const bool sized =
-      values.given(Input::radius) || values.told(Input::d50) || (values.sizes && values.sizes->mean_radius());
+  const bool sized = (values.given(Input::radius) && !values.law) || values.told(Input::d50) ||
+                     (values.sizes && values.sizes->mean_radius());
   if (sand.d50 && !sized)
     values.imply(Input::d50, *sand.d50);
   if (sand.least_void_ratio)
@@ -134,7 +140,8 @@ void imply_by_mineral(InputValues& values) {
   const double modulus = mineral.material.shear_modulus;
   values.imply(Input::grain_shear_modulus, modulus, mineral.modulus_spread * modulus);
   values.imply(Input::grain_poisson_ratio, mineral.material.poisson_ratio);
-  values.imply(Input::grain_density, mineral.density);
+  if (!values.without_density)
+    values.imply(Input::grain_density, mineral.density);
 }
 
 bool by_usual_limits(const InputValues& values) {
@@ -142,7 +149,7 @@ bool by_usual_limits(const InputValues& values) {
 }
 
 void imply_by_relative_density(InputValues& values) {
-  if (!values.given(Input::relative_density))
+  if (!values.given(Input::relative_density) || (values.by_keywords && values.told(Input::void_ratio)))
     return;
   if (values.told(Input::void_ratio) || values.told(Input::porosity) || values.told(Input::solid_fraction))
     throw InvalidArgument(values.spelled(conflict::density));

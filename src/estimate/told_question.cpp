@@ -50,6 +50,8 @@ void require_numbers_of_contact(const InputValues& values) {
 } // namespace
 
 contact::NormalLaw law_of(const InputValues& values) {
+  if (values.law)
+    return grain_of(values) == values.law->grain() ? *values.law : values.law->of_grain(grain_of(values));
   return law_of(values, grain_of(values), radius_of(values) * contact_means_of(values).pair_radius);
 }
 
@@ -63,6 +65,8 @@ contact::NormalLaw law_of(const InputValues& values, const contact::GrainMateria
 }
 
 double radius_of(const InputValues& values) {
+  if (values.law)
+    return values.within(Input::radius);
   const bool by_radius = values.given(Input::radius), by_d50 = values.given(Input::d50);
   if (by_radius && by_d50)
     throw InvalidArgument(values.spelled(conflict::size));
@@ -79,6 +83,8 @@ double radius_of(const InputValues& values) {
 }
 
 sizes::ContactMeans contact_means_of(const InputValues& values) {
+  if (values.contact_means)
+    return *values.contact_means;
   if (!values.sizes)
     return {};
   double rattlers = 0;
@@ -164,20 +170,24 @@ effective::State state_of(const InputValues& values, const stress::AxialStress& 
 
 sands::Sand sand_of(const InputValues& values) {
   sands::Sand sand;
-  const bool sized = values.given(Input::d50) || values.given(Input::radius);
+  const bool sized = values.given(Input::d50) || (values.given(Input::radius) && !values.law);
+  sand.uniformity = values.if_given(Input::uniformity);
   if (values.sizes) {
     const sizes::Gradation grading = sizes::gradation(*values.sizes, radius_of(values));
-    sand.uniformity = values.if_given(Input::uniformity).value_or(grading.uniformity());
+    sand.uniformity = sand.uniformity.value_or(grading.uniformity());
     if (values.sizes->mean_radius() || sized)
       sand.d50 = grading.d50;
-  } else if (sized)
+  } else if (values.law)
+    sand.d50 = values.if_given(Input::d50);
+  else if (sized)
     sand.d50 = 2 * radius_of(values);
   if (values.known_sand != nullptr) {
-    if (!values.sizes)
+    if (!sand.uniformity)
       sand.uniformity = values.known_sand->uniformity;
     sand.tests = values.known_sand->tests;
   }
-  if (values.sizes || values.told(Input::least_void_ratio) || values.told(Input::largest_void_ratio))
+  if (values.sizes || values.given(Input::uniformity) || values.told(Input::least_void_ratio) ||
+      values.told(Input::largest_void_ratio))
     sand.tests.reset(); // of another batch
   sand.least_void_ratio = values.if_given(Input::least_void_ratio);
   sand.largest_void_ratio = values.if_given(Input::largest_void_ratio);
@@ -201,7 +211,9 @@ Question question_of(const InputValues& values) {
           .rattler_fraction = enough || !values.given(Input::rattler_fraction)
                                   ? std::nullopt
                                   : std::optional(values.within(Input::rattler_fraction)),
-          .grain_density = values.within(Input::grain_density),
+          .grain_density = values.without_density && !values.given(Input::grain_density)
+                               ? std::nullopt
+                               : std::optional(values.within(Input::grain_density)),
           .saturation = values.within(Input::saturation),
           .grain_shape = told_shape(values).value_or(GrainShape::sphere),
           .sand = sand_of(values),

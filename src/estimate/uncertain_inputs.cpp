@@ -30,6 +30,8 @@ bool in_use(const InputValues& values, const InputRow& row) {
     return given && values[Input::stress_h].source == Source::implied; // else it changes nothing
   case Input::radius:
     return given || !(values.given(Input::d50) || (values.sizes && values.sizes->mean_radius()));
+  case Input::grain_density:
+    return given || !values.without_density;
   case Input::grain_poisson_ratio:
     return given || !values.given(Input::grain_bulk_modulus);
   default:
@@ -41,7 +43,7 @@ std::string key_of(const InputRow& row) { return row.option().substr(2); }
 
 const InputRow& uncertain_row(std::string_view key) {
   for (const InputRow* const row : uncertain_rows())
-    if (key_of(*row) == key)
+    if (key_of(*row) == key || row->key == key || row->name() == key)
       return *row;
   throw InvalidArgument(std::string(key) + " is not an uncertain input");
 }
@@ -129,7 +131,7 @@ std::vector<UncertainInput> uncertain_inputs(const InputValues& values, const De
     const bool assumed = found == stated.end();
     const double deviation = assumed ? assumed_deviation(values, *row) : found->second;
     if (deviation > 0)
-      all.push_back({.input = key_of(*row),
+      all.push_back({.input = values.by_keywords ? row->key : key_of(*row),
                      .deviation = deviation,
                      .assumed = assumed,
                      .moved = [values, input = row->input](double change) {

@@ -70,7 +70,8 @@ void move_all(const InputValues& before, const std::vector<Uncertain>& uncertain
 std::vector<const InputRow*> shared_rows(const InputValues& completed) {
   std::vector<const InputRow*> rows;
   for (const InputRow* const row : estimate::uncertain_rows())
-    if (is_shared(*row) && in_use(completed, *row))
+    if (is_shared(*row) && in_use(completed, *row) &&
+        !(completed.law && (row->input == Input::radius || row->input == Input::d50))) // sizes are the law's
       rows.push_back(row);
   return rows;
 }

@@ -55,6 +55,8 @@ class InputValues {
   double within(Input input) const;
 
   void give(Input input, double number, Source source = Source::typed, bool per_cent = false);
+  /// A contact law made elsewhere, with the moduli of its grains.
+  void give(contact::NormalLaw made);
   /// \throws   InvalidArgument for a text that the input does not know; it does not name the input
   void give(Input input, const std::string& text, Source source = Source::typed);
   /// A distribution of sizes that was read from a file.
@@ -82,7 +84,12 @@ class InputValues {
   std::optional<GrainShape> grain_shape = {};    ///< if given
   std::optional<sizes::Distribution> sizes = {}; ///< of unequal grains
   bool ground = false;                           ///< the question is about the ground, which is soil
-  bool by_keywords = false;                      ///< names in messages are those of Python
+  /// A contact law made elsewhere, for the grains of `radius`: shape and sizes are its own then, and d50 and C_u
+  /// are of a sand alone.
+  std::optional<contact::NormalLaw> law = {};
+  std::optional<sizes::ContactMeans> contact_means = {}; ///< of unequal grains, beside a law
+  bool without_density = false; ///< the density of the grains is unknown unless it is given
+  bool by_keywords = false;     ///< names in messages are those of Python
 
  private:
   std::vector<InputValue> values_;
@@ -94,7 +101,8 @@ class InputValues {
 [[nodiscard]] std::optional<GrainShape> told_shape(const InputValues& values);
 
 /// The values with everything that they imply: a named sand its mineral, size and limits; a mineral its
-/// moduli and density; a relative density the void ratio; K_0 the horizontal stress. It may be applied again:
+/// moduli and density; a relative density the void ratio (by keywords unless that is given); K_0 the
+/// horizontal stress. It may be applied again:
 /// implied values are computed anew.
 /// \throws   InvalidArgument if a relative density lacks its limits, or for values that contradict each other
 [[nodiscard]] InputValues completed(InputValues values);
@@ -150,7 +158,7 @@ using Deviations = std::map<Input, double>;
 [[nodiscard]] Deviations deviations_of(std::span<const std::string> texts, const InputValues& completed);
 /// The name of an input among the uncertain ones: "void-ratio".
 [[nodiscard]] std::string key_of(const InputRow& row);
-/// The row of that name.
+/// The row of that name, or of its key or argument: "void_ratio".
 /// \throws   InvalidArgument for another text
 [[nodiscard]] const InputRow& uncertain_row(std::string_view key);
 /// The uncertain inputs: those of stated deviations, and values that are assumed or implied with one.
