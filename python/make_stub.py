@@ -140,7 +140,8 @@ class Stub:
         text = found.group(1) if found else "Any"
         text = text.replace("granum._granum.", "").replace("List[float[3]]", "list[float]")
         text = re.sub(r"\b(List|Dict|Tuple)\[", lambda m: m[0].lower(), text)
-        text = re.sub(r"numpy\.ndarray(\[.*?\])?", "_Array", text.replace("numpy.ndarray[bool]", "NDArray[np.bool_]"))
+        array = r"numpy\.(?:ndarray|typing\.NDArray)(\[.*?\])?"  # of pybind11 2, 3
+        text = re.sub(array, lambda m: "NDArray[np.bool_]" if "bool" in (m[1] or "") else "_Array", text)
         text = {"object": "Any", "dict": "dict[str, Any]", "tuple": "tuple[Any, ...]", "list": "list[Any]"}.get(text, text)
         if kind in self.generic and text in ("float", "Any"):
             return "_N"

@@ -24,27 +24,17 @@ py::array read_only(py::array array) {
   return array;
 }
 
-py::array array_of(const Vec3& v) {
-  py::array_t<double> out(3);
-  std::copy_n(&v.x, 3, out.mutable_data());
-  return out;
-}
+py::array array_of(const Vec3& v) { return py::array_t<double>(3, &v.x); }
 
-py::array array_of(const std::vector<Vec3>& vectors) {
-  py::array_t<double> out({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}});
-  if (!vectors.empty())
-    std::copy_n(&vectors.front().x, 3 * vectors.size(), out.mutable_data());
-  return out;
-}
+py::array array_of(const Mat3& m) { return py::array_t<double>({3, 3}, &m.m[0][0]); }
 
 py::array array_of(const std::vector<double>& numbers) {
   return py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
-py::array array_of(const Mat3& m) {
-  py::array_t<double> out({3, 3});
-  std::copy_n(&m.m[0][0], 9, out.mutable_data());
-  return out;
+py::array array_of(const std::vector<Vec3>& vectors) {
+  const double* const first = vectors.empty() ? nullptr : &vectors.front().x;
+  return py::array_t<double>({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}}, first);
 }
 
 py::array array_of(const elastic::Matrix6& matrix) {

@@ -73,10 +73,16 @@ struct ExponentRow {
   double stress_h = nan;
 };
 
+using Modulus = effective::Modulus;
+constexpr std::pair<const char*, Modulus> moduli[] = {
+    {"K", Modulus::K},     {"G_hh", Modulus::G_hh}, {"G_vh", Modulus::G_vh},
+    {"E_v", Modulus::E_v}, {"E_h", Modulus::E_h},   {"C11", Modulus::C11},
+    {"C33", Modulus::C33}, {"C12", Modulus::C12},   {"C13", Modulus::C13}};
+
 py::object exponents(const Arguments& a) {
   const StateArguments arguments(a);
   const effective::Rung& rung = closed_form_of(a[state_keyword_count]);
-  const effective::Modulus modulus = modulus_of(a.text(state_keyword_count + 1));
+  const effective::Modulus modulus = a.choice(state_keyword_count + 1, moduli);
   return py::cast(
       answer_rows(arguments.columns(), arguments.strict(), ExponentRow{}, [&](const double* x, Notes&) {
         const auto found = effective::exponents(rung, arguments.state(x), modulus);

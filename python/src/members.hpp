@@ -64,6 +64,14 @@ class ResultClass : public py::class_<Type, Holder...> {
   }
 };
 
+/// A class of iterators over what next() of the struct gives.
+template <class Type>
+ResultClass<Type> iterator_class(const py::object& module, const char* name, const char* says) {
+  ResultClass<Type> type(module, name, says);
+  type.def("__iter__", [](const py::object& self) { return self; }).def("__next__", &Type::next);
+  return type;
+}
+
 /// A function without arguments that returns the rows of a table of the library, by their keys.
 template <class Table>
 void define_table(const py::object& module, const char* name, Table table, Docstring text) {

@@ -401,12 +401,10 @@ void bind_packing(py::module_& module) {
 }
 
 void bind_io(py::module_& module) {
-  ResultClass<Frames>(module, "Frames",
-                      "An iterator over the states in some files, with one state in memory at a time.")
+  iterator_class<Frames>(module, "Frames",
+                         "An iterator over the states in some files, with one state in memory at a time.")
       .show("skipped", "Frames skipped so far because another file has no frame of that time step.",
-            &Frames::skipped)
-      .def("__iter__", [](const py::object& self) { return self; })
-      .def("__next__", &Frames::next);
+            &Frames::skipped);
   module.def("_frames", &open, py::arg("files"), py::arg("box"), py::arg("columns"));
   module.def("_lammps_packing", &lammps_packing, py::kw_only(), py::arg("id"), py::arg("position"),
              py::arg("radius"), py::arg("type"), py::arg("cell"), py::arg("periodic"), py::arg("units"),

@@ -133,17 +133,6 @@ Keyword rung_keyword() {
                   "0 to 3, or isotropic, fabric, directional, relaxed, uniform_stress.");
 }
 
-effective::Modulus modulus_of(const std::string& text) {
-  using enum effective::Modulus;
-  static constexpr std::pair<const char*, effective::Modulus> all[] = {
-      {"K", K},     {"G_hh", G_hh}, {"G_vh", G_vh}, {"E_v", E_v}, {"E_h", E_h},
-      {"C11", C11}, {"C33", C33},   {"C12", C12},   {"C13", C13}};
-  for (const auto& [known, modulus] : all)
-    if (text == known)
-      return modulus;
-  throw InvalidArgument("modulus is one of K, G_hh, G_vh, E_v, E_h, C11, C33, C12, C13, not " + text);
-}
-
 const effective::Rung& closed_form_of(const py::handle& name) {
   using enum effective::RungName;
   static constexpr std::pair<const char*, effective::RungName> names[] = {{"isotropic", isotropic},

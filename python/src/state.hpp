@@ -64,9 +64,6 @@ class StateArguments {
 
 /// The keyword rung, which closed_form_of reads.
 [[nodiscard]] Keyword rung_keyword();
-/// "G_vh" and so on.
-/// \throws   InvalidArgument for another name
-[[nodiscard]] effective::Modulus modulus_of(const std::string& text);
 /// The closed form of a number, "rung3", or a name: isotropic, fabric, directional, relaxed, uniform_stress.
 /// \throws   InvalidArgument for another one
 [[nodiscard]] const effective::Rung& closed_form_of(const py::handle& name);

@@ -182,9 +182,8 @@ void bind_compression(py::module_& module) {
       .show("steps", "Steps of the simulation.", &State::report, &dem::QuasistaticReport::steps)
       .show("unbalanced_force_ratio", "Mean residual force over mean contact force [1].", &State::report,
             &dem::QuasistaticReport::unbalanced_force_ratio);
-  py::class_<Compression>(module, "Compression", "A path of isotropic compression: an iterator of State.")
-      .def("__iter__", [](const py::object& self) { return self; })
-      .def("__next__", &Compression::next);
+  iterator_class<Compression>(module, "Compression",
+                              "A path of isotropic compression: an iterator of State.");
   define(
       module, "compress",
       {required("specimen", "Specimen", "From specimen(), or the specimen of a state."),
@@ -329,9 +328,7 @@ void bind_shear(py::module_& module) {
       .show("specimen", "The specimen in motion, to probe or to shear further.", &Point::specimen)
       .show("packing", "Grains and contacts in motion; k_n and k_t follow from the law.", &Point::specimen,
             &Specimen::packing);
-  py::class_<Shearing>(module, "Shearing", "A running triaxial test: an iterator of PathPoint.")
-      .def("__iter__", [](const py::object& self) { return self; })
-      .def("__next__", &Shearing::next);
+  iterator_class<Shearing>(module, "Shearing", "A running triaxial test: an iterator of PathPoint.");
   define(
       module, "shear",
       {required("specimen", "Specimen", "At rest under mean_stress: the specimen of a state."),

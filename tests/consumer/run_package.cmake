@@ -45,7 +45,8 @@ set(files bin/granum share/doc/granum/copyright share/doc/granum/changelog.gz sh
   share/man/man1/granum.1.gz share/man/man1/granum-estimate.1.gz share/man/man1/granum-export-lammps.1.gz
   share/bash-completion/completions/granum share/zsh/site-functions/_granum)
 if(PYTHON)
-  list(APPEND files lib/python3/dist-packages/granum/__init__.py share/doc/python3-granum/copyright)
+  list(APPEND files lib/python3/dist-packages/granum/__init__.py lib/python3/dist-packages/granum/__init__.pyi
+    share/doc/python3-granum/copyright)
 endif()
 foreach(file IN LISTS files)
   if(NOT EXISTS "${root}/usr/${file}")
