@@ -183,12 +183,11 @@ void bind_fields(py::module_& module) {
   define_field("uniform_strain", field<effective::uniform_strain>,
                "Stiffness if all grains follow the mean strain: rung 2, an upper bound.",
                "[ChangLiao1994] [Chang1995] [YimsiriSoga2000] [Walton1987]", of_field);
-  define_field(
-      "free_spin", field<effective::free_spin>,
-      "Uniform strain with a free mean spin: a tighter upper bound.",
-      "The mean spin of the grains takes the value of least energy; it differs with fabric or unequal "
-      "stresses. [ChangLiao1994]",
-      of_field);
+  define_field("free_spin", field<effective::free_spin>,
+               "Uniform strain with a free mean spin: a tighter upper bound.",
+               "The mean spin of the grains takes the value of least energy; it differs with fabric or "
+               "unequal stresses. [ChangLiao1994]",
+               of_field);
   define_field("uniform_stress", field<effective::uniform_stress>,
                "Stiffness if all contacts carry the forces of the mean stress.",
                "[ChangLiao1994] [Chang1995]", of_field);
@@ -203,12 +202,10 @@ void bind_fields(py::module_& module) {
 void bind_rung_functions(py::module_& module) {
   define(module, "relaxed", state_keywords(),
          {"Rung 3: uniform strain times relaxation factors of contact networks, with its standard "
-          "errors.\n\nNeeds "
-          "mechanical_coordination_number or rattler_fraction.",
+          "errors.\n\nNeeds mechanical_coordination_number or rattler_fraction.",
           "Estimate", refused,
           "The factors were calibrated on contact networks of granum's own packings: validation/relaxation. "
-          "z* as "
-          "[AgnolinRoux2007a].",
+          "z* as [AgnolinRoux2007a].",
           "effective::relaxed", "effective/relaxation.hpp"},
          [](const Arguments& a) {
            return ask(effective::rung(effective::RungName::relaxed), StateArguments(a));
@@ -414,13 +411,11 @@ void bind_batch(py::module_& module) {
        column("porosity", "Voids in the volume, in (0, 1) [1]."),
        column("coordination_number", "C_n in [0, 1e6] [1]."), column("pressure", "p in [0, 1e200] [Pa]."),
        tangential_ratio_keyword(), contact_means_keyword(), strict_keyword(),
-       optional(
-           "out", "(2,) sequence of ndarray",
-           "Arrays for K and G, of float64, contiguous, of the shape of the results; may be arrays of the\n"
-           "    arguments. Default: new arrays, whose allocation takes longer than the calculation.")},
+       optional("out", "(2,) sequence of ndarray",
+                "Arrays for K and G, of float64, contiguous, of the shape of the results; may be arrays of "
+                "the arguments. Default: new arrays, whose allocation takes longer than the calculation.")},
       {"K and G under uniform strain of many isotropic packings at isotropic stress, rung 0.\n\nFast for "
-       "large "
-       "arrays; equal to answer(rung=0) within 1e-14.",
+       "large arrays; equal to answer(rung=0) within 1e-14.",
        "Moduli\n    Its arrays are those of out, if given.",
        "For impossible numbers (with arrays only under strict), or an out of another shape.",
        "K = C_n k_n/(6 pi R (1+e)) at the mean contact force, G = 3 (2 + 3 k_t/k_n)/10 K. [Walton1987]",

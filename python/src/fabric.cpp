@@ -126,8 +126,7 @@ void bind_estimates(py::module_& module) {
   define(module, "estimate_anisotropy", {normals},
          {"a of E(gamma; a) from contact normals, by the mean of n3^2.",
           "AnisotropyEstimate\n    With its standard error for independent contacts; contacts of a packing "
-          "scatter "
-          "less.",
+          "scatter less.",
           refused_normals, "Axis 3 is the axis of symmetry.", "fabric::estimate_anisotropy",
           "fabric/anisotropy_estimate.hpp"},
          of_normals([](const auto& all) { return fabric::estimate_anisotropy(all); }), 1);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include <granum/core/near_miss.hpp>
@@ -159,6 +161,19 @@ Keyword column(std::string name, std::string says) {
   return required(std::move(name), "array_like", std::move(says));
 }
 
+/// The text in indented lines.
+std::string indented(const std::string& text) {
+  constexpr std::size_t width = 112;
+  std::string out, line = "   ";
+  std::istringstream words(text);
+  for (std::string word; words >> word; line += " " + word)
+    if (line.size() + word.size() >= width) {
+      out += line + "\n";
+      line = "   ";
+    }
+  return out + line + "\n";
+}
+
 std::string entries(const std::vector<Keyword>& keywords) {
   std::string text, names;
   for (const Keyword& keyword : keywords) {
@@ -167,7 +182,7 @@ std::string entries(const std::vector<Keyword>& keywords) {
     names += (names.empty() ? "" : ", ") + keyword.name;
     if (keyword.says.empty()) // that of the next
       continue;
-    text += names + " : " + keyword.type + "\n    " + keyword.says + "\n";
+    text += names + " : " + keyword.type + "\n" + indented(keyword.says);
     names.clear();
   }
   return text;

@@ -70,13 +70,15 @@ void bind_ground_stress(py::module_& module) {
       module, "ground_stress",
       {column("depth", "Depth below the surface, >= 0 [m]."),
        column("unit_weight", "Unit weight above the water table, including pore water, >= 0 [N/m3]."),
-       of_water(column("saturated_unit_weight", "Unit weight below the water table, at least that of water "
-                                                "[N/m3]; required with water_table.")),
+       of_water(column(
+           "saturated_unit_weight",
+           "Unit weight below the water table, at least that of water [N/m3]; required with water_table.")),
        column("water_table",
               "Its depth [m], negative for water above the ground; without it the ground is dry.")
            .or_none(),
-       of_water(column("water_unit_weight", "Unit weight of the water, > 0 [N/m3]; default: water at 20 "
-                                            "degrees Celsius, 9787 N/m3.")),
+       of_water(
+           column("water_unit_weight",
+                  "Unit weight of the water, > 0 [N/m3]; default: water at 20 degrees Celsius, 9787 N/m3.")),
        column("earth_pressure_at_rest", "K_0, horizontal over vertical effective stress, > 0 [1]."),
        column("surcharge", "Pressure on the surface, >= 0 [Pa].").or_number(0), strict_keyword()},
       {"Total stress, pore pressure and effective stress in level ground.", "GroundStress",

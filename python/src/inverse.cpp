@@ -145,9 +145,9 @@ False.)");
   define_method(
       type, "predict",
       predict_keywords("without it that of the packing as pressure changes it") +
-          std::vector{with_default("specimen", "'same'", "str",
-                                   "\"same\", or \"prepared_alike\": another one of the same grains, at the "
-                                   "void ratio given.")},
+          std::vector{with_default(
+              "specimen", "'same'", "str",
+              "\"same\", or \"prepared_alike\": another one of the same grains, at the void ratio given.")},
       {.summary = "A quantity of the packing at other stresses, with its standard error.",
        .returns = "MeasuredRows",
        .refuses = "For another quantity, or a wave speed without grain_density.",

@@ -188,10 +188,9 @@ void bind_contact_prior(py::module_& module) {
   bind_classes(module);
   define(module, "contact_prior",
          grains_keywords() +
-             std::vector{
-                 optional("preparation", "str",
-                          "\"dense\", \"loose\", or \"friction:0.3\", a friction coefficient; without it "
-                          "unknown.")},
+             std::vector{optional(
+                 "preparation", "str",
+                 "\"dense\", \"loose\", or \"friction:0.3\", a friction coefficient; without it unknown.")},
          {"Possible coordination numbers of a packing if only void ratio and stress are known.",
           "ContactPrior", "For impossible numbers, or another preparation.",
           "Calibrated on granum's own packings of all recipes, with their scatter: validation/contact_prior.",

@@ -175,10 +175,9 @@ void bind_interior(py::module_& module) {
 
 void bind_measurement(py::module_& module) {
   constexpr auto packing = &MeasuredFrame::packing;
-  ResultClass<MeasuredFrame>(
-      module, "Measurement",
-      "Results of measure() for one packing. Parts that were not requested, or lack an "
-      "input, are None; notes list the missing inputs.")
+  ResultClass<MeasuredFrame>(module, "Measurement",
+                             "Results of measure() for one packing. Parts that were not requested, or lack "
+                             "an input, are None; notes list the missing inputs.")
       .show("volume", "Volume of the cell [m^3].", packing, &Measurement::volume)
       .show("void_ratio", "Void ratio of the whole cell [1].", packing, &Measurement::void_ratio)
       .show("sizes", "Sizes of the grains.", packing, &Measurement::sizes)
@@ -234,9 +233,9 @@ std::optional<packing::TurningSpring> turning_spring(const Arguments& a, std::si
   for (const auto& [word, meaning] : known)
     if (of == word && alone == (meaning == Of::marshall))
       return packing::TurningSpring{.value = value, .of = meaning};
-  throw InvalidArgument(a.keyword(at).name +
-                        " is a number, (number, 'angle'), (number, 'displacement'), (number, 'normal') or "
-                        "'marshall'");
+  throw InvalidArgument(
+      a.keyword(at).name +
+      " is a number, (number, 'angle'), (number, 'displacement'), (number, 'normal') or 'marshall'");
 }
 
 /// The part of the packing used for the closed forms: the interior, the whole, or three ranges.
@@ -328,10 +327,9 @@ std::vector<Keyword> measure_keywords() {
   return {
       required("packing", "Packing",
                "From read() or packing(). Without contacts, overlapping spheres are assumed to touch."),
-      optional(
-          "law", "NormalLaw",
-          "Contact law and material of the grains; for spheres the radii are those of the packing. Default:\n"
-          "    derived from forces and overlaps."),
+      optional("law", "NormalLaw",
+               "Contact law and material of the grains; for spheres the radii are those of the packing. "
+               "Default: derived from forces and overlaps."),
       optional("grain_shear_modulus", "float", ""),
       optional("grain_poisson_ratio", "float",
                "Material of spheres, instead of a law: G_g [Pa] and nu_g [1]."),
@@ -347,16 +345,15 @@ std::vector<Keyword> measure_keywords() {
       with_default("network", "True", "bool",
                    "Solve the contact network, rung 4: the part that takes the time."),
       with_default("prestress", "False", "bool", "Add the geometric stiffness of the contact forces."),
-      with_default(
-          "window", "'auto'", "\"auto\", None or three ranges, optional",
-          "The part whose e, C_n, z*, fabric and stress are used for the closed forms: \"auto\", the\n"
-          "    interior between walls or under a free surface, if there is one; None, the whole; or (low,\n"
-          "    high) [m] along each axis, with None for a whole axis or an open end."),
+      with_default("window", "'auto'", "\"auto\", None or three ranges, optional",
+                   "The part whose e, C_n, z*, fabric and stress are used for the closed forms: \"auto\", "
+                   "the interior between walls or under a free surface, if there is one; None, the whole; or "
+                   "(low, high) [m] along each axis, with None for a whole axis or an open end."),
       optional("rolling_stiffness", spring, ""),
       optional(
           "twisting_stiffness", spring,
-          "For all contacts: a number times k_n R*^2 [1]; (k, \"displacement\"), k [N/m] times R*^2; (k,\n"
-          "    \"angle\"), k [N m]; or \"marshall\", k_t R* d/2. Without it the values of the contacts.")};
+          "For all contacts: a number times k_n R*^2 [1]; (k, \"displacement\"), k [N/m] times R*^2; (k, "
+          "\"angle\"), k [N m]; or \"marshall\", k_t R* d/2. Without it the values of the contacts.")};
 }
 
 void define_overlap_contacts(py::module_& module) {
@@ -392,19 +389,17 @@ void bind_analysis(py::module_& module) {
 }
 
 void bind_measure(py::module_& module) {
-  define(
-      module,
-      with_bulk_modulus(
-          function(
-              "measure", measure_keywords(),
-              {"Measures a packing: contacts, fabric, stress, both 6 x 6 stiffnesses, every rung.\n\nOther "
-               "threads can run meanwhile, and Ctrl-C ends it within a second.",
-               "Measurement", "For an impossible packing or number.",
-               "The linear response of the network is exact to 1e-10 of its largest entry; affine and "
-               "relaxed parts as [AgnolinRoux2007c].",
-               "analysis::measure", "analysis/measure.hpp"},
-              &measure, 1),
-          "grain_"));
+  define(module,
+         with_bulk_modulus(
+             function("measure", measure_keywords(),
+                      {"Measures a packing: contacts, fabric, stress, both 6 x 6 stiffnesses, every "
+                       "rung.\n\nOther threads can run meanwhile, and Ctrl-C ends it within a second.",
+                       "Measurement", "For an impossible packing or number.",
+                       "The linear response of the network is exact to 1e-10 of its largest entry; affine "
+                       "and relaxed parts as [AgnolinRoux2007c].",
+                       "analysis::measure", "analysis/measure.hpp"},
+                      &measure, 1),
+             "grain_"));
   define_overlap_contacts(module);
 }
 

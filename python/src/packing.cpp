@@ -284,19 +284,16 @@ std::vector<Keyword> packing_keywords() {
       required("radius", "float or (N,) array_like", "Radius of each grain, > 0 [m]."),
       optional("cell", "(3,) or (3, 3) array_like",
                "Edges of a rectangular cell, or a matrix with the edges as its columns [m]; without it the "
-               "smallest\n"
-               "    rectangular box around the grains, not periodic."),
+               "smallest rectangular box around the grains, not periodic."),
       with_default("periodic", "(True, True, True)", "(3,) sequence of bool",
                    "Which pairs of faces are periodic."),
       optional("contacts", "(M, 2) array_like of int",
                "Pairs of grains in contact, numbered from 0; a second number w < 0 is the wall -1 - w. "
-               "Without it,\n"
-               "    the contacts of overlapping spheres are used where needed."),
+               "Without it, the contacts of overlapping spheres are used where needed."),
       optional("forces", vectors, "Total force exerted by the first grain of each pair on the second [N]."),
       optional("branch", vectors,
                "Centre of the second grain minus centre of the first [m]; without it the nearest periodic "
-               "image. For\n"
-               "    a wall, where it is required, from the centre to the wall."),
+               "image. For a wall, where it is required, from the centre to the wall."),
       optional("overlap", of_contacts, "Full approach of the centres [m]; without it from radii and branch."),
       optional("normal_force", of_contacts, "Normal force, instead of forces, compression positive [N]."),
       optional("tangential_force", vectors,
@@ -310,8 +307,7 @@ std::vector<Keyword> packing_keywords() {
                "[N m]."),
       optional("body", "(N,) sequence of int",
                "Number of the rigid body (clump) of each grain; negative: none. Grains of one body move "
-               "together;\n"
-               "    C_n, z*, rattlers and stress are those of bodies.")};
+               "together; C_n, z*, rattlers and stress are those of bodies.")};
 }
 
 /// The states in some files, in order.
@@ -391,13 +387,12 @@ SharedPacking lammps_packing(const py::array_t<long, py::array::c_style | py::ar
 void bind_packing(py::module_& module) {
   bind_contacts(module);
   bind_class(module);
-  define(
-      module, "packing", packing_keywords(),
-      {"A packing from the arrays of any code, checked and sorted like one from files.", "Packing", "", "",
-       "io::packing_of", "io/arrays/packing.hpp",
-       "InvalidArgument\n    Naming the array and its element: shapes, unknown grains, numbers that are not "
-       "finite.\n"},
-      &packing_from);
+  define(module, "packing", packing_keywords(),
+         {"A packing from the arrays of any code, checked and sorted like one from files.", "Packing", "", "",
+          "io::packing_of", "io/arrays/packing.hpp",
+          "InvalidArgument\n    Naming the array and its element: shapes, unknown grains, numbers that are "
+          "not finite.\n"},
+         &packing_from);
 }
 
 void bind_io(py::module_& module) {

@@ -9,8 +9,8 @@
 
 #include "state.hpp"
 
-/// The question of granum estimate, as keywords of Python: rows of the table of inputs, with a contact law as an
-/// object.
+/// The question of granum estimate, as keywords of Python: rows of the table of inputs, and a contact law as
+/// an object.
 namespace granum::python {
 
 /// Keywords of a question in the order in which QuestionArguments reads them, followed by those of one

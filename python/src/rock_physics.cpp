@@ -184,26 +184,23 @@ void bind_coordination(py::module_& module) {
 using rock_physics::StrainedPacking;
 using rock_physics::UniaxialPacking;
 
-/// Columns common to both models come first.
-enum : std::size_t { shear_modulus_at, poisson_ratio_at, porosity_at, coordination_number_at, strains_at };
-
 UniaxialPacking walton_packing(const double* x) {
-  return {.shear_modulus = x[shear_modulus_at],
-          .poisson_ratio = x[poisson_ratio_at],
-          .porosity = x[porosity_at],
-          .coordination_number = x[coordination_number_at],
-          .uniaxial_strain = x[strains_at],
-          .no_slip_fraction = x[strains_at + 1]};
+  return {.shear_modulus = x[0],
+          .poisson_ratio = x[1],
+          .porosity = x[2],
+          .coordination_number = x[3],
+          .uniaxial_strain = x[4],
+          .no_slip_fraction = x[5]};
 }
 
 StrainedPacking strained_packing(const double* x) {
-  return {.shear_modulus = x[shear_modulus_at],
-          .poisson_ratio = x[poisson_ratio_at],
-          .porosity = x[porosity_at],
-          .coordination_number = x[coordination_number_at],
-          .hydrostatic_strain = x[strains_at],
-          .uniaxial_strain = x[strains_at + 1],
-          .no_slip_fraction = x[strains_at + 2]};
+  return {.shear_modulus = x[0],
+          .poisson_ratio = x[1],
+          .porosity = x[2],
+          .coordination_number = x[3],
+          .hydrostatic_strain = x[4],
+          .uniaxial_strain = x[5],
+          .no_slip_fraction = x[6]};
 }
 
 template <class Model>

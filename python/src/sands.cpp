@@ -18,7 +18,6 @@ namespace granum::python {
 
 namespace {
 
-using estimate::Input;
 using sands::KnownSand;
 using sands::MeasuredLaw;
 
@@ -40,8 +39,8 @@ void bind_known_sands(py::module_& module) {
                 "[Azeiteiro2017] [Fioravante2015] [Arulmoli1992] [Tsomokos2010] [Lo2021]",
                 "sands::known_sands", "sands/known_sands.hpp"});
   define(module, "void_ratio_of_relative_density",
-         {of_input(Input::relative_density), of_input(Input::least_void_ratio),
-          of_input(Input::largest_void_ratio)},
+         {of_input(estimate::Input::relative_density), of_input(estimate::Input::least_void_ratio),
+          of_input(estimate::Input::largest_void_ratio)},
          {"The void ratio of a relative density, e_max - D_r (e_max - e_min).",
           "float or ndarray\n    e [1], of the broadcast shape.", "For the first number out of range.", "",
           "sands::void_ratio_of_relative_density", "sands/known_sands.hpp"},
@@ -70,15 +69,14 @@ void bind_measured_laws(py::module_& module) {
        "[OztoprakBolton2013] [WangStokoe2022]",
        "sands::measured_laws", "sands/measured_sands.hpp"});
   define(module, "sand_shear_modulus",
-         {required("law", "str", "A key of measured_laws()."), of_input(Input::void_ratio),
-          of_input(Input::pressure).called("mean_stress"),
+         {required("law", "str", "A key of measured_laws()."), of_input(estimate::Input::void_ratio),
+          of_input(estimate::Input::pressure).called("mean_stress"),
           column("uniformity", "C_u = d60/d10 >= 1 [1]; used by four laws.")
               .or_number(sands::SandState{}.uniformity),
           column("d50", "> 0 [m]; used by two laws.").or_number(sands::SandState{}.d50), strict_keyword()},
          {"Small-strain shear modulus of a sand by a published law.",
           "IsotropicModuli\n    Its notes report numbers outside of the tests of the law. The bulk modulus "
-          "is NaN: "
-          "the laws have none.",
+          "is NaN: the laws have none.",
           "For another law, a number out of range, or a void ratio beyond the law's zero.",
           "Under isotropic stress, clean sands. Sources: measured_laws().", "sands::shear_modulus",
           "sands/measured_sands.hpp"},
@@ -107,8 +105,7 @@ hardin::VoidRatioFunction function_of(const Arguments& a, std::size_t at) {
 std::vector<Keyword> stress_keywords() {
   return {column("stress_i", ""),
           column("stress_j",
-                 "Effective stresses along the directions of propagation and of polarisation, > 0 "
-                 "[Pa]."),
+                 "Effective stresses along the directions of propagation and of polarisation, > 0 [Pa]."),
           of_input(estimate::Input::void_ratio)};
 }
 
@@ -158,15 +155,14 @@ void bind_fit(py::module_& module) {
       .show_notes();
   define(module, "fit",
          std::vector{column("shear_modulus", "Measured G_ij > 0, one per row [Pa].")} + stress_keywords() +
-             std::vector{
-                 required("atmospheric_pressure", "float",
-                          "Reference pressure p_a > 0 of C [Pa]; it has no default."),
-                 function_keyword(),
-                 with_default("weights", "'relative'", "{\"relative\", \"absolute\"}",
-                              "Residuals of ln G, or of G."),
-                 with_default("sum_only", "False", "bool",
-                              "Fit only C and s: for paths of one stress ratio, which do not determine m "
-                              "and n separately.")},
+             std::vector{required("atmospheric_pressure", "float",
+                                  "Reference pressure p_a > 0 of C [Pa]; it has no default."),
+                         function_keyword(),
+                         with_default("weights", "'relative'", "{\"relative\", \"absolute\"}",
+                                      "Residuals of ln G, or of G."),
+                         with_default("sum_only", "False", "bool",
+                                      "Fit only C and s: for paths of one stress ratio, which do not "
+                                      "determine m and n separately.")},
          {"Hardin's equation fitted to measured moduli: C, m, n with their covariance.", "Fit",
           "For an invalid row, too few rows, or stresses that do not determine m and n separately.",
           "[HardinRichart1963] [Chung2014]", "hardin::fit", "hardin/fit.hpp",

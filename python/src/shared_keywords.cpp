@@ -26,7 +26,8 @@ std::string limits_text(const estimate::Limits& limits) {
 /// The meaning with names of arguments for those of options: "--void-ratio" is void_ratio here.
 std::string meaning_of(const estimate::InputRow& row) {
   std::string text = row.meaning;
-  text = text.substr(0, text.find("; by default"));
+  for (const char* const of_question : {"; by default", ", such as", ", for "})
+    text = text.substr(0, text.find(of_question));
   for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) {
     text.erase(at, 2);
     for (; at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '-');
@@ -67,10 +68,9 @@ Keyword strict_keyword() {
 }
 
 Keyword stiffness_keyword() {
-  return required(
-      "stiffness", "(6, 6) array_like",
-      "Voigt matrix, order 11 22 33 23 13 12, engineering shear strains [Pa]. Symmetric: both halves "
-      "may\n    differ by 1e-3 of the largest entry, as if they were rounded to four digits.");
+  return required("stiffness", "(6, 6) array_like",
+                  "Voigt matrix, order 11 22 33 23 13 12, engineering shear strains [Pa]. Symmetric: both "
+                  "halves may differ by 1e-3 of the largest entry, as if they were rounded to four digits.");
 }
 
 std::vector<Keyword> solid_keywords(const std::string& prefix, const std::string& solid,

@@ -147,9 +147,8 @@ const effective::Rung& closed_form_of(const py::handle& name) {
   for (const auto& [known, rung] : names)
     if (text == known)
       return effective::rung(rung);
-  throw InvalidArgument("rung is a number from 0 to 3, isotropic, fabric, directional, relaxed or "
-                        "uniform_stress, not " +
-                        text);
+  throw InvalidArgument(
+      "rung is a number from 0 to 3, isotropic, fabric, directional, relaxed or uniform_stress, not " + text);
 }
 
 } // namespace granum::python

@@ -39,22 +39,21 @@ constexpr std::pair<const char*, triaxial::Density> densities[] = {{"dense", tri
                                                                    {"loose", triaxial::Density::loose}};
 
 std::vector<Keyword> recipe_keywords() {
-  return {
-      required("law", "NormalLaw", "Normal contact of two grains of the radius."),
-      required("radius", "float",
-               "R > 0 of all grains, or the mean by number of a distribution of sizes [m]."),
-      required("friction_coefficient", "float", "Friction between grains [1]."),
-      required("kind", "{\"dense\", \"loose\"}",
-               "dense: without friction up to the first pressure; loose: opened to just below jamming, then\n"
-               "    compressed with friction."),
-      optional("grains", "int", ""),
-      optional("seed", "int", "Number of grains, and seed of the random sample."),
-      optional("first_pressure", "float", "Pressure of the frictionless preparation [Pa]."),
-      tangential_ratio_keyword(),
-      optional("density", "float", "Density of the grains [kg/m3]."),
-      optional("sizes", "Distribution", "Distribution of the radii; default: equal."),
-      optional("wall_friction", "float",
-               "Friction coefficient of six rigid walls [1]; without it the cell is periodic.")};
+  return {required("law", "NormalLaw", "Normal contact of two grains of the radius."),
+          required("radius", "float",
+                   "R > 0 of all grains, or the mean by number of a distribution of sizes [m]."),
+          required("friction_coefficient", "float", "Friction between grains [1]."),
+          required("kind", "{\"dense\", \"loose\"}",
+                   "dense: without friction up to the first pressure; loose: opened to just below jamming, "
+                   "then compressed with friction."),
+          optional("grains", "int", ""),
+          optional("seed", "int", "Number of grains, and seed of the random sample."),
+          optional("first_pressure", "float", "Pressure of the frictionless preparation [Pa]."),
+          tangential_ratio_keyword(),
+          optional("density", "float", "Density of the grains [kg/m3]."),
+          optional("sizes", "Distribution", "Distribution of the radii; default: equal."),
+          optional("wall_friction", "float",
+                   "Friction coefficient of six rigid walls [1]; without it the cell is periodic.")};
 }
 
 /// A number that a keyword replaces if it is given.
@@ -189,9 +188,8 @@ void bind_compression(py::module_& module) {
       {required("specimen", "Specimen", "From specimen(), or the specimen of a state."),
        required("pressures", "(N,) array_like", "Pressures in this order, > 0 [Pa].")},
       {"Compresses a specimen with friction through a list of pressures, state by state.\n\nIf Ctrl-C ends "
-       "the "
-       "path, finished states are kept. Another path may begin at the specimen of any state, with\nbitwise "
-       "identical results.",
+       "the path, finished states are kept. Another path may begin at the specimen of any state, "
+       "with\nbitwise identical results.",
        "Compression\n    An iterator of State.", "For pressures that are not positive.",
        "The discrete element method, with the whole loading history of the contacts. [CundallStrack1979]",
        "triaxial::isotropic_path", "triaxial/specimen.hpp",
@@ -329,24 +327,22 @@ void bind_shear(py::module_& module) {
       .show("packing", "Grains and contacts in motion; k_n and k_t follow from the law.", &Point::specimen,
             &Specimen::packing);
   iterator_class<Shearing>(module, "Shearing", "A running triaxial test: an iterator of PathPoint.");
-  define(
-      module, "shear",
-      {required("specimen", "Specimen", "At rest under mean_stress: the specimen of a state."),
-       required("path", "{\"TXC\", \"RTXC\", \"RTXE\", \"TXE\"}",
-                "Which stress changes, and in which direction."),
-       required("mean_stress", "float", "Isotropic stress at the start [Pa]."),
-       optional("eta_step", "float", ""),
-       optional(
-           "strain_step", "float",
-           "A snapshot is taken whenever a multiple of this stress ratio [1] or of this axial strain [1] is\n"
-           "    first passed."),
-       optional("largest_strain", "float", "Axial strain at which the test ends [1]."),
-       optional("inertial_number", "float", "Inertial number of shearing [1].")},
-      {"Shears a specimen along a triaxial stress path, snapshot by snapshot.",
-       "Shearing\n    An iterator of PathPoint.", "For another path, or numbers out of range.",
-       "The stress paths of the paper. [Chung2014]", "triaxial::ShearTest", "triaxial/shear_test.hpp",
-       "NotConverged\n    By the iterator, if the simulation becomes unstable.\n"},
-      &shear, 1);
+  define(module, "shear",
+         {required("specimen", "Specimen", "At rest under mean_stress: the specimen of a state."),
+          required("path", "{\"TXC\", \"RTXC\", \"RTXE\", \"TXE\"}",
+                   "Which stress changes, and in which direction."),
+          required("mean_stress", "float", "Isotropic stress at the start [Pa]."),
+          optional("eta_step", "float", ""),
+          optional("strain_step", "float",
+                   "A snapshot is taken whenever a multiple of this stress ratio [1] or of this axial strain "
+                   "[1] is first passed."),
+          optional("largest_strain", "float", "Axial strain at which the test ends [1]."),
+          optional("inertial_number", "float", "Inertial number of shearing [1].")},
+         {"Shears a specimen along a triaxial stress path, snapshot by snapshot.",
+          "Shearing\n    An iterator of PathPoint.", "For another path, or numbers out of range.",
+          "The stress paths of the paper. [Chung2014]", "triaxial::ShearTest", "triaxial/shear_test.hpp",
+          "NotConverged\n    By the iterator, if the simulation becomes unstable.\n"},
+         &shear, 1);
 }
 
 } // namespace

@@ -84,7 +84,7 @@ class InputValues {
   std::optional<GrainShape> grain_shape = {};    ///< if given
   std::optional<sizes::Distribution> sizes = {}; ///< of unequal grains
   bool ground = false;                           ///< the question is about the ground, which is soil
-  /// A contact law made elsewhere, for the grains of `radius`: shape and sizes are its own then, and d50 and C_u
+  /// A contact law made elsewhere, for grains of `radius`: shape and sizes are its own then, and d50 and C_u
   /// are of a sand alone.
   std::optional<contact::NormalLaw> law = {};
   std::optional<sizes::ContactMeans> contact_means = {}; ///< of unequal grains, beside a law
