@@ -30,7 +30,7 @@ RangeRow row(const char* symbol, Seen seen, std::optional<estimate::Range> range
 Document example() {
   Document to{.command = "example", .title = "An example", .question = "What is it?"};
   Items inputs{.key = "inputs", .title = "given"};
-  io::add_item(inputs.items, "void_ratio", 0.6, shown("e"));
+  io::add_item(inputs.items, "void_ratio", 0.6, shown_as("e"));
   io::add_item(inputs.items, "depth/top", 2.0);
   inputs.items.emplace_back("e", "", [](const io::Only&) { return io::Value(0.6); });
   to.add(Seen::full, std::move(inputs));
@@ -44,7 +44,7 @@ Document example() {
   to.add(Seen::data, Ranges{.key = "nothing"});
   const io::Columns<Pair> columns = {
       {"", "", &Pair::name},
-      {"", "stiffness", &Pair::stiffness, shown("stiffness", Dimension::pressure, 12)}};
+      {"", "stiffness", &Pair::stiffness, shown_as("stiffness", Dimension::pressure, 12)}};
   const std::vector<Pair> pairs = {{"first_one", 1e6}, {"second", 2e6}};
   to.add(Seen::always, table_of("named", "by name", columns, pairs, Table::Form::named));
   to.add(Seen::full, table_of("", "side by side", columns, pairs, Table::Form::columns));

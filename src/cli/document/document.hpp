@@ -97,7 +97,16 @@ struct Prose {
   std::vector<std::string> lines;
 };
 
-/// An object that exists as JSON already.
+/// Rows that are printed as they come, because there may be millions: lines of a CSV file below its headings,
+/// or elements of an array in JSON.
+struct Rows {
+  std::string key = {};
+  std::vector<std::string> headings = {};
+  std::string lines = {};
+  nlohmann::ordered_json elements = nlohmann::ordered_json::array();
+};
+
+/// What exists as JSON already; in CSV a comment.
 struct Data {
   std::string key;
   nlohmann::ordered_json value;
@@ -105,7 +114,7 @@ struct Data {
 
 struct Section {
   Seen seen;
-  std::variant<Items, Ranges, Table, Picture, Prose, Data> what;
+  std::variant<Items, Ranges, Table, Picture, Prose, Rows, Data> what;
 };
 
 /// An assumption or a remark: a sentence, and what it says as values where these are known.
@@ -124,7 +133,10 @@ struct Document {
   std::vector<Section> sections = {};
   std::vector<Note> notes = {};
   Validity warnings = {};
-  io::CsvManner manner = {}; ///< of the CSV file
+  // of the CSV file
+  io::CsvManner manner = {};
+  std::string signs = "compression positive; z is the vertical axis v";
+  std::vector<std::pair<std::string, std::string>> comments = {}; ///< on its columns
 
   template <class What>
   void add(Seen seen, What what) {
@@ -146,12 +158,12 @@ struct Document {
 [[nodiscard]] std::string with_blanks(std::string key);
 
 /// The look of a value: in a list, or in a table of that width.
-[[nodiscard]] inline io::ShownColumn shown(std::string label, std::optional<Dimension> dimension = {},
-                                           int width = 0) {
+[[nodiscard]] inline io::ShownColumn shown_as(std::string label, std::optional<Dimension> dimension = {},
+                                              int width = 0) {
   return {.heading = std::move(label), .width = width, .absent = "none", .dimension = dimension};
 }
 /// That of a share, in per cent.
-[[nodiscard]] inline io::ShownColumn shown_in_percent(std::string label, int width = 0) {
+[[nodiscard]] inline io::ShownColumn shown_as_percent(std::string label, int width = 0) {
   return {
       .heading = std::move(label), .width = width, .digits = 3, .unit = 0.01, .absent = "-", .symbol = " %"};
 }
@@ -164,8 +176,8 @@ struct Document {
 [[nodiscard]] nlohmann::ordered_json json(const Document& document);
 /// The sections alone, as members of an object.
 [[nodiscard]] nlohmann::ordered_json members_of(const std::vector<Section>& sections);
-/// Inputs and notes as comments; then the rows of the first table with headings, or else one row of all items
-/// with headings and all ranges.
+/// Data and notes as comments; then Rows, or the rows of the first table with headings, or else one row of
+/// all items with headings and all ranges.
 [[nodiscard]] std::string csv(const Document& document);
 /// Charts as one SVG file.
 /// \throws   InvalidArgument if there are none
@@ -179,6 +191,7 @@ struct Outlets {
   std::string picture = {}, report = {}; ///< files; empty for none
   bool full = false;                     ///< the full screen
   bool always_csv = false;               ///< to a file whatever its name, unless it is JSON
+  bool csv_on_screen = false;            ///< instead of text
 };
 /// Adds --full, --picture and --report.
 void add_outlets(Command& command, Outlets& outlets, const std::string& picture_help);

@@ -55,6 +55,8 @@ void put(ordered_json& out, const Table& table) {
     member_at(out, table.key) = members_of_all(table.columns, table.rows);
 }
 
+void put(ordered_json& out, const Rows& rows) { member_at(out, rows.key) = rows.elements; }
+
 void put(ordered_json& out, const Data& data) {
   ordered_json& member = member_at(out, data.key);
   if (member.is_object() && data.value.is_object())
@@ -92,6 +94,20 @@ void add_row(io::CsvContent& to, const Document& document) {
           ranges != nullptr && ranges->before.empty() != with_prefix)
         for (const RangeRow& row : ranges->rows)
           add(*ranges, row);
+}
+
+/// A comment for each key of data.
+void add_data(io::CsvContent& to, const Document& document) {
+  const ordered_json all = members_of(document.sections);
+  std::vector<std::string> keys;
+  for (const Section& section : document.sections)
+    if (const auto* data = std::get_if<Data>(&section.what);
+        data != nullptr && !data->value.is_null() && std::ranges::find(keys, data->key) == keys.end()) {
+      keys.push_back(data->key);
+      const ordered_json& member = all.at(data->key);
+      to.notes.emplace_back(data->key,
+                            member.is_string() ? member.get<std::string>() : json_text(member, -1));
+    }
 }
 
 const Table* table_with_headings(const Document& document) {
@@ -132,13 +148,17 @@ std::string csv(const Document& document) {
                      .headings = {},
                      .rows = {},
                      .manner = document.manner};
-  const ordered_json all = members_of(document.sections);
-  if (all.contains("inputs"))
-    out.notes.emplace_back("inputs", json_text(all.at("inputs"), -1));
-  out.notes.emplace_back("signs", "compression positive; z is the vertical axis v");
+  add_data(out, document);
+  out.notes.emplace_back("signs", document.signs);
+  out.notes.insert(out.notes.end(), document.comments.begin(), document.comments.end());
   for (const Note& note : document.notes)
     if (note.seen != Seen::data)
       out.notes.emplace_back("note", note.text);
+  for (const Section& section : document.sections)
+    if (const auto* rows = std::get_if<Rows>(&section.what)) {
+      out.headings = rows->headings;
+      return io::csv_text(out) + rows->lines;
+    }
   if (const Table* table = table_with_headings(document)) {
     io::add_headings(out, table->columns);
     for (const Cells& row : table->rows)
@@ -180,7 +200,7 @@ void require_free(const Outlets& outlets) {
 
 ExitCode deliver(const Outlets& to, const Document& document) {
   const OutputOptions& output = to.output;
-  const bool as_csv = !output.out.empty() && (to.always_csv || output.out.ends_with(".csv"));
+  const bool as_csv = output.out.empty() ? to.csv_on_screen : to.always_csv || output.out.ends_with(".csv");
   const ExitCode code = deliver(output,
                                 output.json ? ""
                                 : as_csv    ? csv(document)

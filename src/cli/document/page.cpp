@@ -82,7 +82,7 @@ std::string html_of(const Table& table) {
   if (table.form == Table::Form::columns) {
     columns.front() = {"", "",
                        [](const Cells& cells) { return with_blanks(std::get<std::string>(cells.front())); },
-                       shown("")};
+                       shown_as("")};
     for (io::Column<Cells>& column : columns)
       if (column.shown)
         column.shown->width = 1; // each is a column of the page too
@@ -99,6 +99,7 @@ std::string html_of(const Prose& prose) {
 }
 
 std::string html_of(const Picture& /*picture*/) { return ""; }
+std::string html_of(const Rows& /*rows*/) { return ""; }
 std::string html_of(const Data& /*data*/) { return ""; }
 
 } // namespace

@@ -133,10 +133,13 @@ std::string text_of(const Table& table) {
   if (table.form == Table::Form::columns)
     text += columns_text(table);
   else {
-    if (const std::string head = io::heading_line(table.columns); !head.empty())
-      text += "  " + head + "\n";
+    constexpr std::size_t most = 78;
+    const std::string head = io::heading_line(table.columns);
+    const std::string indent = head.size() > most ? "" : "  ";
+    if (!head.empty())
+      text += indent + head + "\n";
     for (const Cells& row : table.rows)
-      text += "  " + io::row_line(table.columns, row) + "\n";
+      text += indent + io::row_line(table.columns, row) + "\n";
   }
   return text + (table.remark.empty() ? "" : "  " + table.remark + "\n");
 }
@@ -149,6 +152,7 @@ std::string text_of(const Prose& prose) {
 }
 
 std::string text_of(const Picture& /*picture*/) { return ""; }
+std::string text_of(const Rows& /*rows*/) { return ""; }
 std::string text_of(const Data& /*data*/) { return ""; }
 
 } // namespace

@@ -200,7 +200,7 @@ std::string comparison_text(const AnswerCase& c) {
 Table measured_laws_table(const AnswerCase& c) {
   const auto& s = c.question.state;
   const io::Columns<SandAnswer> columns = {
-      {"", "law", [](const SandAnswer& of) { return of.law->key; }, shown("law", {}, -26)},
+      {"", "law", [](const SandAnswer& of) { return of.law->key; }, shown_as("law", {}, -26)},
       {"", "sand", [](const SandAnswer& of) { return of.law->sand; }},
       {"", "source", [](const SandAnswer& of) { return of.law->source; }},
       {"", "formula", [](const SandAnswer& of) { return of.law->formula; }},
@@ -208,14 +208,14 @@ Table measured_laws_table(const AnswerCase& c) {
       {"", "shear_modulus", io::or_null([](const SandAnswer& of) {
          return of.modulus ? std::optional(of.modulus->shear_modulus) : std::nullopt;
        }),
-       shown("G", Dimension::pressure, 11)},
+       shown_as("G", Dimension::pressure, 11)},
       {"", "bias", [](const SandAnswer& of) { return of.law->record.bias; },
        io::ShownColumn{.heading = "bias", .width = 6, .digits = 2, .fixed = true}},
       {"", "",
        [](const SandAnswer& of) {
          return fmt::format(" {}{}", of.law->sand, of.tested() ? "" : " (outside its tests)");
        },
-       shown(" sand", {}, -1)},
+       shown_as(" sand", {}, -1)},
       {"", "notes", [](const SandAnswer& of) {
          return of.modulus ? of.modulus->validity.notes : std::vector<std::string>();
        }}};
@@ -240,10 +240,10 @@ Table strain_laws_table(const AnswerCase& c) {
                       .sand = q.sand});
   };
   const io::Columns<StrainLaw> columns = {
-      {"", "law", &StrainLaw::key, shown("law", {}, -26)},
+      {"", "law", &StrainLaw::key, shown_as("law", {}, -26)},
       {"", "formula", &StrainLaw::formula},
       {"", "modulus_ratio", ratio, io::ShownColumn{.heading = "G/G0", .width = 11, .digits = 3}},
-      {"", "source", &StrainLaw::source, shown("source", {}, 24)}};
+      {"", "source", &StrainLaw::source, shown_as("source", {}, 24)}};
   const bool strained = q.shear_strain && q.state.mean_stress() > 0 && c.of_sand() != nullptr;
   const std::span<const StrainLaw> laws = sands::strain_laws();
   return table_of(

@@ -73,7 +73,7 @@ Items input_lines(const AnswerCase& c, const ordered_json& packing) {
       fmt::format("G_g = {}, nu_g = {}", pressure_text(grain.shear_modulus), short_text(grain.poisson_ratio));
   Items to;
   const auto add = [&to](const char* label, const std::string& text) {
-    io::add_item(to.items, "", text, shown(label));
+    io::add_item(to.items, "", text, shown_as(label));
   };
   if (c.question.grain_shape == GrainShape::sand) {
     add("sand", sand_text(c.question.sand, s.void_ratio));
@@ -173,22 +173,23 @@ void add_cement(Document& to, const AnswerCase& c, double share) {
     for (const std::string& note : model.moduli.validity.notes)
       to.warnings.add(std::string("cement, ") + model.place + ": " + note);
   Items head{.key = "cemented", .title = "cemented with the mineral of the grains, dry"};
-  io::add_item(head.items, "share", share, shown_in_percent("cement in total volume"));
-  io::add_item(head.items, "porosity", after, shown_in_percent("porosity"));
+  io::add_item(head.items, "share", share, shown_as_percent("cement in total volume"));
+  io::add_item(head.items, "porosity", after, shown_as_percent("porosity"));
   io::add_item(head.items, "coordination_number", *c.answer.state().coordination_number,
                io::ShownColumn{.heading = "C_n of spheres", .digits = 3});
   to.add(Seen::always, std::move(head));
   using Of = const CementModel&;
   const io::Columns<CementModel> columns = {
       {"", "", &CementModel::key},
-      {"", "", &CementModel::place, shown("place of the cement", {}, -31)},
+      {"", "", &CementModel::place, shown_as("place of the cement", {}, -31)},
       {"", "shear_modulus", [](Of model) { return model.moduli.shear_modulus; },
-       shown("G", Dimension::pressure, 11)},
+       shown_as("G", Dimension::pressure, 11)},
       {"", "bulk_modulus", [](Of model) { return model.moduli.bulk_modulus; },
-       shown("K", Dimension::pressure, 11)},
-      {"", "shear_wave_speed", [](Of model) { return model.speeds.s; }, shown("V_s", Dimension::speed, 10)},
+       shown_as("K", Dimension::pressure, 11)},
+      {"", "shear_wave_speed", [](Of model) { return model.speeds.s; },
+       shown_as("V_s", Dimension::speed, 10)},
       {"", "compression_wave_speed", [](Of model) { return model.speeds.p; },
-       shown("V_p", Dimension::speed, 10)}};
+       shown_as("V_p", Dimension::speed, 10)}};
   Table table = table_of("cemented", "", columns, models, Table::Form::named);
   table.remark =
       "These models assume uniform strain: they are too stiff where grains have few contacts; their "

@@ -64,7 +64,7 @@ void add_modulus(io::Columns<ClosedForm>& to, const char* key, const char* label
         return (value ? modulus_text(*value) : "undefined") +
                (errors != nullptr ? fmt::format(" +- {} %", short_text(100 * errors->*error, 2)) : "");
       },
-      shown(label));
+      shown_as(label));
 }
 
 io::Columns<ClosedForm> closed_form_columns() {
@@ -168,10 +168,11 @@ Items ladder_choice(const Ladder& ladder) {
   io::add_item(to.items, "tolerance_met", ladder.tolerance_met);
   io::add_item(to.items, "rung", *choice.rung->number);
   const Stiffness& c = *choice.stiffness;
-  io::add_item(to.items, "", with_error(choice, c.G_vh(), &ModulusErrors::G_vh), shown("G_vh"));
-  io::add_item(to.items, "", with_error(choice, c.G_hh(), &ModulusErrors::G_hh), shown("G_hh"));
-  io::add_item(to.items, "", with_error(choice, c.bulk_modulus(), &ModulusErrors::bulk_modulus), shown("K"));
-  io::add_item(to.items, "", range_text(Dimension::dimensionless, z), shown("z*"));
+  io::add_item(to.items, "", with_error(choice, c.G_vh(), &ModulusErrors::G_vh), shown_as("G_vh"));
+  io::add_item(to.items, "", with_error(choice, c.G_hh(), &ModulusErrors::G_hh), shown_as("G_hh"));
+  io::add_item(to.items, "", with_error(choice, c.bulk_modulus(), &ModulusErrors::bulk_modulus),
+               shown_as("K"));
+  io::add_item(to.items, "", range_text(Dimension::dimensionless, z), shown_as("z*"));
   add_range(to.items, "mechanical_coordination_number", z);
   io::add_item(to.items, "advice", ladder.advice);
   return to;
@@ -180,14 +181,14 @@ Items ladder_choice(const Ladder& ladder) {
 io::Columns<RungAssessment> ladder_columns() {
   using Of = const RungAssessment&;
   io::Columns<RungAssessment> columns = {
-      {"", "rung", [](Of rung) { return *rung.rung->number; }, shown("", {}, -3)},
-      {"", "title", [](Of rung) { return rung.rung->title; }, shown("rung", {}, -48)},
+      {"", "rung", [](Of rung) { return *rung.rung->number; }, shown_as("", {}, -3)},
+      {"", "title", [](Of rung) { return rung.rung->title; }, shown_as("rung", {}, -48)},
       {"", "", [](Of rung) { return rung.stiffness ? std::optional(rung.stiffness->G_vh()) : std::nullopt; },
        io::ShownColumn{.heading = "G_vh", .width = 11, .absent = "-", .dimension = Dimension::pressure}},
       {"", "", [](Of rung) { return rung.largest_error() ? percent_text(*rung.largest_error()) : "-"; },
-       shown("error", {}, 8)},
+       shown_as("error", {}, 8)},
       {"", "typical_time", [](Of rung) { return rung.rung->typical_time; },
-       shown("time", Dimension::time, 8)},
+       shown_as("time", Dimension::time, 8)},
       {"", "error_source", &RungAssessment::error_source},
       {"", "missing", &RungAssessment::missing},
       {"", "verdict", [](Of rung) { return estimate::name(rung.verdict); }},

@@ -50,7 +50,7 @@ std::string place_text(const State& s) {
 }
 
 void add_line(Items& to, const char* label, std::string text, std::string meaning = "") {
-  io::ShownColumn look = shown(label);
+  io::ShownColumn look = shown_as(label);
   look.meaning = std::move(meaning);
   io::add_item(to.items, "", std::move(text), std::move(look));
 }
@@ -108,16 +108,16 @@ io::Columns<MeasuredRow> explained_columns() {
              const auto& z = of.alone->mechanical_coordination_number;
              return z ? with_error(*z, 3) : "none";
            },
-           shown("z* alone", {}, 14)}};
+           shown_as("z* alone", {}, 14)}};
 }
 
 Table measured_table(const std::string& key, const std::vector<MeasuredRow>& rows) {
   using Of = const MeasuredRow&;
   io::Columns<MeasuredRow> columns = {
-      {"", "quantity", [](Of of) { return of.row().key; }, shown("", {}, -7)},
+      {"", "quantity", [](Of of) { return of.row().key; }, shown_as("", {}, -7)},
       {"", "", [](Of of) { return quantity_text(of.row(), of.measured->value.value); },
-       shown("measured", {}, 10)},
-      {"", "", [](Of of) { return " +- " + error_in_percent(of.measured->value); }, shown("", {}, -9)}};
+       shown_as("measured", {}, 10)},
+      {"", "", [](Of of) { return " +- " + error_in_percent(of.measured->value); }, shown_as("", {}, -9)}};
   if (rows.front().alone != nullptr)
     for (io::Column<MeasuredRow>& column : explained_columns())
       columns.push_back(std::move(column));
@@ -128,14 +128,14 @@ Table measured_table(const std::string& key, const std::vector<MeasuredRow>& row
   columns.emplace_back(
       "", "",
       [](Of of) { return of.fitted != nullptr ? quantity_text(of.row(), of.fitted->value.value) : ""; },
-      several ? std::optional(shown("together", {}, 10)) : std::nullopt);
+      several ? std::optional(shown_as("together", {}, 10)) : std::nullopt);
   io::ShownColumn off{.heading = "off", .width = 5, .digits = 1, .fixed = true, .sign = true};
   columns.emplace_back(
       "", "deviation",
       [](Of of) { return of.fitted != nullptr ? std::optional(of.fitted->deviation) : std::nullopt; },
       several ? std::optional(off) : std::nullopt);
   columns.emplace_back(
-      "", "", [](Of of) { return "  " + place_text(of.measured->state); }, shown("  at", {}, -1));
+      "", "", [](Of of) { return "  " + place_text(of.measured->state); }, shown_as("  at", {}, -1));
   Table table = table_of(key, "", columns, rows);
   if (several)
     table.remark = "together: by the fit to all measurements; off: from it, in standard errors";
@@ -385,7 +385,7 @@ void add_contact_law(Document& to, const std::string& kind, const inverse::Impli
                io::ShownColumn{.heading = "b",
                                .digits = 3,
                                .meaning = "k_n ~ f^b at the mean contact force f of the first measurement"});
-  io::ShownColumn softness = shown_in_percent("k_n");
+  io::ShownColumn softness = shown_as_percent("k_n");
   softness.meaning = "of k_n by Hertz' law at this f";
   io::add_item(law.items, "softness", contacts.softness, softness);
   io::add_item(law.items, "correlation", contacts.correlation);

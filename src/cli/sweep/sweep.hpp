@@ -108,8 +108,6 @@ class Tally {
   std::map<std::string, Slips> slips_; ///< by input
 };
 
-using Notes = std::vector<std::pair<std::string, std::string>>;
-
 /// What any of the states asks for beyond the usual columns.
 struct AskedOfRows {
   bool both = false;     ///< answers for sand and spheres: the kind of grains is not given
@@ -118,23 +116,20 @@ struct AskedOfRows {
 [[nodiscard]] AskedOfRows asked_of(const InputValues& values);
 
 /// Collects states as the rows of a CSV file or of a JSON array.
-class SweepOutput {
+class SweptRows {
  public:
   /// \param    headings   of the first cells of each row
   /// \param    manner     of the table of the states
-  SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
-              const AskedOfRows& asked, io::CsvManner manner = {});
+  SweptRows(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
+            const AskedOfRows& asked, io::CsvManner manner = {});
 
   /// Headings of the cells after the first ones: answer, rungs, notes, error.
   [[nodiscard]] std::vector<std::string> result_headings() const;
   /// \param    cells   first cells of the row
   /// \param    place   first members of the object in JSON
   void add(std::vector<io::CsvCell> cells, nlohmann::ordered_json place, const SweptState& state);
-  /// \param    notes   above the headings, in addition to program, signs and rungs
-  [[nodiscard]] std::string csv(const Notes& notes, const std::vector<std::string>& remarks) const;
-  /// \param    head   members before the states
-  [[nodiscard]] nlohmann::ordered_json json(const nlohmann::ordered_json& head,
-                                            const std::vector<std::string>& remarks) const;
+  /// A document of the rungs, the states and the remarks.
+  [[nodiscard]] Document document(const std::vector<std::string>& remarks) &&;
 
  private:
   void add_sand_cells(std::vector<io::CsvCell>& cells, const SweptState& state) const;
@@ -142,18 +137,15 @@ class SweepOutput {
   const SweepOptions& options_;
   Rungs rungs_;
   io::Columns<estimate::Answer> columns_, sand_columns_; ///< the latter if the kind of grains is not given
-  std::vector<std::string> headings_;
   std::optional<std::size_t> shape_cell_; ///< of the kind of grains, if the table has its column
   io::CsvManner manner_;
-  std::string rows_;
-  nlohmann::ordered_json states_ = nlohmann::ordered_json::array();
+  Rows rows_;
 };
 
-/// Writes the result and its picture.
-/// \param    screen   text shown if the result is not written to a file; empty: the CSV itself
-[[nodiscard]] ExitCode deliver_sweep(const SweepOptions& options, const std::string& screen,
-                                     const std::string& csv, const nlohmann::ordered_json& json,
-                                     const Validity& validity, const std::vector<plot::Chart>& picture);
+/// Where the options ask for the result of a sweep.
+[[nodiscard]] Outlets outlets_of(const SweepOptions& options);
+/// Prints the document, and names the files that were written.
+[[nodiscard]] ExitCode deliver_sweep(const Outlets& to, const Document& document);
 
 /// The assumptions of the answers, and whether contacts grow or are constant.
 [[nodiscard]] std::vector<std::string> remarks_on(const SweepOptions& options,

@@ -6,7 +6,6 @@
 #include <granum/core/error.hpp>
 #include <granum/core/number.hpp>
 
-#include "cli/frame/help.hpp"
 #include "cli/frame/json_members.hpp"
 #include "cli/options/packing_json.hpp"
 #include "depth.hpp"
@@ -101,23 +100,29 @@ double void_ratio_of(const Layer& layer) {
   return state_of(layer.options.inputs, any).void_ratio;
 }
 
-/// "void ratio 0.7648", or a line for each layer.
-std::string layers_text(const std::vector<Layer>& layers, const AnswerCase& last) {
-  if (layers.size() == 1)
-    return fmt::format("Stiffness of level ground, void ratio {}: {}\n\n  ground    {}\n  at rest   {}\n\n",
-                       short_text(last.question.state.void_ratio), title_of(last.question.grain_shape),
-                       ground_text(layers.front().ground, 0), rest_text(layers.front().ground.ground));
-  std::string text = "Stiffness of level ground in layers, each from its top down\n\n";
-  for (const Layer& layer : layers)
-    text += fmt::format("  {:>5} m   e = {}, {}, {}\n", brief(layer.top, 4), short_text(void_ratio_of(layer)),
-                        ground_text(layer.ground, layer.top), rest_text(layer.ground.ground));
-  return text + "\n";
+std::string depth_title(const std::vector<Layer>& layers, const AnswerCase& last) {
+  if (layers.size() > 1)
+    return "Stiffness of level ground in layers, each from its top down";
+  return fmt::format("Stiffness of level ground, void ratio {}: {}",
+                     short_text(last.question.state.void_ratio), title_of(last.question.grain_shape));
 }
 
-/// Right-aligned in its column, with a leading blank if it fills a column other than the first.
-std::string cell(const std::string& text, int width, bool first) {
-  const std::string filled = fmt::format("{:>{}}", text, width);
-  return first || filled.starts_with(' ') ? filled : " " + filled;
+/// The ground, or a line for each layer.
+Items ground_lines(const std::vector<Layer>& layers) {
+  Items to;
+  const auto add = [&to](const std::string& label, const std::string& text) {
+    io::add_item(to.items, "", text, shown_as(label));
+  };
+  if (layers.size() == 1) {
+    add("ground", ground_text(layers.front().ground, 0));
+    add("at rest", rest_text(layers.front().ground.ground));
+    return to;
+  }
+  for (const Layer& layer : layers)
+    add(fmt::format("{:>5} m", brief(layer.top, 4)),
+        fmt::format("e = {}, {}, {}", short_text(void_ratio_of(layer)), ground_text(layer.ground, layer.top),
+                    rest_text(layer.ground.ground)));
+  return to;
 }
 
 /// "85.1 (36-133)".
@@ -126,73 +131,43 @@ std::string brief_range(const Range& range, double unit) {
                      brief(range.high / unit, 2));
 }
 
-/// A column of the screen: together they fill 80 columns.
-struct ShownDepth {
-  int width;
-  const char* heading;
-  const char* unit;
-  std::string (*text)(const DepthState& at);
-};
-
-template <class Of>
-std::string stress_text(const DepthState& at, const Of& of) {
-  return brief(of(at.point.stress) / 1e3, 4);
-}
-std::string field_cell(const DepthState& at, Field field, double unit) {
-  return brief_range(at.state.answer->answer[field], unit);
-}
-
-constexpr ShownDepth shown_columns[] = {
-    {5, "depth", "m", [](const DepthState& at) { return brief(at.point.depth, 4); }},
-    {6, "s_v", "kPa",
-     [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.total.v; }); }},
-    {6, "u", "kPa",
-     [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.pore_pressure; }); }},
-    {6, "s'_v", "kPa",
-     [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.effective.v; }); }},
-    {6, "s'_h", "kPa",
-     [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.effective.h; }); }},
-    {6, "p'", "kPa",
-     [](const DepthState& at) { return stress_text(at, [](const auto& s) { return s.effective.mean(); }); }},
-    {14, "G (low-high)", "MPa",
-     [](const DepthState& at) { return field_cell(at, Field::shear_modulus, 1e6); }},
-    {14, "V_s", "m/s", [](const DepthState& at) { return field_cell(at, Field::shear_wave_speed, 1); }},
-    {17, "V_p", "m/s",
-     [](const DepthState& at) { return field_cell(at, Field::compression_wave_speed, 1); }}};
-
-template <class Text>
-std::string line_of(const Text& text) {
-  std::string line;
-  for (const ShownDepth& column : shown_columns)
-    line += cell(text(column), column.width, line.empty());
-  return line + "\n";
+/// Stresses, and G, V_s and V_p with their ranges, for a screen of 80 columns; the first row has the units.
+Table depth_table(const std::vector<DepthState>& states) {
+  using Of = const DepthState&;
+  const auto stress = [](double (*of)(const stress::GroundStress&)) {
+    return [of](Of at) { return brief(of(at.point.stress) / 1e3, 4); };
+  };
+  const auto range = [](Field field, double unit) {
+    return [field, unit](Of at) { return brief_range(at.state.answer->answer[field], unit); };
+  };
+  const io::Columns<DepthState> columns = {
+      {"", "", [](Of at) { return brief(at.point.depth, 4); }, shown_as("depth", {}, 5)},
+      {"", "", stress([](const auto& s) { return s.total.v; }), shown_as("s_v", {}, 6)},
+      {"", "", stress([](const auto& s) { return s.pore_pressure; }), shown_as("u", {}, 6)},
+      {"", "", stress([](const auto& s) { return s.effective.v; }), shown_as("s'_v", {}, 6)},
+      {"", "", stress([](const auto& s) { return s.effective.h; }), shown_as("s'_h", {}, 6)},
+      {"", "", stress([](const auto& s) { return s.effective.mean(); }), shown_as("p'", {}, 6)},
+      {"", "", range(Field::shear_modulus, 1e6), shown_as("G (low-high)", {}, 14)},
+      {"", "", range(Field::shear_wave_speed, 1), shown_as("V_s", {}, 14)},
+      {"", "", range(Field::compression_wave_speed, 1), shown_as("V_p", {}, 17)}};
+  Table table = table_of("", "", columns, states);
+  Cells units;
+  for (const char* unit : {"m", "kPa", "kPa", "kPa", "kPa", "kPa", "MPa", "m/s", "m/s"})
+    units.emplace_back(unit);
+  table.rows.insert(table.rows.begin(), std::move(units));
+  return table;
 }
 
-/// Where the range at the last depth comes from.
-std::string range_lines(const AnswerCase& last, double depth) {
-  std::string text;
+/// What the columns are, and where the range at the last depth comes from.
+Prose depth_legend(const AnswerCase& last, double depth) {
+  Prose prose{{"s total stress, s' effective stress, p' its mean, u pore pressure; S_r degree of saturation, "
+               "K_0 = s'_h/s'_v at rest; (low-high): range of the answer; G in a vertical plane, V_s and V_p "
+               "of vertical waves"}};
   if (const std::string shares = shares_text(last.answer); !shares.empty())
-    text += fmt::format("\n  At {} m the range of G comes from: {}.\n", short_text(depth), shares);
+    prose.lines.push_back(fmt::format("At {} m the range of G comes from: {}.", short_text(depth), shares));
   if (const std::string remark = preparation_remark(last.question); !remark.empty())
-    text += "  " + remark + "\n";
-  return text;
-}
-
-std::string depth_table(const std::vector<Layer>& layers, const std::vector<DepthState>& states,
-                        const std::vector<std::string>& remarks) {
-  const AnswerCase& last = *states.back().state.answer;
-  std::string text = layers_text(layers, last);
-  text += line_of([](const ShownDepth& column) { return std::string(column.heading); });
-  text += line_of([](const ShownDepth& column) { return std::string(column.unit); });
-  for (const DepthState& at : states)
-    text += line_of([&](const ShownDepth& column) { return column.text(at); });
-  text += std::string("\n  s total stress, s' effective stress, p' its mean, u pore pressure; S_r degree\n"
-                      "  of saturation, K_0 = s'_h/s'_v at rest; (low-high): range of the answer; G in\n"
-                      "  a vertical plane, V_s and V_p of vertical waves\n") +
-          range_lines(last, states.back().point.depth) + "\n";
-  for (const std::string& remark : remarks)
-    text += "- " + remark + "\n";
-  return text;
+    prose.lines.push_back(remark);
+  return prose;
 }
 
 // ---- files
@@ -221,12 +196,12 @@ ordered_json ground_json(const std::vector<Layer>& layers) {
   return json;
 }
 
-SweepOutput output_of(const SweepOptions& o, const std::vector<DepthState>& states) {
+SweptRows rows_of(const SweepOptions& o, const std::vector<DepthState>& states) {
   const io::Columns<DepthPoint> columns = depth_columns(!o.ground.layers.empty());
   std::vector<std::string> headings;
   for (const io::Column<DepthPoint>& column : columns)
     headings.push_back(column.heading);
-  SweepOutput output(o, {}, headings, asked_of(o.inputs));
+  SweptRows output(o, {}, headings, asked_of(o.inputs));
   for (const DepthState& at : states) {
     std::vector<io::CsvCell> cells;
     io::add_cells(cells, columns, at.point);
@@ -374,8 +349,6 @@ std::vector<double> picture_depths(const std::vector<double>& asked, const std::
 
 std::vector<plot::Chart> picture_of(const SweepOptions& o, const std::vector<double>& depths,
                                     const std::vector<Layer>& layers) {
-  if (o.picture.empty())
-    return {};
   const std::vector<DepthState> states = states_at(layers, picture_depths(depths, layers));
   return {stress_panel(states), field_panel(o, states, Field::shear_modulus, "G [MPa]", 1e6),
           field_panel(o, states, Field::shear_wave_speed, "V_s [m/s]", 1),
@@ -396,21 +369,26 @@ Validity validity_of(const std::vector<Layer>& layers, const std::vector<DepthSt
 } // namespace
 
 ExitCode sweep_depth(const SweepOptions& o) {
-  require_free(o.output, o.picture);
+  Outlets to = outlets_of(o);
+  to.csv_on_screen = false;
+  to.full = true;
+  require_free(to);
   const std::vector<double> depths = depths_of(o);
   const std::vector<Layer> layers = layers_of(o);
   const std::vector<DepthState> states = states_at(layers, depths);
-  const std::vector<std::string> remarks = depth_remarks(layers, states);
   const DepthState& last = states.back();
-  const ordered_json packing =
-      packing_json(last.point.layer->options.inputs, last.state.answer->question.state);
-  const ordered_json ground = ground_json(layers);
-  const SweepOutput output = output_of(o, states);
-  return deliver_sweep(
-      o, within_width(depth_table(layers, states, remarks)),
-      output.csv({{"inputs", json_text(packing, -1)}, {"ground", json_text(ground, -1)}}, remarks),
-      output.json({{"inputs", packing}, {"ground", ground}}, remarks), validity_of(layers, states),
-      picture_of(o, depths, layers));
+  Document document = rows_of(o, states).document(depth_remarks(layers, states));
+  document.title = depth_title(layers, *last.state.answer);
+  document.add(Seen::always, ground_lines(layers));
+  document.add(Seen::always, depth_table(states));
+  document.add(Seen::always, depth_legend(*last.state.answer, last.point.depth));
+  document.add(Seen::data, Data{"inputs", packing_json(last.point.layer->options.inputs,
+                                                       last.state.answer->question.state)});
+  document.add(Seen::data, Data{"ground", ground_json(layers)});
+  document.warnings = validity_of(layers, states);
+  if (!to.picture.empty())
+    document.add(Seen::data, Picture{picture_of(o, depths, layers)});
+  return deliver_sweep(to, document);
 }
 
 } // namespace granum::cli

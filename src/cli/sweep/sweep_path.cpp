@@ -155,7 +155,8 @@ plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<
 } // namespace
 
 ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
-  require_free(o.output, o.picture);
+  const Outlets to = outlets_of(o);
+  require_free(to);
   const Path path = make_path(o);
   // An error of the packing occurs at the first, isotropic point too, and is reported once.
   const AnswerCase first = solve_answer(at_stress(o.inputs, path.points.front().stress), {});
@@ -165,7 +166,7 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
     headings.push_back(column.heading);
   for (const char* heading : {"e", "C_n", "a"})
     headings.emplace_back(heading);
-  SweepOutput output(o, rungs, headings, asked_of(o.inputs));
+  SweptRows output(o, rungs, headings, asked_of(o.inputs));
   std::vector<SweptState> states;
   Tally tally;
   for (const PathPoint& point : path.points) {
@@ -179,16 +180,15 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
     output.add(std::move(cells), members(columns, point), state);
     tally.count(state, fmt::format("state {}", states.size()));
   }
-  const std::vector<std::string> remarks = remarks_on(o, first.assumptions);
-  const ordered_json packing = packing_json(o.inputs, first.question.state);
-  Validity validity = tally.validity();
+  Document document = std::move(output).document(remarks_on(o, first.assumptions));
+  document.add(Seen::data, Data{"inputs", packing_json(o.inputs, first.question.state)});
+  document.add(Seen::data, Data{"path", path.text});
+  document.warnings = tally.validity();
   for (const Number* end : {&o.from, &o.to})
-    validity.merge(likely_mistakes(*end));
-  const ExitCode code =
-      deliver_sweep(o, "", output.csv({{"inputs", json_text(packing, -1)}, {"path", path.text}}, remarks),
-                    output.json({{"inputs", packing}, {"path", path.text}}, remarks), validity,
-                    {chart_of(o, path, states, rungs)});
-  return tally.conclude(code);
+    document.warnings.merge(likely_mistakes(*end));
+  if (!to.picture.empty())
+    document.add(Seen::data, Picture{{chart_of(o, path, states, rungs)}});
+  return tally.conclude(deliver_sweep(to, document));
 }
 
 } // namespace granum::cli

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
-#include <granum/core/version.hpp>
-#include <granum/io/output_file.hpp>
 
 #include "cli/frame/help.hpp"
 #include "cli/frame/messages.hpp"
@@ -175,19 +172,19 @@ AskedOfRows asked_of(const InputValues& values) {
   return {.both = !told_shape(values), .strained = values.given(Input::shear_strain)};
 }
 
-SweepOutput::SweepOutput(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
-                         const AskedOfRows& asked, io::CsvManner manner)
+SweptRows::SweptRows(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
+                     const AskedOfRows& asked, io::CsvManner manner)
     : options_(options), rungs_(std::move(rungs)),
       columns_(answer_columns(options.all_columns, asked.strained)),
       sand_columns_(asked.both ? answer_columns(options.all_columns, asked.strained, "sand_")
                                : io::Columns<estimate::Answer>{}),
-      headings_(std::move(headings)), manner_(manner) {
-  if (const auto found = std::find(headings_.begin(), headings_.end(), shape_heading);
-      found != headings_.end())
-    shape_cell_ = static_cast<std::size_t>(found - headings_.begin());
+      manner_(manner), rows_{.key = "states", .headings = std::move(headings)} {
+  if (const auto found = std::find(rows_.headings.begin(), rows_.headings.end(), shape_heading);
+      found != rows_.headings.end())
+    shape_cell_ = static_cast<std::size_t>(found - rows_.headings.begin());
 }
 
-std::vector<std::string> SweepOutput::result_headings() const {
+std::vector<std::string> SweptRows::result_headings() const {
   std::vector<std::string> all;
   for (const io::Column<estimate::Answer>& column : columns_)
     all.push_back(column.heading);
@@ -206,14 +203,14 @@ std::vector<std::string> SweepOutput::result_headings() const {
   return all;
 }
 
-void SweepOutput::add(std::vector<io::CsvCell> cells, ordered_json place, const SweptState& state) {
+void SweptRows::add(std::vector<io::CsvCell> cells, ordered_json place, const SweptState& state) {
   if (options_.output.json) {
     put_answer(place, state, options_.law_columns);
     for (std::size_t k = 0; k < rungs_.size(); ++k)
       place[rungs_[k]->column] = rung_json(state.rungs[k]);
     place["notes"] = remarks_of(state);
     place["error"] = state.error.empty() ? ordered_json() : ordered_json(state.error);
-    states_.push_back(std::move(place));
+    rows_.elements.push_back(std::move(place));
     return;
   }
   if (state.answer)
@@ -226,11 +223,11 @@ void SweepOutput::add(std::vector<io::CsvCell> cells, ordered_json place, const 
   cells.emplace_back(joined(remarks_of(state), "; "));
   cells.emplace_back(state.error);
   add_sand_cells(cells, state);
-  rows_ += io::csv_line(cells, manner_);
+  rows_.lines += io::csv_line(cells, manner_);
 }
 
 /// The kind of grains, the answer for a sand, and published laws.
-void SweepOutput::add_sand_cells(std::vector<io::CsvCell>& cells, const SweptState& state) const {
+void SweptRows::add_sand_cells(std::vector<io::CsvCell>& cells, const SweptState& state) const {
   const std::string shape(state.answer ? name(state.answer->question.grain_shape) : "");
   if (!shape_cell_)
     cells.emplace_back(shape);
@@ -250,45 +247,34 @@ void SweepOutput::add_sand_cells(std::vector<io::CsvCell>& cells, const SweptSta
   }
 }
 
-std::string SweepOutput::csv(const Notes& notes, const std::vector<std::string>& remarks) const {
-  io::CsvContent csv{.notes = {{"program", fmt::format("granum {} sweep", version())}},
-                     .headings = headings_,
-                     .rows = {},
-                     .manner = manner_};
-  csv.notes.insert(csv.notes.end(), notes.begin(), notes.end());
-  csv.notes.emplace_back("signs", "compression positive; z is the vertical axis v; q = sigma_v - sigma_h; "
-                                  "sigma_v, sigma_h and p are effective stresses");
-  csv.notes.emplace_back("exponents",
-                         "m of sigma_h and n of sigma_v in G_hv, s = m + n; in the answer the number of "
-                         "contacts grows with stress, in rungs it is constant and the exponents are local");
-  for (const Rung* rung : rungs_)
-    csv.notes.emplace_back(rung->column, rung->description);
-  for (const std::string& remark : remarks)
-    csv.notes.emplace_back("note", remark);
+Document SweptRows::document(const std::vector<std::string>& remarks) && {
+  Document to{.command = "sweep", .manner = manner_};
+  to.signs += "; q = sigma_v - sigma_h; sigma_v, sigma_h and p are effective stresses";
+  to.comments = {{"exponents",
+                  "m of sigma_h and n of sigma_v in G_hv, s = m + n; in the answer the number of contacts "
+                  "grows with stress, in rungs it is constant and the exponents are local"}};
+  Items descriptions{.key = "rungs"};
+  for (const Rung* rung : rungs_) {
+    to.comments.emplace_back(rung->column, rung->description);
+    io::add_item(descriptions.items, rung->column, rung->description);
+  }
+  if (!rungs_.empty())
+    to.add(Seen::data, std::move(descriptions));
   for (const std::string& heading : result_headings())
-    csv.headings.push_back(heading);
-  return io::csv_text(csv) + rows_;
+    rows_.headings.push_back(heading);
+  to.add(Seen::data, std::move(rows_));
+  to.add_notes(remarks);
+  return to;
 }
 
-ordered_json SweepOutput::json(const ordered_json& head, const std::vector<std::string>& remarks) const {
-  ordered_json json = json_head("sweep");
-  json.update(head);
-  for (const Rung* rung : rungs_)
-    json["rungs"][rung->column] = rung->description;
-  json["states"] = states_;
-  json["notes"] = remarks;
-  return json;
+Outlets outlets_of(const SweepOptions& o) {
+  return {.output = o.output, .picture = o.picture, .always_csv = true, .csv_on_screen = true};
 }
 
-ExitCode deliver_sweep(const SweepOptions& o, const std::string& screen, const std::string& csv,
-                       const ordered_json& json, const Validity& validity,
-                       const std::vector<plot::Chart>& picture) {
-  const bool shown = !screen.empty() && o.output.out.empty();
-  const ExitCode code = deliver(o.output, shown ? screen : csv, json, validity);
-  if (!o.picture.empty())
-    io::write_file(o.picture, plot::svg(picture), existing(o.output.force));
-  if (!o.output.out.empty()) // else the screen would be empty
-    print(fmt::format("written: {}{}\n", o.output.out, o.picture.empty() ? "" : ", " + o.picture));
+ExitCode deliver_sweep(const Outlets& to, const Document& document) {
+  const ExitCode code = deliver(to, document);
+  if (!to.output.out.empty()) // else the screen would be empty
+    print(fmt::format("written: {}{}\n", to.output.out, to.picture.empty() ? "" : ", " + to.picture));
   return code;
 }
 

@@ -75,10 +75,12 @@ class TableSweep {
       add(row);
   }
 
-  [[nodiscard]] std::string csv() const {
-    return output_.csv({{"inputs", json_text(inputs(), -1)}}, remarks());
+  [[nodiscard]] Document document() && {
+    Document to = std::move(output_).document(remarks());
+    to.add(Seen::data, Data{"inputs", {{"table", options_.table}, {"rows", table_.row_count()}}});
+    to.warnings = tally_.validity();
+    return to;
   }
-  [[nodiscard]] ordered_json json() const { return output_.json({{"inputs", inputs()}}, remarks()); }
   [[nodiscard]] const Tally& tally() const { return tally_; }
   [[nodiscard]] const std::vector<RowPoint>& points() const { return points_; }
 
@@ -174,10 +176,6 @@ class TableSweep {
     output_.add(std::move(cells), std::move(place), state);
   }
 
-  [[nodiscard]] ordered_json inputs() const {
-    return {{"table", options_.table}, {"rows", table_.row_count()}};
-  }
-
   [[nodiscard]] std::vector<std::string> remarks() const {
     std::vector<std::string> remarks = assumptions_.value_or(std::vector<std::string>());
     const std::vector<std::string> unread = reader_.unread();
@@ -192,7 +190,7 @@ class TableSweep {
   AnswerRows reader_;
   io::Columns<RowStress> stresses_; ///< if rows are depths
   io::Columns<SpeedRatio> speeds_;  ///< if V_s was measured
-  SweepOutput output_;
+  SweptRows output_;
   std::optional<std::vector<std::string>> assumptions_; ///< of the first row that is a packing
   std::vector<RowPoint> points_;
   Tally tally_;
@@ -256,10 +254,13 @@ plot::Chart chart_of(const std::vector<RowPoint>& points) {
 } // namespace
 
 ExitCode sweep_table(const SweepOptions& o, const Rungs& rungs) {
-  require_free(o.output, o.picture);
-  const TableSweep sweep(o, rungs);
-  return sweep.tally().conclude(
-      deliver_sweep(o, "", sweep.csv(), sweep.json(), sweep.tally().validity(), {chart_of(sweep.points())}));
+  const Outlets to = outlets_of(o);
+  require_free(to);
+  TableSweep sweep(o, rungs);
+  Document document = std::move(sweep).document();
+  if (!to.picture.empty())
+    document.add(Seen::data, Picture{{chart_of(sweep.points())}});
+  return sweep.tally().conclude(deliver_sweep(to, document));
 }
 
 } // namespace granum::cli
