@@ -281,7 +281,7 @@ Validity slips_of(const Options& o, const State& state) {
 }
 
 /// The lines below the answer on the first screen.
-Prose first_lines(const AnswerCase& c, std::size_t notes) {
+Prose first_lines(const AnswerCase& c) {
   Prose prose{{"in brackets: one standard deviation to each side, about 68 %; most of it from"}};
   const auto add_share = [&](const char* whose, const estimate::Answer& answer) {
     if (const std::string share = largest_share(answer, c.question); !share.empty())
@@ -294,7 +294,8 @@ Prose first_lines(const AnswerCase& c, std::size_t notes) {
     prose.lines.clear(); // all inputs are exact
   if (c.sand_answer)
     prose.lines.emplace_back("sand or beads? --grain-shape sand (or sphere) prints one of them");
-  prose.lines.push_back(fmt::format("--full: inputs, {} notes, published laws, every number", notes));
+  prose.lines.push_back(fmt::format("--full: inputs, {} notes, {}every number", c.assumptions.size(),
+                                    c.sands.empty() ? "" : "published laws, "));
   return prose;
 }
 
@@ -318,7 +319,7 @@ Document document_of(const Options& o, const AnswerCase& c) {
   Items notes{.key = "answer"};
   io::add_item(notes.items, "notes", c.assumptions);
   to.add(Seen::data, std::move(notes));
-  to.add(Seen::first, first_lines(c, c.assumptions.size()));
+  to.add(Seen::first, first_lines(c));
   to.add(Seen::full, measured_laws_table(c));
   to.add(Seen::full, strain_laws_table(c));
   const Validity of_forms = add_closed_forms(to, c, o.bounds ? Seen::always : Seen::data);

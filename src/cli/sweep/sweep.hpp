@@ -132,11 +132,9 @@ class SweptRows {
   [[nodiscard]] Document document(const std::vector<std::string>& remarks) &&;
 
  private:
-  void add_sand_cells(std::vector<io::CsvCell>& cells, const SweptState& state) const;
-
   const SweepOptions& options_;
   Rungs rungs_;
-  io::Columns<estimate::Answer> columns_, sand_columns_; ///< the latter if the kind of grains is not given
+  io::Columns<SweptState> columns_;
   std::optional<std::size_t> shape_cell_; ///< of the kind of grains, if the table has its column
   io::CsvManner manner_;
   Rows rows_;

@@ -6,6 +6,7 @@
 #include <granum/core/error.hpp>
 
 #include "cli/frame/help.hpp"
+#include "cli/frame/json_members.hpp"
 #include "cli/frame/messages.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "sweep.hpp"
@@ -17,6 +18,7 @@ namespace {
 using effective::Rung;
 using effective::RungAnswer;
 using effective::StressExponents;
+using estimate::Answer;
 using estimate::Field;
 using nlohmann::ordered_json;
 
@@ -95,13 +97,50 @@ void put_answer(ordered_json& place, const SweptState& state, bool laws) {
   place.update(members_of(at.sections));
 }
 
-ordered_json rung_json(const std::optional<RungAnswer>& answer) {
-  ordered_json json;
-  for (const SweptQuantity& quantity : quantities) {
-    const auto value = answer ? quantity.of(*answer) : std::nullopt;
-    json[quantity.name] = value ? ordered_json(*value) : ordered_json();
-  }
-  return json;
+const Answer* answer_in(const SweptState& state) { return state.answer ? &state.answer->answer : nullptr; }
+const Answer* sand_in(const SweptState& state) { return state.answer ? state.answer->of_sand() : nullptr; }
+std::string shape_of(const SweptState& state) {
+  return state.answer ? std::string(name(state.answer->question.grain_shape)) : "";
+}
+
+void add_rung_columns(io::Columns<SweptState>& to, const Rungs& rungs) {
+  for (std::size_t k = 0; k < rungs.size(); ++k)
+    for (const SweptQuantity& quantity : quantities)
+      to.emplace_back(heading(quantity, *rungs[k]), std::string(rungs[k]->column) + "/" + quantity.name,
+                      io::or_null([k, of = quantity.of](const SweptState& state) {
+                        return state.rungs[k] ? of(*state.rungs[k]) : std::nullopt;
+                      }));
+}
+
+void add_law_columns(io::Columns<SweptState>& to) {
+  for (std::size_t k = 0; k < sands::measured_laws().size(); ++k)
+    to.emplace_back(fmt::format("G_{}_Pa", sands::measured_laws()[k].key), "", [k](const SweptState& state) {
+      const auto* laws = state.answer ? &state.answer->sands : nullptr;
+      const bool any = laws != nullptr && k < laws->size() && (*laws)[k].modulus;
+      return any ? std::optional((*laws)[k].modulus->shear_modulus) : std::nullopt;
+    });
+}
+
+/// What follows the first cells of a row; in JSON besides the answer.
+io::Columns<SweptState> result_columns(const SweepOptions& o, const Rungs& rungs, const AskedOfRows& asked,
+                                       bool with_shape) {
+  using Of = const SweptState&;
+  io::Columns<SweptState> columns;
+  io::add_part(columns, answer_columns(o.all_columns, asked.strained), answer_in);
+  add_rung_columns(columns, rungs);
+  columns.emplace_back("notes", "", [](Of state) { return joined(remarks_of(state), "; "); });
+  columns.emplace_back("", "notes", remarks_of);
+  columns.emplace_back("error", "", &SweptState::error);
+  columns.emplace_back("", "error", [](Of state) {
+    return state.error.empty() ? io::Value(nullptr) : io::Value(state.error);
+  });
+  if (with_shape)
+    columns.emplace_back(shape_heading, "", shape_of);
+  if (asked.both)
+    io::add_part(columns, answer_columns(o.all_columns, asked.strained, "sand_"), sand_in);
+  if (o.law_columns)
+    add_law_columns(columns);
+  return columns;
 }
 
 } // namespace
@@ -175,76 +214,30 @@ AskedOfRows asked_of(const InputValues& values) {
 SweptRows::SweptRows(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
                      const AskedOfRows& asked, io::CsvManner manner)
     : options_(options), rungs_(std::move(rungs)),
-      columns_(answer_columns(options.all_columns, asked.strained)),
-      sand_columns_(asked.both ? answer_columns(options.all_columns, asked.strained, "sand_")
-                               : io::Columns<estimate::Answer>{}),
       manner_(manner), rows_{.key = "states", .headings = std::move(headings)} {
   if (const auto found = std::find(rows_.headings.begin(), rows_.headings.end(), shape_heading);
       found != rows_.headings.end())
     shape_cell_ = static_cast<std::size_t>(found - rows_.headings.begin());
+  columns_ = result_columns(options, rungs_, asked, !shape_cell_);
 }
 
 std::vector<std::string> SweptRows::result_headings() const {
-  std::vector<std::string> all;
-  for (const io::Column<estimate::Answer>& column : columns_)
-    all.push_back(column.heading);
-  for (const Rung* rung : rungs_)
-    for (const SweptQuantity& quantity : quantities)
-      all.push_back(heading(quantity, *rung));
-  all.emplace_back("notes");
-  all.emplace_back("error");
-  if (!shape_cell_)
-    all.emplace_back(shape_heading);
-  for (const io::Column<estimate::Answer>& column : sand_columns_)
-    all.push_back(column.heading);
-  if (options_.law_columns)
-    for (const sands::MeasuredLaw& law : sands::measured_laws())
-      all.push_back(fmt::format("G_{}_Pa", law.key));
-  return all;
+  io::CsvContent csv;
+  io::add_headings(csv, columns_);
+  return csv.headings;
 }
 
 void SweptRows::add(std::vector<io::CsvCell> cells, ordered_json place, const SweptState& state) {
   if (options_.output.json) {
     put_answer(place, state, options_.law_columns);
-    for (std::size_t k = 0; k < rungs_.size(); ++k)
-      place[rungs_[k]->column] = rung_json(state.rungs[k]);
-    place["notes"] = remarks_of(state);
-    place["error"] = state.error.empty() ? ordered_json() : ordered_json(state.error);
+    put_members(place, columns_, state);
     rows_.elements.push_back(std::move(place));
     return;
   }
-  if (state.answer)
-    io::add_cells(cells, columns_, state.answer->answer);
-  else
-    cells.insert(cells.end(), columns_.size(), nothing);
-  for (const std::optional<RungAnswer>& answer : state.rungs)
-    for (const SweptQuantity& quantity : quantities)
-      cells.emplace_back(answer ? quantity.of(*answer).value_or(nothing) : nothing);
-  cells.emplace_back(joined(remarks_of(state), "; "));
-  cells.emplace_back(state.error);
-  add_sand_cells(cells, state);
+  if (shape_cell_ && state.answer)
+    cells[*shape_cell_] = shape_of(state);
+  io::add_cells(cells, columns_, state);
   rows_.lines += io::csv_line(cells, manner_);
-}
-
-/// The kind of grains, the answer for a sand, and published laws.
-void SweptRows::add_sand_cells(std::vector<io::CsvCell>& cells, const SweptState& state) const {
-  const std::string shape(state.answer ? name(state.answer->question.grain_shape) : "");
-  if (!shape_cell_)
-    cells.emplace_back(shape);
-  else if (state.answer)
-    cells[*shape_cell_] = shape;
-  const estimate::Answer* of_sand = state.answer ? state.answer->of_sand() : nullptr;
-  if (of_sand != nullptr)
-    io::add_cells(cells, sand_columns_, *of_sand);
-  else
-    cells.insert(cells.end(), sand_columns_.size(), nothing);
-  if (!options_.law_columns)
-    return;
-  for (std::size_t k = 0; k < sands::measured_laws().size(); ++k) {
-    const auto* modulus =
-        state.answer && k < state.answer->sands.size() ? &state.answer->sands[k].modulus : nullptr;
-    cells.emplace_back(modulus != nullptr && *modulus ? (*modulus)->shear_modulus : nothing);
-  }
 }
 
 Document SweptRows::document(const std::vector<std::string>& remarks) && {
