@@ -35,8 +35,10 @@ Document example() {
   inputs.items.emplace_back("e", "", [](const io::Only&) { return io::Value(0.6); });
   to.add(Seen::full, std::move(inputs));
   const estimate::Range G{.value = 1e8, .low = 9e7, .high = 1.2e9};
-  to.add(Seen::full,
-         Ranges{.key = "sand", .title = "sand", .before = "sand_", .rows = {row("G", Seen::always, G)}});
+  to.add(Seen::full, Ranges{.key = "sand",
+                            .title = "sand",
+                            .before = "sand_",
+                            .rows = {row("K", Seen::full, G), row("G", Seen::always, G)}});
   to.add(Seen::full,
          Ranges{.key = "answer",
                 .title = "beads",

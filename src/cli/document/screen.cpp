@@ -50,30 +50,29 @@ std::vector<const Ranges*> answers_in(const Document& document) {
   return all;
 }
 
+/// "118 MPa (90.73 to 153.3 MPa)", or nothing where an answer does not have the number.
+std::string cell_of(const Ranges& answer, const RangeRow& row) {
+  const auto same = std::ranges::find(answer.rows, row.key, &RangeRow::key);
+  return same != answer.rows.end() && same->range ? range_text(row.dimension, *same->range) : "";
+}
+
 /// A line for each row that is always seen, and a column for each answer; for one answer also the meanings.
 std::string side_by_side(const std::vector<const Ranges*>& answers) {
   constexpr int wide = 35;
-  std::string text;
   if (answers.empty())
-    return text;
-  std::string head = fmt::format("  {:6}", "");
+    return "";
+  std::string head = fmt::format("  {:6}", ""), text;
   for (const Ranges* answer : answers)
     head += fmt::format("{:<{}}", answer->title, wide);
-  text += without_blanks_at_end(head);
-  for (std::size_t k = 0; k < answers.front()->rows.size(); ++k) {
-    const RangeRow& row = answers.front()->rows[k];
-    const bool any =
-        std::ranges::any_of(answers, [k](const Ranges* answer) { return answer->rows[k].range.has_value(); });
-    if (row.seen != Seen::always || !any)
-      continue;
-    std::string line = fmt::format("  {:<6}", row.symbol);
-    for (const Ranges* answer : answers) {
-      const std::optional<estimate::Range>& range = answer->rows[k].range;
-      line += fmt::format("{:<{}}", range ? range_text(row.dimension, *range) : "", wide);
-    }
-    text += without_blanks_at_end(line + (answers.size() == 1 ? row.meaning : ""));
+  for (const RangeRow& row : answers.front()->rows) {
+    std::string cells;
+    for (const Ranges* answer : answers)
+      cells += fmt::format("{:<{}}", cell_of(*answer, row), wide);
+    if (row.seen == Seen::always && cells.find_first_not_of(' ') != std::string::npos)
+      text += without_blanks_at_end(fmt::format("  {:<6}", row.symbol) + cells +
+                                    (answers.size() == 1 ? row.meaning : ""));
   }
-  return text;
+  return without_blanks_at_end(head) + text;
 }
 
 // ---- sections

@@ -89,9 +89,9 @@ void add_prediction_options(Command& command, InferOptions& o) {
       "Predicted",
       {{.name = "--growth",
         .value = std::move(growth),
-        .meaning =
-            "Change with stress. sand: G as in measured sands; packings: z* as in packings of spheres; "
-            "fixed: z* constant; fitted: from the measurements"},
+        .meaning = "How the stiffness changes with stress. sand: as measured on sands; packings: z* as in "
+                   "packings of "
+                   "spheres; fixed: constant z*; fitted: from the measurements"},
        {.name = "--contacts",
         .value = choice(contact_names(), o.contacts),
         .meaning = "Contact parameters inferred besides z*: given: none; rough: the roughness; power-law: "
