@@ -47,8 +47,14 @@ function readAnswer(granum, { numbers, notes }) {
   return { rows, shares, notes: notes.slice(shares.length) };
 }
 
-const answerOf = (granum, known) => readAnswer(granum, granum.call("answer", ...grainNumbersOf(known), known.voidRatio, known.anisotropy, ...stressesOf(known),
-  preparations.indexOf(known.preparation), known.z, known.density, known.saturation));
+/// A number that is as it was at the start is not given: granum assumes it, with the deviation of that.
+const isAssumed = (known, key) => known[key] === calculatorInputs[key][3] * calculatorInputs[key][0];
+const givenOr = (known, key) => (isAssumed(known, key) ? NaN : known[key]);
+function answerOf(granum, known) {
+  const [shape, , , ...grain] = grainNumbersOf(known);
+  return readAnswer(granum, granum.call("answer", shape, givenOr(known, "grainModulus"), givenOr(known, "poissonRatio"), ...grain, known.voidRatio, givenOr(known, "anisotropy"),
+    ...stressesOf(known), preparations.indexOf(known.preparation), known.z, givenOr(known, "density"), known.saturation));
+}
 
 /// Likely mistakes in unit or symbol, as reported by the program with the names of its options.
 function slipsOf(granum, known) {

@@ -9,6 +9,8 @@ class Granum {
     granum.compiled = compiled;
     granum.onFrame = onFrame;
     await granum.restart();
+    const assumed = granum.call("assumed_inputs");
+    assumedDeviations = Object.fromEntries(assumed.notes.map((name, k) => [name, assumed.numbers[k]]));
     contactLaws = granum.call("laws").notes.map((line) => {
       const [name, plural, ...numbers] = line.split("\t");
       return { name, plural, numbers: numbers.filter((_, k) => k % 2 === 0).map((key, k) => ({ key, value: Number(numbers[2 * k + 1]) })) };
@@ -129,6 +131,8 @@ const shearPoint = (numbers) => Object.fromEntries(shearNames.map((name, k) => [
 
 /// granum's table of contact laws: [{name, plural, numbers: [{key, value}]}]
 let contactLaws = [];
+/// Standard deviations of the inputs that granum assumes, by the names of its arguments.
+let assumedDeviations = {};
 const lawNamed = (name) => contactLaws.find((law) => law.name === name);
 /// Arguments of granum's functions for two grains; the numbers of a law are those of the table unless the grain has them.
 function grainNumbers(grain) {

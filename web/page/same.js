@@ -15,9 +15,16 @@ const stressesOf = (known) => {
 /// A name and a value for each given input.
 const keywords = (pairs, before, between) => pairs.filter(([, value]) => value !== undefined).map(([name, value]) => `${before}${name}${between}${value}`);
 
-function commandLineGrains(known) {
-  return [`--grain-shear-modulus ${inUnit(known.grainModulus, 1e9)}GPa`, `--grain-poisson-ratio ${known.poissonRatio}`, `--radius ${inUnit(known.radius, 1e-3)}mm`,
-    `--grain-density ${known.density}kg/m3`];
+/// Options of the grains, those of the keys that are given.
+function commandLineGrains(known, given = () => true) {
+  return Object.entries({ grainModulus: `--grain-shear-modulus ${inUnit(known.grainModulus, 1e9)}GPa`, poissonRatio: `--grain-poisson-ratio ${known.poissonRatio}`,
+    radius: `--radius ${inUnit(known.radius, 1e-3)}mm`, density: `--grain-density ${known.density}kg/m3` }).filter(([key]) => given(key)).map(([, option]) => option);
+}
+/// Inputs that granum assumes if they are not given, by its names, and the standard deviations of the assumptions.
+const assumedNames = { grainModulus: "grain_shear_modulus", poissonRatio: "grain_poisson_ratio", density: "grain_density" };
+function pythonUncertainty(known) {
+  const assumed = Object.entries(assumedNames).filter(([key]) => isAssumed(known, key)).map(([, name]) => `"${name}": ${literal(assumedDeviations[name])}`);
+  return assumed.length ? `{${assumed.join(", ")}}` : undefined;
 }
 const pythonLaw = (known) => `granum.sphere(shear_modulus=${literal(known.grainModulus)}, poisson_ratio=${literal(known.poissonRatio)}, radius=${literal(known.radius)})`;
 const cppState = (known, stresses) => [
@@ -33,7 +40,7 @@ const sameAnswer = {
   commandLine(known) {
     const [vertical, horizontal] = stressesOf(known).map((stress) => `${inUnit(stress, 1e3)}kPa`);
     const words = ["granum estimate", `--void-ratio ${known.voidRatio}`, ...(isotropic(known) ? [`--pressure ${vertical}`] : [`--stress-v ${vertical}`, `--stress-h ${horizontal}`]),
-      ...commandLineGrains(known), `--fabric ${known.anisotropy}`];
+      ...commandLineGrains(known, (key) => key === "radius" || !isAssumed(known, key)), ...(isAssumed(known, "anisotropy") ? [] : [`--fabric ${known.anisotropy}`])];
     if (known.saturation > 0) words.push(`--saturation ${known.saturation}`);
     if (known.preparation !== "unknown") words.push(`--preparation ${known.preparation}`);
     if (Number.isFinite(known.z)) words.push(`--mechanical-coordination-number ${known.z}`);
@@ -43,18 +50,21 @@ const sameAnswer = {
     const [vertical, horizontal] = stressesOf(known).map(literal);
     const given = keywords([["law", pythonLaw(known)], ["radius", literal(known.radius)], ["void_ratio", literal(known.voidRatio)],
       ...(isotropic(known) ? [["pressure", vertical]] : [["stress_v", vertical], ["stress_h", horizontal]]),
-      ["fabric_anisotropy", literal(known.anisotropy)], ["grain_density", literal(known.density)],
-      ["saturation", known.saturation > 0 ? literal(known.saturation) : undefined], ["preparation", known.preparation === "unknown" ? undefined : `"${known.preparation}"`],
+      ["fabric_anisotropy", isAssumed(known, "anisotropy") ? undefined : literal(known.anisotropy)], ["grain_density", literal(known.density)],
+      ["uncertainty", pythonUncertainty(known)], ["saturation", known.saturation > 0 ? literal(known.saturation) : undefined], ["preparation", known.preparation === "unknown" ? undefined : `"${known.preparation}"`],
       ["mechanical_coordination_number", Number.isFinite(known.z) ? literal(known.z) : undefined]], "    ", "=");
     return `import granum\n\npacking = granum.packing_answer(\n${given.join(",\n")})\nG = packing.shear_modulus\nprint(G.value, G.low, G.high)`;
   },
   cpp(known) {
-    const question = keywords([["state", "state"], ["preparation", known.preparation === "unknown" ? undefined : `{.kind = effective::Preparation::Kind::${known.preparation}}`],
-      ["grain_density", literal(known.density)],
-      ["saturation", known.saturation > 0 ? literal(known.saturation) : undefined]], ".", " = ");
-    return ["#include <cstdio>", "", "#include <granum/estimate/answer.hpp>", "", "int main() {", "  using namespace granum;", cppState(known, stressesOf(known)),
-      "  const estimate::Answer packing = estimate::answer(", `      {${question.join(",\n       ")}});`, "  const estimate::Range& G = packing[estimate::Field::shear_modulus];",
-      '  std::printf("%.17g %.17g %.17g\\n", G.value, G.low, G.high);', "}"].join("\n");
+    const [vertical, horizontal] = stressesOf(known).map(literal);
+    const given = keywords([["void_ratio", literal(known.voidRatio)], ...(isotropic(known) ? [["pressure", vertical]] : [["stress_v", vertical], ["stress_h", horizontal]]),
+      ...Object.entries({ ...assumedNames, anisotropy: "fabric" }).map(([key, name]) => [name, isAssumed(known, key) ? undefined : literal(known[key])]), ["radius", literal(known.radius)],
+      ["saturation", known.saturation > 0 ? literal(known.saturation) : undefined], ["preparation", known.preparation === "unknown" ? undefined : `"${known.preparation}"`],
+      ["mechanical_coordination_number", Number.isFinite(known.z) ? literal(known.z) : undefined]], "  known.give(Input::", ", ").map((line) => `${line});`);
+    return ["#include <cstdio>", "", "#include <granum/estimate/answer.hpp>", "#include <granum/estimate/input_values.hpp>", "", "int main() {", "  using namespace granum;",
+      "  using estimate::Input;", "  estimate::InputValues known;", ...given, "  known.give(Input::contact, \"sphere\");", "  known = completed(known);",
+      "  const estimate::Answer packing =", "      estimate::answer(question_of(known), uncertain_inputs(known, estimate::Deviations{}));",
+      "  const estimate::Range& G = packing[estimate::Field::shear_modulus];", '  std::printf("%.17g %.17g %.17g\\n", G.value, G.low, G.high);', "}"].join("\n");
   },
 };
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <granum/core/error.hpp>
@@ -33,6 +35,22 @@ void add(const estimate::Answer& answer) {
   }
   say(answer.validity());
   words() = names + words();
+}
+
+void add_answer(const estimate::InputValues& known) {
+  const estimate::InputValues values = completed(known);
+  std::vector<estimate::Spread> spreads; // a module that catches nothing cannot try smaller deviations
+  for (const estimate::UncertainInput& one : uncertain_inputs(values, estimate::Deviations{}))
+    spreads.push_back({.input = one.input,
+                       .assumed = one.assumed,
+                       .less = one.moved(-one.deviation),
+                       .more = one.moved(one.deviation)});
+  add(estimate::answer(question_of(values), spreads));
+}
+
+void give(estimate::InputValues& values, estimate::Input input, double number) {
+  if (!std::isnan(number))
+    values.give(input, number);
 }
 
 inverse::Quantity quantity_of(double place) {
@@ -97,21 +115,46 @@ GRANUM_EXPORT(answer_keys) void answer_keys() {
     web::words() += std::string(row.key) + "\n";
 }
 
-/// The answer for beads. NaN for the mechanical coordination number means not given; saturation is a share.
+/// The inputs that have a default with a deviation of their own, whatever the stress: their names as arguments, one
+/// line each; as numbers the deviations.
+GRANUM_EXPORT(assumed_inputs) void assumed_inputs() {
+  for (const estimate::InputRow& row : estimate::inputs())
+    if (row.deviation != nullptr && row.input != estimate::Input::fabric) {
+      web::words() += std::string(row.name()) + "\n";
+      web::numbers().push_back(row.deviation({}));
+    }
+}
+
+/// The answer for beads. NaN for what is not given: it has its default, with the deviation of that; saturation is a
+/// share.
 GRANUM_EXPORT(answer)
 void answer(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
             double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
             double preparation, double mechanical_coordination_number, double grain_density,
             double saturation) {
-  estimate::Question question{
-      .state = state_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number},
-                        void_ratio, anisotropy, stress_v, stress_h),
-      .preparation = preparation_of(preparation),
-      .grain_density = grain_density,
-      .saturation = saturation};
-  if (!std::isnan(mechanical_coordination_number))
-    question.state.mechanical_coordination_number = mechanical_coordination_number;
-  add(estimate::answer(question));
+  using estimate::Input;
+  estimate::InputValues known;
+  known.give(Input::contact, std::string(name(web::shape_of(shape))));
+  for (const estimate::InputRow& row : estimate::inputs())
+    if (row.law != nullptr && row.law->shape == known.contact) {
+      known.give(row.input, first_number);
+      first_number = second_number;
+    }
+  const std::pair<Input, double> numbers[] = {
+      {Input::grain_shear_modulus, shear_modulus},
+      {Input::grain_poisson_ratio, poisson_ratio},
+      {Input::radius, radius},
+      {Input::void_ratio, void_ratio},
+      {Input::fabric, anisotropy},
+      {Input::stress_v, stress_v},
+      {Input::stress_h, stress_h},
+      {Input::mechanical_coordination_number, mechanical_coordination_number},
+      {Input::grain_density, grain_density},
+      {Input::saturation, saturation}};
+  for (const auto& [input, number] : numbers)
+    web::give(known, input, number);
+  known.preparation = preparation_of(preparation);
+  web::add_answer(known);
 }
 
 /// Numbers of the calculator that are probably mistakes in unit or symbol, in the words of the program; NaN

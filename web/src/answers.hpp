@@ -6,6 +6,7 @@
 
 #include <granum/core/measured.hpp>
 #include <granum/estimate/answer.hpp>
+#include <granum/estimate/input_values.hpp>
 #include <granum/inverse/quantity.hpp>
 
 namespace granum::web {
@@ -20,6 +21,10 @@ void add(const Measured& number);
 /// Every row of estimate::fields(), as value, low and high; then the shares of the range of G. The words are
 /// the names of the shares, then the notes.
 void add(const estimate::Answer& answer);
+/// The same of what is known of a packing: values that are not given are assumed, with their deviations.
+void add_answer(const estimate::InputValues& known);
+/// Gives an input its number, unless that is NaN.
+void give(estimate::InputValues& values, estimate::Input input, double number);
 /// \param    place   index in inverse::quantities()
 /// \throws   InvalidArgument
 [[nodiscard]] inverse::Quantity quantity_of(double place);

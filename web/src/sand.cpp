@@ -34,16 +34,23 @@ std::optional<double> given(double number) {
   return std::isnan(number) ? std::nullopt : std::optional<double>(number);
 }
 
-/// \param    place   index in sands::known_sands(), or -1 for a sand without a name, with the numbers that
-///                   follow
-sands::Sand sand_of(double place, double uniformity, double least_void_ratio, double largest_void_ratio) {
+/// \param    place   index in sands::known_sands(), or -1 for a sand without a name: null
+/// \throws   InvalidArgument
+const sands::KnownSand* known_at(double place) {
   if (place == -1)
-    return {.uniformity = given(uniformity),
-            .least_void_ratio = given(least_void_ratio),
-            .largest_void_ratio = given(largest_void_ratio)};
+    return nullptr;
   if (!(place >= 0 && place < static_cast<double>(sands::known_sands().size())))
     throw InvalidArgument("sand", place, "", "an index in the table of sands, or -1");
-  return sands::sand_of(sands::known_sands()[static_cast<std::size_t>(place)]);
+  return &sands::known_sands()[static_cast<std::size_t>(place)];
+}
+
+/// \param    place   as known_at; without a name with the numbers that follow
+sands::Sand sand_of(double place, double uniformity, double least_void_ratio, double largest_void_ratio) {
+  if (const sands::KnownSand* const named = known_at(place))
+    return sands::sand_of(*named);
+  return {.uniformity = given(uniformity),
+          .least_void_ratio = given(least_void_ratio),
+          .largest_void_ratio = given(largest_void_ratio)};
 }
 
 contact::GrainMaterial quartz() { return contact::mineral("quartz").material; }
@@ -89,23 +96,24 @@ GRANUM_EXPORT(sand_answer)
 void sand_answer(double place, double uniformity, double least_void_ratio, double largest_void_ratio,
                  double void_ratio, double stress_v, double stress_h, double grain_density, double saturation,
                  double shear_strain) {
-  const estimate::Question question{.state = state_of(quartz(), void_ratio, stress_v, stress_h),
-                                    .grain_density = grain_density,
-                                    .saturation = saturation,
-                                    .grain_shape = estimate::GrainShape::sand,
-                                    .sand = sand_of(place, uniformity, least_void_ratio, largest_void_ratio),
-                                    .shear_strain = given(shear_strain)};
-  // The modulus of the mineral is assumed, with its deviation.
-  estimate::Spread modulus{
-      .input = "grain-shear-modulus", .assumed = true, .less = question, .more = question};
-  const double deviation = contact::mineral("quartz").modulus_spread * quartz().shear_modulus;
-  for (const auto& [moved, change] :
-       {std::pair{&modulus.less, -deviation}, std::pair{&modulus.more, deviation}}) {
-    contact::GrainMaterial grain = quartz();
-    grain.shear_modulus += change;
-    moved->state = state_of(grain, void_ratio, stress_v, stress_h);
-  }
-  web::add(estimate::answer(question, std::span<const estimate::Spread>(&modulus, 1)));
+  using estimate::Input;
+  estimate::InputValues known;
+  known.grain_shape = estimate::GrainShape::sand;
+  if (const sands::KnownSand* const named = known_at(place))
+    known.give(Input::sand, std::string(named->key));
+  else
+    for (const auto& [input, number] : {std::pair{Input::uniformity, uniformity},
+                                        {Input::least_void_ratio, least_void_ratio},
+                                        {Input::largest_void_ratio, largest_void_ratio}})
+      web::give(known, input, number);
+  for (const auto& [input, number] : {std::pair{Input::void_ratio, void_ratio},
+                                      {Input::stress_v, stress_v},
+                                      {Input::stress_h, stress_h},
+                                      {Input::grain_density, grain_density},
+                                      {Input::saturation, saturation},
+                                      {Input::shear_strain, shear_strain}})
+    web::give(known, input, number);
+  web::add_answer(known);
 }
 
 /// The keys of the published laws, one line each.

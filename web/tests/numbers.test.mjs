@@ -44,7 +44,8 @@ test("closed forms equal the native ones to 1e-12", async () => {
 
 /// What the calculator may be told: each adds to the first.
 const asked = [{}, { preparation: "dense" }, { preparation: "loose", saturation: 1 }, { z: 5.1 }, { voidRatio: 0.9 },
-  { stressRatio: 0.5, anisotropy: 0.15, preparation: "dense" }, { stressRatio: 1.7, anisotropy: -0.2, z: 4.8 }].map((change) => ({
+  { stressRatio: 0.5, anisotropy: 0.15, preparation: "dense" }, { stressRatio: 1.7, anisotropy: -0.2, z: 4.8 }, { grainModulus: 30e9, poissonRatio: 0.15, density: 2650 },
+  { stressRatio: 0.5, grainModulus: 30e9 }].map((change) => ({
   grains: "sphere", voidRatio: 0.62, pressure: 2.5e5, stressRatio: 1, anisotropy: 0, grainModulus: 26e9, poissonRatio: 0.22, radius: 3e-4, density: 2480, saturation: 0, z: NaN,
   preparation: "unknown", quantity: "V_s", value: 320, error: 0.02, otherPressure: 8e5, ...change }));
 const inferred = [{}, { quantity: "V_p", value: 560, error: 0.01 }, { quantity: "G", value: 1.7e8, error: 0.05, otherPressure: 5e4 }].map((change) => ({ ...asked[0], ...change }));
