@@ -97,8 +97,7 @@ struct Prose {
   std::vector<std::string> lines;
 };
 
-/// Rows that are printed as they come, because there may be millions: lines of a CSV file below its headings,
-/// or elements of an array in JSON.
+/// Rows printed as they come, because there may be millions: lines of CSV, or elements of an array in JSON.
 struct Rows {
   std::string key = {};
   std::vector<std::string> headings = {};
@@ -117,13 +116,10 @@ struct Section {
   std::variant<Items, Ranges, Table, Picture, Prose, Rows, Data> what;
 };
 
-/// An assumption or a remark: a sentence, and what it says as values where these are known.
+/// An assumption or a remark: a sentence, to which values may come.
 struct Note {
   std::string text;
   Seen seen = Seen::full;
-  std::string input = {}; ///< name of the option; empty for a remark
-  std::optional<double> value = {}, deviation = {};
-  std::string source = {}; ///< key of the bibliography
 };
 
 struct Document {
@@ -144,7 +140,7 @@ struct Document {
   }
   void add_notes(const std::vector<std::string>& texts, Seen seen = Seen::full) {
     for (const std::string& text : texts)
-      notes.push_back({.text = text, .seen = seen});
+      notes.push_back({text, seen});
   }
 };
 
@@ -179,10 +175,9 @@ struct Document {
 /// Data and notes as comments; then Rows, or the rows of the first table with headings, or else one row of
 /// all items with headings and all ranges.
 [[nodiscard]] std::string csv(const Document& document);
-/// Charts as one SVG file.
-/// \throws   InvalidArgument if there are none
+/// Charts as one SVG file. \throws InvalidArgument if there are none
 [[nodiscard]] std::string picture(const Document& document);
-/// A page of HTML: answer, picture, numbers, tables, notes, sources, warnings and the full screen.
+/// A page of HTML: answer, picture, tables, notes, sources, warnings and the full screen.
 [[nodiscard]] std::string page(const Document& document);
 
 /// Where a document is printed to.

@@ -156,6 +156,14 @@ ExitCode sweep_path(const SweepOptions& options, const Rungs& rungs);
 /// Sweeps the depths of the ground.
 ExitCode sweep_depth(const SweepOptions& options);
 
+/// The answer of a state, and that for a sand; null where there is none.
+[[nodiscard]] const estimate::Answer* answer_in(const SweptState& state);
+[[nodiscard]] const estimate::Answer* sand_in(const SweptState& state);
+
+/// A number of the answers with its range, where it exists.
+using AnswerOf = const estimate::Answer* (*)(const SweptState& state);
+[[nodiscard]] Band band_of(estimate::Field field, const std::vector<double>& at,
+                           const std::vector<const SweptState*>& states, AnswerOf answer_of);
 /// Adds the range of the published laws to the chart, with --laws.
 /// \param    at   the position of each state, as for add_band
 void add_law_band(plot::Chart& chart, const SweepOptions& options, const std::vector<double>& at,

@@ -198,10 +198,7 @@ ordered_json ground_json(const std::vector<Layer>& layers) {
 
 SweptRows rows_of(const SweepOptions& o, const std::vector<DepthState>& states) {
   const io::Columns<DepthPoint> columns = depth_columns(!o.ground.layers.empty());
-  std::vector<std::string> headings;
-  for (const io::Column<DepthPoint>& column : columns)
-    headings.push_back(column.heading);
-  SweptRows output(o, {}, headings, asked_of(o.inputs));
+  SweptRows output(o, {}, io::headings_of(columns), asked_of(o.inputs));
   for (const DepthState& at : states) {
     std::vector<io::CsvCell> cells;
     io::add_cells(cells, columns, at.point);
@@ -313,16 +310,15 @@ plot::Chart stress_panel(const std::vector<DepthState>& states) {
 plot::Chart field_panel(const SweepOptions& o, const std::vector<DepthState>& states, Field field,
                         const std::string& x, double unit) {
   plot::Chart chart = panel(estimate::row_of(field).meaning, x, unit);
-  Band band;
+  std::vector<double> depths;
   std::vector<const SweptState*> all;
   for (const DepthState& at : states) {
-    band.at.push_back(at.point.depth);
-    band.ranges.push_back(at.state.answer->answer[field]);
+    depths.push_back(at.point.depth);
     all.push_back(&at.state);
   }
   if (field == Field::shear_modulus)
-    add_law_band(chart, o, band.at, all, true);
-  add_band(chart, band, true);
+    add_law_band(chart, o, depths, all, true);
+  add_band(chart, band_of(field, depths, all, answer_in), true);
   return chart;
 }
 

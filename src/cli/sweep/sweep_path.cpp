@@ -109,35 +109,19 @@ plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<
     chart.x = {.title = "p' [kPa]", .scale = scale, .unit = 1e3};
   if (quantity.dimension == Dimension::pressure)
     chart.y = {.title = quantity.name + std::string(" [MPa]"), .scale = scale, .unit = 1e6};
-  const auto place = [&](std::size_t k) {
-    return path.isotropic ? path.points[k].stress.mean() : path.points[k].eta;
-  };
-  if (quantity.field == estimate::Field::shear_modulus) {
-    std::vector<double> places;
-    std::vector<const SweptState*> all;
-    for (std::size_t k = 0; k < states.size(); ++k) {
-      places.push_back(place(k));
-      all.push_back(&states[k]);
-    }
-    add_law_band(chart, o, places, all, false);
+  std::vector<double> places;
+  std::vector<const SweptState*> all;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    places.push_back(path.isotropic ? path.points[k].stress.mean() : path.points[k].eta);
+    all.push_back(&states[k]);
   }
-  Band band;
-  for (std::size_t k = 0; k < states.size(); ++k)
-    if (const auto* answer = states[k].answer ? &states[k].answer->answer : nullptr;
-        answer != nullptr && answer->find(quantity.field)) {
-      band.at.push_back(place(k));
-      band.ranges.push_back((*answer)[quantity.field]);
-    }
-  Band of_sand; // if the kind of grains is not given
-  for (std::size_t k = 0; k < states.size(); ++k)
-    if (const auto& sand = states[k].answer ? states[k].answer->sand_answer : std::nullopt;
-        sand && sand->find(quantity.field)) {
-      of_sand.at.push_back(place(k));
-      of_sand.ranges.push_back((*sand)[quantity.field]);
-    }
-  if (!of_sand.at.empty())
-    add_band(chart, of_sand, false, "sand", plot::Colour::measured);
-  add_band(chart, band, false, of_sand.at.empty() ? "answer" : "beads");
+  if (quantity.field == estimate::Field::shear_modulus)
+    add_law_band(chart, o, places, all, false);
+  const bool both = std::ranges::any_of(
+      states, [](const SweptState& state) { return state.answer && state.answer->sand_answer; });
+  if (both)
+    add_band(chart, band_of(quantity.field, places, all, sand_in), false, "sand", plot::Colour::measured);
+  add_band(chart, band_of(quantity.field, places, all, answer_in), false, both ? "beads" : "answer");
   for (std::size_t r = 0; r < rungs.size(); ++r) {
     if (rungs[r]->name == effective::RungName::relaxed) // the answer itself
       continue;
@@ -145,7 +129,7 @@ plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<
         .name = effective::label(*rungs[r]), .style = r, .colour = plot::Colour::uniform_strain};
     for (std::size_t k = 0; k < states.size(); ++k) {
       const auto& answer = states[k].rungs[r];
-      series.add(place(k), answer ? quantity.of(*answer).value_or(nothing) : nothing);
+      series.add(places[k], answer ? quantity.of(*answer).value_or(nothing) : nothing);
     }
     chart.series.push_back(std::move(series));
   }
@@ -161,9 +145,7 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
   // An error of the packing occurs at the first, isotropic point too, and is reported once.
   const AnswerCase first = solve_answer(at_stress(o.inputs, path.points.front().stress), {});
   const io::Columns<PathPoint> columns = point_columns();
-  std::vector<std::string> headings;
-  for (const io::Column<PathPoint>& column : columns)
-    headings.push_back(column.heading);
+  std::vector<std::string> headings = io::headings_of(columns);
   for (const char* heading : {"e", "C_n", "a"})
     headings.emplace_back(heading);
   SweptRows output(o, rungs, headings, asked_of(o.inputs));

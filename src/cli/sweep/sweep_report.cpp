@@ -97,8 +97,6 @@ void put_answer(ordered_json& place, const SweptState& state, bool laws) {
   place.update(members_of(at.sections));
 }
 
-const Answer* answer_in(const SweptState& state) { return state.answer ? &state.answer->answer : nullptr; }
-const Answer* sand_in(const SweptState& state) { return state.answer ? state.answer->of_sand() : nullptr; }
 std::string shape_of(const SweptState& state) {
   return state.answer ? std::string(name(state.answer->question.grain_shape)) : "";
 }
@@ -154,6 +152,9 @@ const SweptQuantity& swept_quantity(std::string_view name) {
     throw InvalidArgument(fmt::format("{} is not a quantity of a sweep", name));
   return *found;
 }
+
+const Answer* answer_in(const SweptState& state) { return state.answer ? &state.answer->answer : nullptr; }
+const Answer* sand_in(const SweptState& state) { return state.answer ? state.answer->of_sand() : nullptr; }
 
 SweptState swept(const InputValues& values, const Rungs& rungs) {
   try {
@@ -221,11 +222,7 @@ SweptRows::SweptRows(const SweepOptions& options, Rungs rungs, std::vector<std::
   columns_ = result_columns(options, rungs_, asked, !shape_cell_);
 }
 
-std::vector<std::string> SweptRows::result_headings() const {
-  io::CsvContent csv;
-  io::add_headings(csv, columns_);
-  return csv.headings;
-}
+std::vector<std::string> SweptRows::result_headings() const { return io::headings_of(columns_); }
 
 void SweptRows::add(std::vector<io::CsvCell> cells, ordered_json place, const SweptState& state) {
   if (options_.output.json) {
@@ -286,6 +283,15 @@ std::vector<std::string> remarks_on(const SweepOptions& o, std::vector<std::stri
   return assumptions;
 }
 
+Band band_of(Field field, const std::vector<double>& at, const std::vector<const SweptState*>& states,
+             AnswerOf answer_of) {
+  Band band;
+  for (std::size_t k = 0; k < states.size(); ++k)
+    if (const Answer* answer = answer_of(*states[k]); answer != nullptr && answer->find(field))
+      band.add(at[k], (*answer)[field]);
+  return band;
+}
+
 void add_law_band(plot::Chart& chart, const SweepOptions& o, const std::vector<double>& at,
                   const std::vector<const SweptState*>& states, bool sideways) {
   if (!o.law_columns)
@@ -299,10 +305,8 @@ void add_law_band(plot::Chart& chart, const SweepOptions& o, const std::vector<d
   }
   Band band;
   for (std::size_t k = 0; k < states.size(); ++k)
-    if (const auto range = states[k]->answer ? range_of_laws(*states[k]->answer, tested) : std::nullopt) {
-      band.at.push_back(at[k]);
-      band.ranges.push_back(*range);
-    }
+    if (const auto range = states[k]->answer ? range_of_laws(*states[k]->answer, tested) : std::nullopt)
+      band.add(at[k], *range);
   add_band(chart, band, sideways, "published laws", plot::Colour::power_law);
 }
 

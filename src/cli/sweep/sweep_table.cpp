@@ -64,10 +64,8 @@ class TableSweep {
         speeds_(reader_.has_speed() ? speed_columns() : io::Columns<SpeedRatio>{}),
         output_(options_of_rows(), rungs, leading_headings(), asked_of_rows(), table_.manner()) {
     std::vector<std::string> results = output_.result_headings();
-    for (const io::Column<RowStress>& column : stresses_)
-      results.push_back(column.heading);
-    for (const io::Column<SpeedRatio>& column : speeds_)
-      results.push_back(column.heading);
+    for (const std::vector<std::string>& more : {io::headings_of(stresses_), io::headings_of(speeds_)})
+      results.insert(results.end(), more.begin(), more.end());
     for (const std::string& heading : results)
       if (std::find(table_.headings().begin(), table_.headings().end(), heading) != table_.headings().end())
         throw FileError(options.table, 0, "already has a column '" + heading + "', the name of a result");
@@ -106,10 +104,8 @@ class TableSweep {
 
   [[nodiscard]] std::vector<std::string> leading_headings() const {
     std::vector<std::string> all = table_.headings();
-    for (const io::Column<RowStress>& column : stresses_)
-      all.push_back(column.heading);
-    for (const io::Column<SpeedRatio>& column : speeds_)
-      all.push_back(column.heading);
+    for (const std::vector<std::string>& more : {io::headings_of(stresses_), io::headings_of(speeds_)})
+      all.insert(all.end(), more.begin(), more.end());
     return all;
   }
 
@@ -159,7 +155,7 @@ class TableSweep {
           {.mean_stress = packing.mean_stress(),
            .void_ratio = packing.void_ratio,
            .shear_modulus = state.answer->answer[Field::shear_modulus],
-           .of_sand = state.answer->sand_answer ? (*state.answer->sand_answer).find(Field::shear_modulus)
+           .of_sand = state.answer->sand_answer ? state.answer->sand_answer->find(Field::shear_modulus)
                                                 : std::nullopt,
            .of_laws = options_.law_columns ? range_of_laws(*state.answer, laws_tested(*state.answer))
                                            : std::nullopt});

@@ -72,6 +72,14 @@ void add_headings(CsvContent& to, const Columns<Row>& columns) {
   }
 }
 
+/// The headings alone.
+template <class Row>
+[[nodiscard]] std::vector<std::string> headings_of(const Columns<Row>& columns) {
+  CsvContent csv;
+  add_headings(csv, columns);
+  return csv.headings;
+}
+
 /// Adds a value as a cell, or two where it has an error.
 /// \throws   InvalidArgument for several numbers, which are no cell
 void add_cell(std::vector<CsvCell>& to, const Value& value, bool has_error);
