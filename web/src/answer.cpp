@@ -115,7 +115,7 @@ GRANUM_EXPORT(answer_keys) void answer_keys() {
     web::words() += std::string(row.key) + "\n";
 }
 
-/// The inputs that have a default with a deviation of their own, whatever the stress: their names as arguments, one
+/// The inputs that have a default with a deviation, whatever the stress: their names as arguments, one
 /// line each; as numbers the deviations.
 GRANUM_EXPORT(assumed_inputs) void assumed_inputs() {
   for (const estimate::InputRow& row : estimate::inputs())
@@ -125,8 +125,8 @@ GRANUM_EXPORT(assumed_inputs) void assumed_inputs() {
     }
 }
 
-/// The answer for beads. NaN for what is not given: it has its default, with the deviation of that; saturation is a
-/// share.
+/// The answer for beads. NaN for what is not given: it has its default, with the deviation of that;
+/// saturation is a share.
 GRANUM_EXPORT(answer)
 void answer(double shape, double shear_modulus, double poisson_ratio, double radius, double first_number,
             double second_number, double void_ratio, double anisotropy, double stress_v, double stress_h,
