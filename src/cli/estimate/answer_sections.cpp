@@ -124,15 +124,14 @@ void add_basis(Document& to, const AnswerCase& c) {
     to.add(Seen::data, std::move(*items));
 }
 
-/// The grains that z* and k/k_H of the sand are of, if they are not those of the spheres.
-std::string sand_grains_remark(const AnswerCase& c) {
-  if (c.sand_grain_modulus == c.question.state.law.grain().shear_modulus ||
-      !c.sand_answer->find(Field::contact_softness))
-    return "";
-  return fmt::format(
-      "z* and k/k_H are for quartz grains of G_g = {}; the contact, R, G_g, nu_g and a above are "
-      "for the beads only",
-      pretty(c.sand_grain_modulus, Dimension::pressure));
+/// Which inputs are not for the sand, and the grains that its z* and k/k_H are of, if they are others.
+std::string sand_remark(const AnswerCase& c) {
+  const bool other_grains = c.sand_grain_modulus != c.question.state.law.grain().shear_modulus &&
+                            c.sand_answer->find(Field::contact_softness);
+  return "The contact, R, G_g, nu_g and a above are for the beads only" +
+         (other_grains ? fmt::format("; z* and k/k_H are for quartz grains of G_g = {}.",
+                                     pretty(c.sand_grain_modulus, Dimension::pressure))
+                       : ".");
 }
 
 } // namespace
@@ -171,7 +170,7 @@ std::string preparation_remark(const Question& q) {
 
 void add_answers(Document& to, const AnswerCase& c) {
   if (c.sand_answer)
-    add_one_answer(to, *c.sand_answer, c, "sand_answer", "sand_", sand_grains_remark(c));
+    add_one_answer(to, *c.sand_answer, c, "sand_answer", "sand_", sand_remark(c));
   else
     to.add(Seen::data, Ranges{.key = "sand_answer"});
   add_one_answer(to, c.answer, c, "answer", "", preparation_remark(c.question));
