@@ -135,10 +135,10 @@ void define_maker(py::module_& module, const contact::LawRow& row) {
       values.push_back(a.number(k++));
     return py::cast(row.make({shear_modulus, poisson_ratio}, radius, values));
   };
-  define(module, with_bulk_modulus(function(row.maker.c_str(), keywords,
-                                            {row.title, "NormalLaw", "For an impossible number.", row.source,
-                                             "contact::" + row.cpp_name, row.header},
-                                            make)));
+  define_of_solid(module, row.maker.c_str(), keywords,
+                  {row.title, "NormalLaw", "For an impossible number.", row.source,
+                   "contact::" + row.cpp_name, row.header},
+                  make);
 }
 
 /// The keywords of contact_law: those of all laws.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <deque>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -162,16 +161,16 @@ Keyword column(std::string name, std::string says) {
 }
 
 /// The text in indented lines.
-std::string indented(const std::string& text) {
-  constexpr std::size_t width = 112;
-  std::string out, line = "   ";
-  std::istringstream words(text);
-  for (std::string word; words >> word; line += " " + word)
-    if (line.size() + word.size() >= width) {
-      out += line + "\n";
-      line = "   ";
-    }
-  return out + line + "\n";
+std::string indented(std::string text) {
+  constexpr std::size_t width = 108;
+  for (std::size_t begin = 0; text.size() - begin > width;) {
+    const std::size_t end = text.rfind(' ', begin + width);
+    if (end == std::string::npos || end < begin) // a longer word
+      break;
+    text.replace(end, 1, "\n    ");
+    begin = end + 5;
+  }
+  return "    " + std::move(text) + "\n";
 }
 
 std::string entries(const std::vector<Keyword>& keywords) {

@@ -233,24 +233,21 @@ void bind_walton(py::module_& module) {
                         "The limit of norris_johnson without hydrostatic strain. An often reprinted C44 "
                         "differs from Walton's: it is not the average over the contacts. [Walton1987]",
                     *const header = "rock_physics/walton_uniaxial.hpp";
-  define(module, with_bulk_modulus(
-                     function("walton_uniaxial", strained_spheres({}),
-                              {"Stiffness of equal spheres after uniaxial compression (Walton 1987).",
-                               "Estimate", refused_numbers, remarks, "rock_physics::walton_uniaxial", header},
-                              [](const Arguments& a) {
-                                return stiffnesses(a, [](const double* x) {
-                                  return rock_physics::walton_uniaxial(walton_packing(x));
-                                });
-                              })));
-  define(module, with_bulk_modulus(
-                     function("walton_uniaxial_stress", strained_spheres({}),
-                              {"Stresses of a uniaxial compression (Walton 1987).", "AxialStress",
-                               refused_numbers, remarks, "rock_physics::walton_uniaxial_stress", header},
-                              [](const Arguments& a) {
-                                return stresses(a, [](const double* x) {
-                                  return rock_physics::walton_uniaxial_stress(walton_packing(x));
-                                });
-                              })));
+  define_of_solid(module, "walton_uniaxial", strained_spheres({}),
+                  {"Stiffness of equal spheres after uniaxial compression (Walton 1987).", "Estimate",
+                   refused_numbers, remarks, "rock_physics::walton_uniaxial", header},
+                  [](const Arguments& a) {
+                    return stiffnesses(
+                        a, [](const double* x) { return rock_physics::walton_uniaxial(walton_packing(x)); });
+                  });
+  define_of_solid(module, "walton_uniaxial_stress", strained_spheres({}),
+                  {"Stresses of a uniaxial compression (Walton 1987).", "AxialStress", refused_numbers,
+                   remarks, "rock_physics::walton_uniaxial_stress", header},
+                  [](const Arguments& a) {
+                    return stresses(a, [](const double* x) {
+                      return rock_physics::walton_uniaxial_stress(walton_packing(x));
+                    });
+                  });
 }
 
 void bind_norris_johnson(py::module_& module) {
@@ -264,28 +261,25 @@ void bind_norris_johnson(py::module_& module) {
                     *const header = "rock_physics/norris_johnson.hpp";
   const std::vector<Keyword> keywords = strained_spheres(
       {column("hydrostatic_strain", "e0 in all directions, in [0, 1), compression positive [1].")});
-  define(module, with_bulk_modulus(
-                     function("norris_johnson", keywords,
-                              {"Stiffness of equal spheres under a hydrostatic and a uniaxial strain.",
-                               "Estimate", refused_numbers, remarks, "rock_physics::norris_johnson", header},
-                              [](const Arguments& a) {
-                                return stiffnesses(a, [](const double* x) {
-                                  return rock_physics::norris_johnson(strained_packing(x));
-                                });
-                              })));
+  define_of_solid(module, "norris_johnson", keywords,
+                  {"Stiffness of equal spheres under a hydrostatic and a uniaxial strain.", "Estimate",
+                   refused_numbers, remarks, "rock_physics::norris_johnson", header},
+                  [](const Arguments& a) {
+                    return stiffnesses(
+                        a, [](const double* x) { return rock_physics::norris_johnson(strained_packing(x)); });
+                  });
   const std::size_t path_at = keywords.size();
-  define(module, with_bulk_modulus(function(
-                     "norris_johnson_stress",
-                     keywords + std::vector{required(
-                                    "path", "{\"hydrostatic_first\", \"uniaxial_first\", \"simultaneous\"}",
-                                    "Order of the two strains.")},
-                     {"Stresses of a packing at these strains, depending on their order.", "AxialStress",
-                      refused_numbers, remarks, "rock_physics::norris_johnson_stress", header},
-                     [path_at](const Arguments& a) {
-                       return stresses(a, [path = a.choice(path_at, paths)](const double* x) {
-                         return rock_physics::norris_johnson_stress(strained_packing(x), path);
-                       });
-                     })));
+  define_of_solid(
+      module, "norris_johnson_stress",
+      keywords + std::vector{required("path", "{\"hydrostatic_first\", \"uniaxial_first\", \"simultaneous\"}",
+                                      "Order of the two strains.")},
+      {"Stresses of a packing at these strains, depending on their order.", "AxialStress", refused_numbers,
+       remarks, "rock_physics::norris_johnson_stress", header},
+      [path_at](const Arguments& a) {
+        return stresses(a, [path = a.choice(path_at, paths)](const double* x) {
+          return rock_physics::norris_johnson_stress(strained_packing(x), path);
+        });
+      });
 }
 
 } // namespace

@@ -8,6 +8,7 @@ namespace granum::python {
 std::vector<Argument> columns_of(const Arguments& a) {
   std::vector<Argument> out;
   const std::vector<Keyword>& keywords = a.function().keywords;
+  out.reserve(keywords.size());
   for (std::size_t k = 0; k < keywords.size(); ++k) {
     const Keyword& keyword = keywords[k];
     if (!keyword.type.starts_with("array_like"))

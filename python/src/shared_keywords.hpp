@@ -33,6 +33,13 @@ namespace granum::python {
 /// to Poisson's ratio.
 [[nodiscard]] KeywordFunction with_bulk_modulus(KeywordFunction function, const std::string& prefix = "");
 
+/// Defines such a function.
+template <class Function>
+void define_of_solid(const py::object& scope, const char* name, std::vector<Keyword> keywords, Docstring text,
+                     const Function& of) {
+  define(scope, with_bulk_modulus(function(name, std::move(keywords), std::move(text), of)));
+}
+
 /// The keywords of both lists.
 [[nodiscard]] std::vector<Keyword> operator+(std::vector<Keyword> first, const std::vector<Keyword>& more);
 
