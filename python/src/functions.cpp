@@ -123,6 +123,15 @@ std::size_t place_of(const KeywordFunction& function, std::string_view name) {
   throw std::logic_error(std::string(function.name) + " has no " + std::string(name));
 }
 
+KeywordFunction indexed(KeywordFunction function) {
+  for (std::size_t k = 0; k < function.keywords.size(); ++k)
+    if (function.keywords[k].type.starts_with("array_like"))
+      function.columns.push_back(k);
+    else if (function.keywords[k].name == "strict")
+      function.strict = k;
+  return function;
+}
+
 Keyword Keyword::called(const char* name_in_library) const {
   Keyword out = *this;
   out.in_library = name_in_library;

@@ -136,7 +136,12 @@ struct KeywordFunction {
   std::string documentation;
   std::size_t positional = 0; ///< number of arguments that may be given without names
   Docstring text = {};        ///< with the entries of the keywords, where there is no documentation
+  std::vector<std::size_t> columns = {};  ///< places of the keywords that are array_like
+  std::optional<std::size_t> strict = {}; ///< the place of the flag
 };
+
+/// The function with its columns and its flag found.
+[[nodiscard]] KeywordFunction indexed(KeywordFunction function);
 
 /// \throws   std::logic_error for a name that the function has not
 [[nodiscard]] std::size_t place_of(const KeywordFunction& function, std::string_view name);
@@ -201,7 +206,7 @@ template <class Function>
     out.call = [of](const Arguments& a) { return py::object(of(a)); };
   else
     out.call = [of, type = decltype(std::function(of))()](const Arguments& a) { return called(of, a, type); };
-  return out;
+  return indexed(std::move(out));
 }
 
 /// Puts a function in the module, or a method in a class. Its signature can be inspected.

@@ -7,12 +7,9 @@ namespace granum::python {
 
 std::vector<Argument> columns_of(const Arguments& a) {
   std::vector<Argument> out;
-  const std::vector<Keyword>& keywords = a.function().keywords;
-  out.reserve(keywords.size());
-  for (std::size_t k = 0; k < keywords.size(); ++k) {
-    const Keyword& keyword = keywords[k];
-    if (!keyword.type.starts_with("array_like"))
-      continue;
+  out.reserve(a.function().columns.size());
+  for (const std::size_t k : a.function().columns) {
+    const Keyword& keyword = a.keyword(k);
     out.push_back({keyword.name.c_str(), keyword.number, keyword.in_library});
     if (a.given(k) || keyword.shown_default == nullptr)
       out.back().value = a[k];
@@ -20,13 +17,7 @@ std::vector<Argument> columns_of(const Arguments& a) {
   return out;
 }
 
-bool is_strict(const Arguments& a) {
-  const std::vector<Keyword>& keywords = a.function().keywords;
-  for (std::size_t k = 0; k < keywords.size(); ++k)
-    if (keywords[k].name == "strict")
-      return a.flag(k);
-  return true;
-}
+bool is_strict(const Arguments& a) { return !a.function().strict || a.flag(*a.function().strict); }
 
 InvalidArgument as_typed(const InvalidArgument& error, std::span<const Argument> arguments) {
   if (const auto& refused = error.refused())
