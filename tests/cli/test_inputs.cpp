@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rules of the table of inputs at the doors of the program: options and columns of tables.
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/core/number.hpp>
+#include <granum/estimate/answer.hpp>
+
+#include "cli/options/input_columns.hpp"
+#include "cli/options/input_options.hpp"
+
+namespace {
+
+using namespace granum;
+using namespace granum::cli;
+using estimate::InputRow;
+
+/// A door: gives an input its value, written as text in SI.
+using Door = void (*)(InputValues& values, const InputRow& row, const std::string& text);
+
+void by_option(InputValues& values, const InputRow& row, const std::string& text) {
+  const OptionRow option = input_option(values, row.input);
+  option.value.take(option.name, text + std::string(si_symbol(row.dimension)));
+}
+
+void by_column(InputValues& values, const InputRow& row, const std::string& text) {
+  const std::string unit(si_symbol(row.dimension));
+  const io::CsvTable table("rows.csv", row.key + (unit.empty() ? "" : "_" + unit) + "\n" + text + "\n");
+  const InputValues given = values;
+  InputColumns columns(table, given);
+  REQUIRE(columns.bind(row.input));
+  CHECK(columns.unread().empty());
+  values = columns.row(0);
+}
+
+constexpr Door doors[] = {&by_option, &by_column};
+
+/// Density and stress for an input, beside which nothing contradicts it.
+InputValues beside(const InputRow& row) {
+  InputValues values;
+  const bool density = row.input == Input::void_ratio || row.input == Input::porosity ||
+                       row.input == Input::solid_fraction || row.input == Input::relative_density;
+  const bool stress = row.input == Input::pressure || row.input == Input::stress_v;
+  if (!density)
+    values.give(Input::void_ratio, 0.6);
+  if (row.input == Input::k0)
+    values.give(Input::stress_v, 100e3);
+  else if (row.input == Input::stress_v)
+    values.give(Input::stress_h, 100e3);
+  else if (row.input == Input::stress_h)
+    values.give(Input::stress_v, 100e3);
+  else if (!stress)
+    values.give(Input::pressure, 100e3);
+  if (row.input == Input::grain_bulk_modulus)
+    values.give(Input::grain_shear_modulus, 30e9);
+  if (row.law != nullptr) {
+    values.contact = row.law->shape;
+    for (const InputRow& other : estimate::inputs())
+      if (other.law == row.law && other.input != row.input)
+        values.give(other.input, *other.by_default);
+  }
+  return values;
+}
+
+/// The refusal of a value; empty if it is answered.
+std::string refusal(Door door, const InputRow& row, const std::string& text) {
+  try {
+    InputValues values = beside(row);
+    door(values, row, text);
+    const InputValues all = completed(values);
+    (void)estimate::answer(question_of(all), uncertain_inputs(all, estimate::Deviations{}));
+    return "";
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+}
+
+std::vector<const InputRow*> numbers() {
+  std::vector<const InputRow*> all;
+  for (const InputRow& row : estimate::inputs())
+    if (row.kind == estimate::Kind::number)
+      all.push_back(&row);
+  return all;
+}
+
+} // namespace
+
+TEST_CASE("inputs at doors: a number beyond its limits has one refusal, by option and by column") {
+  for (const InputRow* const row : numbers()) {
+    CAPTURE(row->key);
+    for (const double beyond : {row->limits.low - 1, row->limits.high * 1.5 + 1}) {
+      if (!std::isfinite(beyond))
+        continue;
+      const std::string text = exact_text(beyond), of_option = refusal(by_option, *row, text),
+                        of_column = refusal(by_column, *row, text);
+      CAPTURE(of_option);
+      CHECK(!of_option.empty());
+      CHECK(of_option == of_column);
+    }
+  }
+}
+
+TEST_CASE("inputs at doors: a possible number makes one question, by option and by column") {
+  for (const InputRow* const row : numbers()) {
+    CAPTURE(row->key);
+    const bool limited = std::isfinite(row->limits.low) && std::isfinite(row->limits.high);
+    const double usual = row->by_default && *row->by_default > 0 ? *row->by_default
+                         : limited && row->limits.high < 10      ? 0.45 * (row->limits.low + row->limits.high)
+                                                                 : 5;
+    const double number = row->input == Input::void_ratio         ? 0.6
+                          : row->dimension == Dimension::pressure ? std::max(usual, 100e3)
+                          : row->dimension == Dimension::length   ? std::min(usual, 0.4e-3)
+                                                                  : usual;
+    std::vector<estimate::Question> questions;
+    for (const Door door : doors) {
+      InputValues values = beside(*row);
+      REQUIRE_NOTHROW(door(values, *row, exact_text(number)));
+      CHECK(values.told(row->input));
+      CHECK(values.number(row->input) == number);
+      questions.push_back(question_of(completed(values)));
+    }
+    CHECK(questions[0].state.law == questions[1].state.law);
+    CHECK(questions[0].state.void_ratio == questions[1].state.void_ratio);
+    CHECK(questions[0].state.stress_h == questions[1].state.stress_h);
+    CHECK(questions[0].sand == questions[1].sand);
+    CHECK(questions[0].grain_shape == questions[1].grain_shape);
+    if (row->read != nullptr) {
+      REQUIRE(row->read(questions[0]).has_value());
+      CHECK(*row->read(questions[0]) == *row->read(questions[1]));
+    }
+  }
+}
+
+TEST_CASE("inputs at doors: words are read alike, and refused alike with the words that there are") {
+  for (const InputRow& row : estimate::inputs()) {
+    if (row.kind != estimate::Kind::word)
+      continue;
+    CAPTURE(row.key);
+    for (const std::string& word : row.words) {
+      const std::string text = word.substr(0, word.find("NUMBER")) + (word.ends_with("NUMBER") ? "0.3" : "");
+      for (const Door door : doors) {
+        InputValues values;
+        REQUIRE_NOTHROW(door(values, row, text));
+        CHECK(values.told(row.input));
+      }
+    }
+    for (const Door door : doors) {
+      InputValues values;
+      CHECK_THROWS_AS(door(values, row, "nonsense"), InvalidArgument);
+    }
+  }
+}
+
+TEST_CASE("inputs at doors: an option and a column of one input contradict each other") {
+  for (const InputRow* const row : numbers()) {
+    CAPTURE(row->key);
+    InputValues values;
+    if (row->input == Input::uniformity)
+      by_option(values, *row, "2");
+    else
+      values.give(row->input, 1);
+    CHECK_THROWS_AS(by_column(values, *row, "1"), InvalidArgument);
+  }
+}
