@@ -7,8 +7,8 @@
 #include <granum/core/error.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/frame/long_work.hpp"
 #include "cli/frame/messages.hpp"
-#include "cli/frame/stop_signal.hpp"
 
 namespace {
 

@@ -14,11 +14,8 @@
 #include <granum/elastic/saturation.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 
-#include "contacts.hpp"
 #include "effective/relaxation_kernel.hpp"
-#include "possible.hpp"
-#include "ranges.hpp"
-#include "sand_answer.hpp"
+#include "parts.hpp"
 
 namespace granum::estimate {
 

@@ -10,7 +10,7 @@
 #include <granum/estimate/inputs.hpp>
 #include <granum/stress/axial_stress.hpp>
 
-#include "possible.hpp"
+#include "parts.hpp"
 
 namespace granum::estimate {
 

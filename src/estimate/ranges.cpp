@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ranges.hpp"
+#include "parts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sand_answer.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,10 +7,8 @@
 #include <granum/effective/slip.hpp>
 #include <granum/sands/strain.hpp>
 
-#include "contacts.hpp"
 #include "core/root.hpp"
-#include "possible.hpp"
-#include "ranges.hpp"
+#include "parts.hpp"
 
 namespace granum::estimate {
 

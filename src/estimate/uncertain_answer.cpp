@@ -6,7 +6,7 @@
 #include <granum/core/error.hpp>
 #include <granum/estimate/answer.hpp>
 
-#include "possible.hpp"
+#include "parts.hpp"
 
 namespace granum::estimate {
 

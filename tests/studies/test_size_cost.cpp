@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/plan/size_cost.hpp"
+#include "studies/plan/plan.hpp"
 
 #include <string>
 

@@ -13,7 +13,7 @@
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
-#include "cli/frame/stop_signal.hpp"
+#include "cli/frame/long_work.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"

@@ -8,7 +8,6 @@
 #include <granum/core/number.hpp>
 #include <granum/io/csv/table.hpp>
 
-#include "cli/options/column_names.hpp"
 #include "cli/options/input_columns.hpp"
 #include "fit.hpp"
 

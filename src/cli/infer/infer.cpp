@@ -10,7 +10,7 @@
 #include "cli/estimate/answer_sections.hpp"
 #include "cli/frame/help.hpp"
 #include "cli/frame/messages.hpp"
-#include "cli/options/column_names.hpp"
+#include "cli/options/input_columns.hpp"
 #include "cli/options/likely_mistakes.hpp"
 
 namespace granum::cli {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study_options.hpp"
 
-#include "studies/plan/size_cost.hpp"
+#include <fmt/core.h>
+
+#include <granum/io/output_file.hpp>
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
 #include "cli/frame/messages.hpp"
 #include "scene_file.hpp"
+#include "studies/plan/plan.hpp"
 
 namespace granum::cli {
 
@@ -86,6 +89,37 @@ studies::Scene resolve(const StudyOptions& options, studies::SceneCommand comman
   study.seeds = options.seeds.value_or(study.seeds);
   study.threads = options.threads.value_or(study.threads);
   return input.finished();
+}
+
+void add_strict(Command& command, bool& strict) {
+  command.add(output_group,
+              {{.name = "--strict",
+                .value = flag(strict),
+                .meaning = "Fail (exit code 1) if a result differs from the paper's by more than its goal; "
+                           "stop before the run (exit code 4) "
+                           "if a key of the scene is probably a mistake"}});
+}
+
+ExitCode judged(const std::vector<studies::Verdict>& verdicts, bool strict) {
+  ExitCode code = ExitCode::ok;
+  const auto fall_short = [&code](std::string_view kind, const studies::Verdict& verdict) {
+    say("error", fmt::format("{}: {}: {}", kind, verdict.claim, verdict.measured));
+    code = ExitCode::fell_short;
+  };
+  for (const studies::Verdict& verdict : studies::failed_checks(verdicts))
+    fall_short("a check failed", verdict);
+  if (strict)
+    for (const studies::Verdict& verdict : studies::differing_findings(verdicts))
+      fall_short("differs from the paper", verdict);
+  return code;
+}
+
+void write_panels(const std::filesystem::path& folder, const std::vector<studies::Panel>& panels) {
+  prepare_folder(folder, {}, true);
+  for (const studies::Panel& panel : panels)
+    for (const auto& [ending, text] :
+         {std::pair{".csv", studies::panel_csv(panel)}, {".svg", plot::svg(panel.chart)}})
+      io::write_file(folder / (panel.stem + ending), text, io::Existing::replace);
 }
 
 } // namespace granum::cli

@@ -2,16 +2,20 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "studies/scene/scene_keys.hpp"
 #include <granum/core/validity.hpp>
 #include <granum/io/output_file.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/frame/frame.hpp"
 #include "cli/frame/option_row.hpp"
+#include "studies/report/panel.hpp"
+#include "studies/scene/scene_keys.hpp"
+#include "studies/verify/findings.hpp"
 
 namespace granum::cli {
 
@@ -64,5 +68,17 @@ void say_cost_of_sizes(const studies::Scene& scene);
 /// \throws   FileError, InvalidArgument
 [[nodiscard]] studies::Scene resolve(const StudyOptions& options, studies::SceneCommand command,
                                      const studies::Scene& base = {});
+
+/// --strict of studies that compare with a paper.
+void add_strict(Command& command, bool& strict);
+
+/// Exit code of a finished study: fell_short if a check of granum failed or, under strict, if a result
+/// differs from the paper; else ok. Writes each reason to standard error.
+[[nodiscard]] ExitCode judged(const std::vector<studies::Verdict>& verdicts, bool strict);
+
+/// Numbers and picture of each panel; replaces those of an earlier run.
+/// \param    folder   created if missing
+/// \throws   FileError
+void write_panels(const std::filesystem::path& folder, const std::vector<studies::Panel>& panels);
 
 } // namespace granum::cli

@@ -16,12 +16,9 @@
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
 #include "cli/frame/json_members.hpp"
+#include "cli/frame/long_work.hpp"
 #include "cli/frame/messages.hpp"
-#include "cli/frame/progress.hpp"
-#include "cli/frame/stop_signal.hpp"
-#include "cli/options/judgement.hpp"
 #include "cli/options/likely_mistakes.hpp"
-#include "cli/options/panel_files.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/options/column_names.hpp"
 #include "cli/options/input_columns.hpp"
 #include "sweep.hpp"
 

@@ -15,9 +15,8 @@
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
+#include "cli/frame/long_work.hpp"
 #include "cli/frame/messages.hpp"
-#include "cli/frame/progress.hpp"
-#include "cli/frame/stop_signal.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/study_options.hpp"
 #include "trade_report.hpp"

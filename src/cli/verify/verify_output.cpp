@@ -13,9 +13,8 @@
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/json_members.hpp"
-#include "cli/options/judgement.hpp"
-#include "cli/options/panel_files.hpp"
 #include "cli/options/scene_file.hpp"
+#include "cli/options/study_options.hpp"
 
 namespace granum::cli {
 

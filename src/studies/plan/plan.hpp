@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "studies/scene/scene.hpp"
 
@@ -40,5 +41,10 @@ struct Plan {
 /// \throws   InvalidArgument for an impossible scene, or a speed that is not positive
 /// Checked by tests/studies/test_plan.cpp
 [[nodiscard]] Plan plan(const Scene& scene, double seconds_per_grain_step);
+
+/// Additional cost of the scene's grain sizes compared with equal ones, in a sentence or two; empty if the
+/// largest radius is 5 times the smallest, or less. As measured in bench/README.md.
+/// Checked by tests/studies/test_size_cost.cpp
+[[nodiscard]] std::string cost_of_sizes(const Scene& scene);
 
 } // namespace granum::studies
