@@ -97,7 +97,7 @@ std::vector<double> drawn_sizes(const SpecimenRecipe& recipe) {
 
 void require_valid(const SpecimenRecipe& recipe) {
   dem::require_valid(recipe.material);
-  require_positive("radius", recipe.radius, "m");
+  require_closed("radius", recipe.radius, 1e-9, 1e3, "m"); // its fifth power must fit into a double
   const std::size_t least = least_grains(recipe.sizes);
   if (recipe.grains < least || recipe.grains > 10'000'000)
     throw InvalidArgument(

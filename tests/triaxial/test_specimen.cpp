@@ -142,6 +142,8 @@ TEST_CASE("impossible recipes are refused by name") {
   refused([](SpecimenRecipe& r) { r.grains = 0; });
   refused([](SpecimenRecipe& r) { r.grains = 1; });
   refused([](SpecimenRecipe& r) { r.radius = -1; });
+  refused([](SpecimenRecipe& r) { r.radius = 1e300; });
+  refused([](SpecimenRecipe& r) { r.radius = 1e-300; });
   refused([](SpecimenRecipe& r) {
     r.sizes = sizes::parse_distribution("bidisperse:20:0.5");
     r.grains = least_grains(r.sizes) - 1;
