@@ -125,7 +125,7 @@ LawRow rough() {
   row.parameters = {{.key = "roughness",
                      .name = "roughness",
                      .symbol = "u0",
-                     .help = "about 0.4 of the rms height of both surfaces together; 0 is smooth",
+                     .help = "0.4 times the combined rms height of the two surfaces; 0 is smooth",
                      .dimension = Dimension::length,
                      .value = 20e-9,
                      .low = 0,

@@ -336,8 +336,7 @@ std::vector<InputRow> text_rows() {
       {.input = Input::sand,
        .key = "sand",
        .group = grains_group,
-       .meaning = "Sand by name: sets --grain, d50, C_u for laws measured on sands, and e_min and e_max, "
-                  "as far as published",
+       .meaning = "A known sand: its mineral, d50, C_u, e_min and e_max, where they are published",
        .kind = Kind::word,
        .implies = GrainShape::sand,
        .words = keys_of(sands::known_sands()),
