@@ -41,13 +41,13 @@ Value word_value(InputValues& values, const InputRow& row) {
   if (row.aliases.empty())
     return read_by(take, row.words);
   OtherWords others;
-  for (const auto& [other, word] : row.aliases) {
+  for (const estimate::WordAlias& alias : row.aliases) {
     const auto known =
-        std::find_if(others.begin(), others.end(), [&](const auto& of) { return of.first == other; });
+        std::find_if(others.begin(), others.end(), [&](const auto& of) { return of.first == alias.other; });
     if (known != others.end())
-      known->second += " or " + word;
+      known->second += " or " + alias.word;
     else
-      others.emplace_back(other, word);
+      others.emplace_back(alias.other, alias.word);
   }
   return choice(row.words, take, others);
 }
