@@ -66,7 +66,7 @@ endif()
 
 # files, screen, pictures
 analyse(text ${files} --out "${FOLDER}/out" --paraview)
-if(NOT text MATCHES "dense: 3 states\nG ~ p\\^s .*rung 4, network +0\\.333[34]\\+-.*loose: 3 states")
+if(NOT text MATCHES "dense: 3 states\n +G ~ p\\^s .*rung 4, network +0\\.333[34]\\+-.*loose: 3 states")
   message(FATAL_ERROR "the screen lacks the exponents of a series:\n${text}")
 endif()
 file(STRINGS "${FOLDER}/out/frames.csv" rows REGEX "^[^#]")

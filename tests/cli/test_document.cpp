@@ -125,5 +125,9 @@ TEST_CASE("document: a picture is asked for where there is one") {
   CHECK_THROWS_AS((void)picture(document), InvalidArgument);
   document.add(Seen::data, Picture{{{.title = "a chart"}}, "what it shows"});
   CHECK(has(picture(document), "a chart"));
-  CHECK(has(page(document), "what it shows"));
+  document.sentences = {"the answer in words"};
+  document.add(Seen::data, Picture{{}, "another", "<svg>drawn</svg>", {"rose.csv"}});
+  const std::string text = page(document);
+  for (const char* part : {"what it shows", "the answer in words", "another", "<svg>drawn</svg>", "rose.csv"})
+    CHECK(has(text, part));
 }

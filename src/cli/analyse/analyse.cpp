@@ -186,13 +186,15 @@ ExitCode run(const AnalyseOptions& o) {
   AnalyseAnswer answer = answer_all(o);
   take_code_stress(o.stress, answer.frames);
   take_probes(o.probes, answer.frames);
-  std::string table = o.json && o.out.empty() ? "" : within_width(analyse_table(answer));
+  Document document = analysed(answer);
+  document.warnings = warnings_of(answer);
+  std::string text = o.json && o.out.empty() ? "" : screen(document, true);
   if (!o.out.empty()) {
-    write_analysis(o.out, answer, table, existing(o.force));
-    table += within_width("\nreport.html, CSV, JSON and pictures in " + o.out + "\n");
+    write_analysis(o.out, answer, document, existing(o.force));
+    text += within_width("\nreport.html, CSV, JSON and pictures in " + o.out + "\n");
   }
   const OutputOptions to_screen{.json = o.json, .strict = o.strict, .force = false, .out = {}};
-  const ExitCode code = deliver(to_screen, table, analyse_json(answer), warnings_of(answer));
+  const ExitCode code = deliver(to_screen, text, json(document), document.warnings);
   const ExitCode of_networks = code_of_networks(answer.frames);
   return code == ExitCode::ok ? of_networks : code;
 }

@@ -12,7 +12,8 @@
 #include <granum/io/csv/columns.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/io/packing_files.hpp>
-#include <nlohmann/json.hpp>
+
+#include "cli/document/document.hpp"
 
 /// Results of granum analyse, and their text.
 namespace granum::cli {
@@ -33,18 +34,34 @@ struct AnalyseAnswer {
   std::optional<studies::ForceChains> chains = std::nullopt; ///< of the last frame, if files are written
 };
 
-[[nodiscard]] nlohmann::ordered_json analyse_json(const AnalyseAnswer& answer);
-[[nodiscard]] std::string analyse_table(const AnalyseAnswer& answer);
+/// Everything that was measured: the last frame, or two of them, with all values, and a line for each frame;
+/// charts of the last one.
+[[nodiscard]] Document analysed(const AnalyseAnswer& answer);
+
+// ---- charts (analyse_charts.cpp)
+
+/// Directions of contacts of a frame with a fabric, as a rose diagram with E(gamma; a).
+[[nodiscard]] plot::Chart rose_chart(const FrameAnswer& frame);
+/// Distribution of the normal forces of a frame with forces.
+[[nodiscard]] plot::Chart force_chart(const FrameAnswer& frame);
+/// G of each rung with its stated error, compared with that of the network.
+[[nodiscard]] plot::Chart rung_chart(const FrameAnswer& frame);
+/// G and K over p with both axes logarithmic, then z*, C_n and e over p, with points for each series of the
+/// answer. Empty unless the mean stress varies by a tenth.
+[[nodiscard]] std::vector<Picture> state_pictures(const AnalyseAnswer& answer);
+/// The rung whose G these show: the network, else rung 3.
+[[nodiscard]] const RungSeries* shown_rung(const StateSeries& series);
+/// "336 MPa".
+[[nodiscard]] std::string megapascal(double pascal);
 
 /// Names of the files that write_analysis writes.
 inline constexpr const char* analysis_files[] = {"frames.csv",  "stiffness.csv", "rose.csv",   "forces.csv",
                                                  "rose.svg",    "forces.svg",    "chains.svg", "states.svg",
                                                  "report.html", "analysis.json"};
 /// Writes tables of all frames, and a report and pictures of the last one.
-/// \param    table   text of the terminal
 /// \throws   FileError if a file cannot be written, or exists and is to be kept
 void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer,
-                    const std::string& table, io::Existing existing);
+                    const Document& document, io::Existing existing);
 
 /// Whether a note of a reader reports missing data, as opposed to a problem in the data.
 [[nodiscard]] bool says_what_is_missing(io::Finding finding);

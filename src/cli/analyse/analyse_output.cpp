@@ -9,7 +9,6 @@
 #include <granum/plot/chart.hpp>
 
 #include "analyse_fields.hpp"
-#include "analyse_page.hpp"
 #include "cli/frame/frame.hpp"
 
 namespace granum::cli {
@@ -112,7 +111,7 @@ std::string stiffness_csv(const AnalyseAnswer& answer) {
 } // namespace
 
 void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer,
-                    const std::string& table, io::Existing existing) {
+                    const Document& document, io::Existing existing) {
   std::vector<std::pair<const char*, std::string>> files; // all composed before the first is written
   const auto add = [&](const char* name, std::string text) { files.emplace_back(name, std::move(text)); };
   const FrameAnswer& last = answer.frames.back();
@@ -131,12 +130,12 @@ void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& an
   if (answer.chains)
     add("chains.svg", answer.chains->svg);
   std::vector<plot::Chart> states;
-  for (SeriesPicture& picture : series_pictures(answer))
-    states.push_back(std::move(picture.chart));
+  for (Picture& picture : state_pictures(answer))
+    states.push_back(std::move(picture.charts.front()));
   if (!states.empty())
     add("states.svg", plot::svg(states, 3));
-  add("report.html", analyse_page(answer, table));
-  add("analysis.json", json_text(analyse_json(answer)));
+  add("report.html", page(document));
+  add("analysis.json", json_text(json(document)));
   for (const auto& [name, text] : files)
     io::write_file(folder / name, text, existing);
 }

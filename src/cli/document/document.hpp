@@ -15,8 +15,7 @@
 
 #include "cli/frame/frame.hpp"
 
-/// The result of a command as values in sections. Screen, JSON, CSV, picture and page are printed from it by
-/// one printer each; a command does not know how they look.
+/// The result of a command as values in sections; each printer below knows how one form of it looks.
 /// Checked by tests/cli/test_document.cpp
 namespace granum::cli {
 
@@ -86,10 +85,11 @@ template <class Row>
   return table;
 }
 
-/// Charts side by side, with what is to be said of them.
+/// Charts side by side, with what is to be said of them; the first is beside the answer of a page.
 struct Picture {
   std::vector<plot::Chart> charts;
-  std::string caption = {};
+  std::string caption = {}, drawn = {}; ///< `drawn`: SVG of no chart
+  std::vector<std::string> files = {};  ///< beside the page, that have its numbers
 };
 
 /// Lines for people, which files do not have.
@@ -123,14 +123,14 @@ struct Note {
 };
 
 struct Document {
-  std::string command = {};  ///< "estimate"
-  std::string title = {};    ///< first line of a screen
-  std::string question = {}; ///< first line of a page
+  std::string command = {};                ///< "estimate"
+  std::string title = {};                  ///< first line of a screen
+  std::string question = {};               ///< first line of a page
+  std::vector<std::string> sentences = {}; ///< the answer in words, below that
   std::vector<Section> sections = {};
   std::vector<Note> notes = {};
   Validity warnings = {};
-  // of the CSV file
-  io::CsvManner manner = {};
+  io::CsvManner manner = {}; ///< of the CSV file, as what follows
   std::string signs = "compression positive; z is the vertical axis v";
   std::vector<std::pair<std::string, std::string>> comments = {}; ///< on its columns
 

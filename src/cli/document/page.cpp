@@ -105,16 +105,20 @@ std::string html_of(const Data& /*data*/) { return ""; }
 } // namespace
 
 std::string page(const Document& document) {
-  std::vector<std::string> sentences, notes;
-  plot::PageFigure figure;
-  std::string numbers;
+  std::vector<std::string> sentences = document.sentences, notes;
+  std::vector<plot::PageFigure> figures;
+  std::string numbers, pictures;
   for (const Section& section : document.sections) {
     if (const auto* ranges = std::get_if<Ranges>(&section.what); ranges != nullptr && !ranges->rows.empty())
       sentences.push_back(sentence_of(*ranges));
     if (const auto* of = std::get_if<Picture>(&section.what)) {
-      figure.caption = of->caption;
+      plot::PageFigure& figure = figures.emplace_back(plot::PageFigure{.caption = of->caption});
       for (const plot::Chart& chart : of->charts)
         figure.pictures.push_back({.svg = plot::svg_in_page(chart)});
+      if (!of->drawn.empty())
+        figure.pictures.push_back({.svg = of->drawn});
+      for (const std::string& file : of->files)
+        figure.files.push_back({file, file});
     }
     if (section.seen == Seen::always || section.seen == Seen::full)
       numbers += std::visit([](const auto& what) { return html_of(what); }, section.what);
@@ -122,12 +126,18 @@ std::string page(const Document& document) {
   for (const Note& note : document.notes)
     if (note.seen != Seen::data)
       notes.push_back(note.text);
+  if (figures.empty())
+    figures.emplace_back();
+  for (std::size_t k = 1; k < figures.size(); ++k)
+    pictures += plot::html_figure(figures[k]);
+  if (!pictures.empty())
+    pictures = plot::html_section("pictures", "Pictures", plot::html_element("div", pictures, "trio"));
   const std::string text = screen(document, true);
-  std::string body =
-      plot::html_first_screen(document.question, sentences, figure) +
-      plot::html_section("numbers", "Every number", numbers) +
-      plot::html_section("assumptions", "Assumptions and sources", plot::html_list(notes)) +
-      plot::html_section("sources", "Sources", plot::html_list(sources_in(text + json(document).dump())));
+  std::string body = plot::html_first_screen(document.question, sentences, figures.front()) + pictures +
+                     plot::html_section("numbers", "Every number", numbers) +
+                     plot::html_section("assumptions", "Assumptions and sources", plot::html_list(notes)) +
+                     plot::html_section("sources", "Sources",
+                                        plot::html_list(sources_in(text + json_text(json(document), -1))));
   if (!document.warnings.ok())
     body += plot::html_section("warnings", "Warnings", plot::html_list(document.warnings.notes));
   body += plot::html_section("all", "All results",

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analyse_page.hpp"
-
+// What was measured, as charts.
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include <fmt/core.h>
 #include <granum/core/number.hpp>
-#include <granum/core/units.hpp>
 #include <granum/fabric/orientation.hpp>
-#include <granum/plot/page.hpp>
 
-#include "analyse_fields.hpp"
+#include "analyse.hpp"
 
 namespace granum::cli {
 
@@ -48,64 +44,6 @@ std::optional<int> rung_number(const RungResult& result) {
     if (result.name == rung.column)
       return rung.number;
   return std::nullopt;
-}
-
-std::string megapascal(double pascal) { return short_text(pascal / 1e6, 3) + " MPa"; }
-
-std::string stiffness_sentence(const FrameAnswer& frame) {
-  if (const RungResult* network = find_rung(frame, network_name()))
-    return "The network of contacts in this packing has a shear modulus G of " +
-           megapascal(network->moduli->G) + " and a bulk modulus K of " + megapascal(network->moduli->K) +
-           ".";
-  return "The stiffness of the contact network does not follow from these files.";
-}
-
-std::string contacts_sentence(const FrameAnswer& frame) {
-  const analysis::Measurement& m = frame.measured.packing;
-  if (!frame.measured.contacts_known)
-    return fmt::format("Its contacts are unknown; the {} grains have a void ratio of {:.3f}.",
-                       m.counts.grains, m.void_ratio);
-  std::string text = fmt::format(
-      "A grain has {:.2f} contacts on average (C_n), or {:.2f} without rattlers (z*): {} % of {} grains are "
-      "rattlers, which carry no load. The void ratio is {:.3f}",
-      m.counts.coordination_number, m.counts.mechanical.coordination_number,
-      short_text(100 * m.counts.mechanical.rattler_fraction, 2), m.counts.grains, m.void_ratio);
-  if (m.fabric) {
-    const auto& a = m.fabric->by_moment;
-    const bool even = std::abs(a.anisotropy) <= 2 * a.standard_error;
-    text += fmt::format("; contacts {} (a = {:.3f} \u00b1 {:.3f})",
-                        even               ? "prefer no direction"
-                        : a.anisotropy > 0 ? "are more often vertical"
-                                           : "are more often horizontal",
-                        a.anisotropy, a.standard_error);
-  }
-  return text + ".";
-}
-
-std::string rungs_sentence(const FrameAnswer& frame) {
-  const RungResult *relaxed = find_rung(frame, studies::relaxed_name()),
-                   *uniform = find_rung(frame, effective::rung(effective::RungName::isotropic).column),
-                   *network = find_rung(frame, network_name());
-  if (relaxed == nullptr)
-    return "Rung 3, the relaxed closed form, was not evaluated; the table below states why.";
-  std::string text = "The relaxed closed form (rung 3) gives G = " + megapascal(relaxed->moduli->G);
-  if (network == nullptr)
-    return text + ".";
-  text += fmt::format(", {:+.1f} % from the network", 100 * (relaxed->moduli->G / network->moduli->G - 1));
-  if (uniform != nullptr)
-    text += fmt::format(
-        "; if all grains moved with the mean strain (rung 0), it would be {} times that of the network",
-        short_text(uniform->moduli->G / network->moduli->G, 2));
-  return text + ".";
-}
-
-/// The rung whose G the pictures show: the network, else rung 3.
-const RungSeries* shown_rung(const StateSeries& series) {
-  for (const std::string& name : {network_name(), studies::relaxed_name()})
-    for (const RungSeries& rung : series.rungs)
-      if (rung.name == name && rung.fit.states > 0)
-        return &rung;
-  return nullptr;
 }
 
 /// A quantity of the states over their mean stress, in order of increasing stress.
@@ -224,102 +162,34 @@ bool stress_varies(const AnalyseAnswer& answer) {
   return low > 0 && high >= by_a_tenth * low;
 }
 
-/// "G grows as p^0.36 +- 0.01 (dense), ..."; empty if no exponent was found.
-std::string series_sentence(const AnalyseAnswer& answer) {
-  std::string text;
-  for (const StateSeries& series : answer.series)
-    if (const RungSeries* rung = shown_rung(series); rung != nullptr && rung->fit.sum) {
-      const Measured& s = rung->fit.sum->exponent_sum;
-      text += fmt::format("{} s = {:.3f} \u00b1 {:.3f}{}", text.empty() ? "" : ",", s.value, s.standard_error,
-                          answer.series.size() > 1 ? " (" + series.name + ")" : "");
-    }
-  return text.empty() ? "" : "Over the given states, G grows with the mean stress as p^s:" + text + ".";
-}
-
-std::vector<std::string> first_sentences(const AnalyseAnswer& answer) {
-  const FrameAnswer& last = answer.frames.back();
-  std::vector<std::string> out{stiffness_sentence(last), contacts_sentence(last), rungs_sentence(last)};
-  if (answer.frames.size() > 1)
-    out.back() += fmt::format(" Shown is the last of {} frames.", answer.frames.size());
-  if (std::string growth = series_sentence(answer); !growth.empty())
-    out.push_back(std::move(growth));
-  return out;
-}
-
-/// Every rung, with the reason if it has no result.
-std::string rungs_table(const std::vector<RungResult>& rungs) {
-  io::Columns<RungResult> fields = rung_fields();
-  fields.front().shown = io::ShownColumn{.heading = "note", .width = 1};
-  std::rotate(fields.begin(), fields.begin() + 1, fields.end());
-  return io::page_table(fields, rungs);
-}
-
-std::string pictures(const AnalyseAnswer& answer) {
-  const FrameAnswer& last = answer.frames.back();
-  std::string out;
-  if (last.measured.packing.fabric)
-    out += plot::html_figure({.caption = "Directions of the contacts. The length of a bar is the number of "
-                                         "contacts per solid angle at that "
-                                         "angle from the vertical, with its counting error. The number of "
-                                         "bars, 3 to 18, leaves at least 25 "
-                                         "contacts in the bar at the vertical; rose.csv has all 18.",
-                              .pictures = {{.svg = plot::svg_in_page(rose_chart(last))}},
-                              .files = {{"rose.csv", "rose.csv"}}});
-  if (answer.chains)
-    out += plot::html_figure(
-        {.caption = answer.chains->finding +
-                    " The width of a line shows the force; forces above the mean are coloured. "
-                    "Seen along y, z upwards.",
-         .pictures = {{.svg = answer.chains->in_page}},
-         .files = {}});
-  if (last.measured.packing.forces)
-    out += plot::html_figure(
-        {.caption = "Distribution of the contact forces: share of contacts by force over mean force, with "
-                    "counting errors.",
-         .pictures = {{.svg = plot::svg_in_page(force_chart(last))}},
-         .files = {{"forces.csv", "forces.csv"}}});
-  return out.empty()
-             ? ""
-             : plot::html_section("packing", "Contacts and forces", plot::html_element("div", out, "trio"));
-}
-
-std::string states_section(const AnalyseAnswer& answer) {
-  std::string out;
-  for (const SeriesPicture& picture : series_pictures(answer))
-    out += plot::html_figure({.caption = picture.caption,
-                              .pictures = {{.svg = plot::svg_in_page(picture.chart)}},
-                              .files = {{"frames.csv", "frames.csv"}, {"states.svg", "states.svg"}}});
-  return out.empty()
-             ? ""
-             : plot::html_section("states", "Dependence on stress", plot::html_element("div", out, "trio"));
-}
-
-std::string warnings(const AnalyseAnswer& answer) {
-  std::vector<std::string> all;
-  for (const FrameAnswer& frame : answer.frames)
-    for (const auto* list : {&frame.measured.warnings, &frame.validity.notes})
-      for (const std::string& text : *list)
-        if (std::find(all.begin(), all.end(), text) == all.end())
-          all.push_back(text);
-  return all.empty() ? "" : plot::html_section("warnings", "Warnings", plot::html_list(all));
-}
-
 } // namespace
 
-std::vector<SeriesPicture> series_pictures(const AnalyseAnswer& answer) {
+std::string megapascal(double pascal) { return short_text(pascal / 1e6, 3) + " MPa"; }
+
+const RungSeries* shown_rung(const StateSeries& series) {
+  for (const std::string& name : {network_name(), studies::relaxed_name()})
+    for (const RungSeries& rung : series.rungs)
+      if (rung.name == name && rung.fit.states > 0)
+        return &rung;
+  return nullptr;
+}
+
+std::vector<Picture> state_pictures(const AnalyseAnswer& answer) {
   if (!stress_varies(answer))
     return {};
   const auto void_ratio = [](const FrameAnswer& frame) {
     return std::optional(frame.measured.packing.interior_void_ratio());
   };
-  std::vector<SeriesPicture> all{
-      {modulus_chart(answer, "G", &studies::Moduli::G, true),
-       "Shear modulus over mean stress, with the fitted G ~ p^s."},
-      {modulus_chart(answer, "K", &studies::Moduli::K, false), "Bulk modulus over mean stress."},
-      {count_chart(answer, "z*", mechanical_coordination), "Contacts per grain without rattlers."},
-      {count_chart(answer, "C_n", coordination), "Contacts per grain, rattlers included."},
-      {count_chart(answer, "e", void_ratio), "Void ratio."}};
-  std::erase_if(all, [](const SeriesPicture& one) { return one.chart.series.empty(); });
+  std::vector<Picture> all{
+      {{modulus_chart(answer, "G", &studies::Moduli::G, true)},
+       "Dependence on stress: shear modulus over mean stress, with the fitted G ~ p^s."},
+      {{modulus_chart(answer, "K", &studies::Moduli::K, false)}, "Bulk modulus over mean stress."},
+      {{count_chart(answer, "z*", mechanical_coordination)}, "Contacts per grain without rattlers."},
+      {{count_chart(answer, "C_n", coordination)}, "Contacts per grain, rattlers included."},
+      {{count_chart(answer, "e", void_ratio)}, "Void ratio."}};
+  std::erase_if(all, [](const Picture& one) { return one.charts.front().series.empty(); });
+  for (Picture& one : all)
+    one.files = {"frames.csv", "states.svg"};
   return all;
 }
 
@@ -411,25 +281,6 @@ plot::Chart rung_chart(const FrameAnswer& frame) {
     chart.finding += "; the network has " + megapascal(G);
   }
   return chart;
-}
-
-std::string analyse_page(const AnalyseAnswer& answer, const std::string& table) {
-  const FrameAnswer& last = answer.frames.back();
-  plot::PageFigure first{.caption = "The shear modulus of this packing by each closed form (rungs 0 to 3) "
-                                    "and of its contact network (rung 4)."};
-  const plot::Chart rungs = rung_chart(last);
-  if (!rungs.series.empty())
-    first.pictures = {{.svg = plot::svg_in_page(rungs)}};
-  else
-    first.caption = "No stiffness could be computed; the table below gives the reasons.";
-  const std::string body =
-      plot::html_first_screen("How stiff is this packing, and how accurate are the closed forms?",
-                              first_sentences(answer), first) +
-      states_section(answer) + pictures(answer) + warnings(answer) +
-      plot::html_section("rungs", "Every rung", rungs_table(last.rungs)) +
-      plot::html_section("all", "All results",
-                         plot::html_folded("Output on the terminal", plot::html_preformatted(table)));
-  return plot::html_page("granum analyse: how stiff is this packing", body);
 }
 
 } // namespace granum::cli
