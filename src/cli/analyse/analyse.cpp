@@ -23,31 +23,25 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Frames for ParaView: grains and contacts of each, and an index file with their times.
-class ParaviewFrames {
- public:
-  ParaviewFrames(fs::path folder, io::Existing existing) : folder_(std::move(folder)), existing_(existing) {}
+struct ParaviewFrames {
+  fs::path folder;
+  io::Existing existing;
+  std::vector<io::SeriesEntry> grains = {}, contacts = {};
 
   void add(const io::ImportedPacking& packing, std::size_t number) {
     const double time = packing.time.value_or(static_cast<double>(packing.step));
-    grains_.push_back({time, "grains-" + std::to_string(number) + ".vtu"});
-    write(grains_.back().file, io::grains_vtu(packing.assembly, packing.id, packing.time));
-    contacts_.push_back({time, "contacts-" + std::to_string(number) + ".vtp"});
-    write(contacts_.back().file, io::contacts_vtp(packing.assembly, packing.id));
+    write(grains.emplace_back(io::SeriesEntry{time, fmt::format("grains-{}.vtu", number)}).file,
+          io::grains_vtu(packing.assembly, packing.id, packing.time));
+    write(contacts.emplace_back(io::SeriesEntry{time, fmt::format("contacts-{}.vtp", number)}).file,
+          io::contacts_vtp(packing.assembly, packing.id));
   }
   void finish() const {
-    write("grains.pvd", io::pvd(grains_));
-    write("contacts.pvd", io::pvd(contacts_));
+    write("grains.pvd", io::pvd(grains));
+    write("contacts.pvd", io::pvd(contacts));
   }
-
- private:
   void write(const std::string& name, const std::string& text) const {
-    io::write_file(folder_ / name, text, existing_);
+    io::write_file(folder / name, text, existing);
   }
-
-  std::filesystem::path folder_;
-  io::Existing existing_;
-  std::vector<io::SeriesEntry> grains_;
-  std::vector<io::SeriesEntry> contacts_;
 };
 
 /// Largest number of frames of one run; all results are in memory until they are written.
@@ -117,7 +111,7 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
   }
   io::PackingFiles files(std::move(given),
                          {.columns = io::parse_column_map(o.column_map), .box = parse_box(o.box)});
-  ParaviewFrames pictures(o.out, existing(o.force));
+  ParaviewFrames pictures{o.out, existing(o.force)};
   out.frames = analyse_frames(files, choice, options, [&](const auto& packing, std::size_t number) {
     if (!o.out.empty())
       out.chains = studies::force_chains(packing.assembly);
@@ -203,22 +197,10 @@ ExitCode run(const AnalyseOptions& o) {
 
 bool says_what_is_missing(io::Finding finding) {
   using enum io::Finding;
-  switch (finding) {
-  case contacts_unknown:
-  case walls_unknown:
-  case forces_unknown:
-  case tangential_unknown:
-  case ids_assumed:
-  case cell_unknown:
-  case boundary_unknown:
-  case units_unknown:
-  case stiffness_unknown:
-  case law_unknown:
-  case history_unknown:
-    return true;
-  default:
-    return false;
-  }
+  constexpr io::Finding missing[] = {contacts_unknown,  walls_unknown, forces_unknown,   tangential_unknown,
+                                     ids_assumed,       cell_unknown,  boundary_unknown, units_unknown,
+                                     stiffness_unknown, law_unknown,   history_unknown};
+  return std::ranges::find(missing, finding) != std::end(missing);
 }
 
 Command make_analyse() {

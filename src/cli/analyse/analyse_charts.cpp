@@ -137,17 +137,14 @@ plot::Chart count_chart(const AnalyseAnswer& answer, const char* title, const Va
   return out;
 }
 
-std::optional<double> mechanical_coordination(const FrameAnswer& frame) {
+/// z* or C_n, of the window where there is one.
+std::optional<double> contacts_per_grain(const FrameAnswer& frame, bool without_rattlers) {
   const analysis::Measurement& m = frame.measured.packing;
   if (!frame.measured.contacts_known)
     return std::nullopt;
-  return m.interior ? m.interior->micro.mechanical_coordination_number
-                    : m.counts.mechanical.coordination_number;
-}
-std::optional<double> coordination(const FrameAnswer& frame) {
-  const analysis::Measurement& m = frame.measured.packing;
-  if (!frame.measured.contacts_known)
-    return std::nullopt;
+  if (without_rattlers)
+    return m.interior ? m.interior->micro.mechanical_coordination_number
+                      : m.counts.mechanical.coordination_number;
   return m.interior ? m.interior->micro.coordination_number : m.counts.coordination_number;
 }
 
@@ -160,6 +157,13 @@ bool stress_varies(const AnalyseAnswer& answer) {
       high = std::max(high, *p);
     }
   return low > 0 && high >= by_a_tenth * low;
+}
+
+plot::Series counted_contacts() {
+  return {.name = "contacts, \u221an bars",
+          .mark = plot::Mark::marker,
+          .style = 0,
+          .colour = plot::Colour::measured};
 }
 
 } // namespace
@@ -177,16 +181,18 @@ const RungSeries* shown_rung(const StateSeries& series) {
 std::vector<Picture> state_pictures(const AnalyseAnswer& answer) {
   if (!stress_varies(answer))
     return {};
-  const auto void_ratio = [](const FrameAnswer& frame) {
-    return std::optional(frame.measured.packing.interior_void_ratio());
-  };
   std::vector<Picture> all{
       {{modulus_chart(answer, "G", &studies::Moduli::G, true)},
        "Dependence on stress: shear modulus over mean stress, with the fitted G ~ p^s."},
       {{modulus_chart(answer, "K", &studies::Moduli::K, false)}, "Bulk modulus over mean stress."},
-      {{count_chart(answer, "z*", mechanical_coordination)}, "Contacts per grain without rattlers."},
-      {{count_chart(answer, "C_n", coordination)}, "Contacts per grain, rattlers included."},
-      {{count_chart(answer, "e", void_ratio)}, "Void ratio."}};
+      {{count_chart(answer, "z*", [](const FrameAnswer& f) { return contacts_per_grain(f, true); })},
+       "Contacts per grain without rattlers."},
+      {{count_chart(answer, "C_n", [](const FrameAnswer& f) { return contacts_per_grain(f, false); })},
+       "Contacts per grain, rattlers included."},
+      {{count_chart(
+           answer, "e",
+           [](const FrameAnswer& f) { return std::optional(f.measured.packing.interior_void_ratio()); })},
+       "Void ratio."}};
   std::erase_if(all, [](const Picture& one) { return one.charts.front().series.empty(); });
   for (Picture& one : all)
     one.files = {"frames.csv", "states.svg"};
@@ -199,10 +205,7 @@ plot::Chart rose_chart(const FrameAnswer& frame) {
   std::vector<std::size_t> counts;
   for (const fabric::RoseBin& bin : f.rose)
     counts.push_back(bin.count);
-  plot::Series bins{.name = "contacts, \u221an bars",
-                    .mark = plot::Mark::marker,
-                    .style = 0,
-                    .colour = plot::Colour::measured};
+  plot::Series bins = counted_contacts();
   for (const fabric::RoseBin& bin : fabric::readable_rose(counts, 0))
     bins.add((bin.low + bin.high) / 2, bin.density, bin.density_error);
   return {.title = "Directions of " + std::to_string(f.contacts) + " contacts, step " +
@@ -221,10 +224,7 @@ plot::Chart rose_chart(const FrameAnswer& frame) {
 
 plot::Chart force_chart(const FrameAnswer& frame) {
   const packing::ForceDistribution& d = frame.measured.packing.forces->distribution;
-  plot::Series bins{.name = "contacts, \u221an bars",
-                    .mark = plot::Mark::marker,
-                    .style = 0,
-                    .colour = plot::Colour::measured};
+  plot::Series bins = counted_contacts();
   for (const packing::ForceBin& bin : d.bins) {
     if (bin.count == 0)
       continue; // the axis is logarithmic

@@ -303,10 +303,9 @@ const io::Columns<RungResult>& rung_fields() {
       list.emplace_back(heading, name, of_part(&RungResult::moduli, of),
                         ShownColumn{.heading = name, .width = width, .unit = MPa});
     };
-    modulus("K", "K", &Moduli::K);
-    modulus("G", "G", &Moduli::G);
-    modulus("G_hh", "G_hh", &Moduli::G_hh);
-    modulus("G_vh", "G_vh", &Moduli::G_vh);
+    for (const auto& [name, of] :
+         {std::pair{"K", &Moduli::K}, {"G", &Moduli::G}, {"G_hh", &Moduli::G_hh}, {"G_vh", &Moduli::G_vh}})
+      modulus(name, name, of);
     modulus("", "C11", &Moduli::C11);
     modulus("", "C33", &Moduli::C33);
     modulus("", "C12", &Moduli::C12, 0);

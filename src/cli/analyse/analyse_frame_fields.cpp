@@ -113,14 +113,11 @@ void add_probes(FrameFields& to) {
       const auto found = std::find_if(frame.probes.begin(), frame.probes.end(), is);
       return found == frame.probes.end() ? nullptr : &*found;
     };
-    to.emplace_back("", "probes/" + name + "/value", [of](const FrameAnswer& frame) {
-      const auto* const probe = of(frame);
-      return probe ? std::optional(probe->value) : std::nullopt;
-    });
-    to.emplace_back("", "probes/" + name + "/network_over_probe", [of](const FrameAnswer& frame) {
-      const auto* const probe = of(frame);
-      return probe ? probe->network_over_probe : std::nullopt;
-    });
+    io::add_part<FrameAnswer, studies::ProbedModulus>(
+        to,
+        {{"", "value", &studies::ProbedModulus::value},
+         {"", "network_over_probe", &studies::ProbedModulus::network_over_probe}},
+        of, "probes/" + name + "/");
   }
 }
 

@@ -56,33 +56,23 @@ struct FrameChoice {
   }
 };
 
+// Texts of options as values, empty for an empty text.
+// \throws InvalidArgument for other text, a range without a frame, and options that contradict each other
+
 /// "all", "last", "3", "2:10", "2:", "0:100:10".
-/// \throws   InvalidArgument for other text, or for a range without a frame
 [[nodiscard]] FrameChoice parse_frames(const std::string& text);
-
-/// "4mm,4mm,4mm": a periodic box; empty for an empty text.
-/// \throws   InvalidArgument
+/// "4mm,4mm,4mm": a periodic box.
 [[nodiscard]] std::optional<io::CsvBox> parse_box(const std::string& text);
-
 /// "49kPa,50kPa,51kPa,-0.3kPa,0.4kPa,-0.3kPa".
-/// \throws   InvalidArgument
 [[nodiscard]] studies::PrintedStress parse_stress(const std::string& text);
-
-/// "x0..x1,y0..y1,z0..z1", each end a length or empty, and "d0..d1" below the top; empty for an empty text.
-/// \throws   InvalidArgument
+/// "x0..x1,y0..y1,z0..z1", each end a length or empty, and "d0..d1" below the top.
 [[nodiscard]] std::optional<studies::WindowChoice> parse_window(const std::string& window,
                                                                 const std::string& depth);
-
 /// "1:shear-modulus=30GPa,poisson-ratio=0.15", once for each type.
-/// \throws   InvalidArgument
 [[nodiscard]] studies::MaterialsByType parse_materials(const std::vector<std::string>& texts);
-
-/// "2e4N/m", "1e-3Nm", "0.1" or "marshall"; empty for an empty text.
-/// \throws   InvalidArgument
+/// "2e4N/m", "1e-3Nm", "0.1" or "marshall".
 [[nodiscard]] std::optional<packing::TurningSpring> parse_turning(const std::string& name,
                                                                   const std::string& text);
-
-/// \throws   InvalidArgument for options that contradict each other
 [[nodiscard]] studies::MeasureOptions measure_options(const AnalyseOptions& options);
 
 } // namespace granum::cli

@@ -344,38 +344,22 @@ std::string contacts_sentence(const FrameAnswer& frame) {
   if (!frame.measured.contacts_known)
     return fmt::format("Its contacts are unknown; the {} grains have a void ratio of {:.3f}.",
                        m.counts.grains, m.void_ratio);
-  std::string text = fmt::format(
-      "A grain has {:.2f} contacts on average (C_n), or {:.2f} without rattlers (z*): {} % of {} grains are "
-      "rattlers, which carry no load. The void ratio is {:.3f}",
+  return fmt::format(
+      "A grain has {:.2f} contacts on average (C_n), or {:.2f} without rattlers (z*): {} % of {} "
+      "grains are rattlers, which carry no load. The void ratio is {:.3f}.",
       m.counts.coordination_number, m.counts.mechanical.coordination_number,
       short_text(100 * m.counts.mechanical.rattler_fraction, 2), m.counts.grains, m.void_ratio);
-  if (m.fabric) {
-    const auto& a = m.fabric->by_moment;
-    const bool even = std::abs(a.anisotropy) <= 2 * a.standard_error;
-    text += fmt::format("; contacts {} (a = {:.3f} \u00b1 {:.3f})",
-                        even               ? "prefer no direction"
-                        : a.anisotropy > 0 ? "are more often vertical"
-                                           : "are more often horizontal",
-                        a.anisotropy, a.standard_error);
-  }
-  return text + ".";
 }
 
 std::string rungs_sentence(const FrameAnswer& frame) {
   const RungResult *relaxed = find_rung(frame, studies::relaxed_name()),
-                   *uniform = find_rung(frame, effective::rung(effective::RungName::isotropic).column),
                    *network = find_rung(frame, network_name());
   if (relaxed == nullptr)
     return "Rung 3, the relaxed closed form, was not evaluated; the table below states why.";
-  std::string text = "The relaxed closed form (rung 3) gives G = " + megapascal(relaxed->moduli->G);
-  if (network == nullptr)
-    return text + ".";
-  text += fmt::format(", {:+.1f} % from the network", 100 * (relaxed->moduli->G / network->moduli->G - 1));
-  if (uniform != nullptr)
-    text += fmt::format(
-        "; if all grains moved with the mean strain (rung 0), it would be {} times that of the network",
-        short_text(uniform->moduli->G / network->moduli->G, 2));
-  return text + ".";
+  const std::string text = "The relaxed closed form (rung 3) gives G = " + megapascal(relaxed->moduli->G);
+  return network == nullptr ? text + "."
+                            : fmt::format("{}, {:+.1f} % from the network.", text,
+                                          100 * (relaxed->moduli->G / network->moduli->G - 1));
 }
 
 /// "G grows as p^0.36 +- 0.01 (dense), ..."; empty if no exponent was found.
