@@ -42,6 +42,13 @@ sweep --table sweep_states.csv
 fit isotropic_by_hand.csv
 fit hv_dense_cone.csv
 fit hv_dense_cone.csv --sum-only --void-ratio-function none --weights absolute
+analyse analyse_lattice.grains analyse_lattice.contacts --grain-density 2650kg/m3 --probes analyse_probes.csv
+analyse analyse_lattice.grains analyse_lattice.contacts --no-network
+analyse analyse_apart.csv --box 4mm,4mm,4mm
+analyse analyse_chain_contacts.csv
+analyse ../../io/data/mercury_chain.data ../../io/data/mercury_chain.fstat
+analyse ../../io/data/lammps_chain.atoms ../../io/data/lammps_chain.contacts --stress analyse_stress_frames.csv
+analyse ../../io/data/lammps_box.atoms ../../io/data/lammps_box.contacts --window ..,..,1mm..3mm
 """
 TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "integer": int, "number": (int, float), "null": type(None)}
 
