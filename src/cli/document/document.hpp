@@ -90,6 +90,7 @@ struct Picture {
   std::vector<plot::Chart> charts;
   std::string caption = {}, drawn = {}; ///< `drawn`: SVG of no chart
   std::vector<std::string> files = {};  ///< beside the page, that have its numbers
+  std::size_t in_a_row = SIZE_MAX;
 };
 
 /// Lines for people, which files do not have.
@@ -130,9 +131,9 @@ struct Document {
   std::vector<Section> sections = {};
   std::vector<Note> notes = {};
   Validity warnings = {};
-  io::CsvManner manner = {}; ///< of the CSV file, as what follows
-  std::string signs = "compression positive; z is the vertical axis v";
-  std::vector<std::pair<std::string, std::string>> comments = {}; ///< on its columns
+  io::CsvManner manner = {};                                            ///< of the CSV file, as both below
+  std::string signs = "compression positive; z is the vertical axis v"; ///< empty: no such comment
+  std::vector<std::pair<std::string, std::string>> comments = {};       ///< on its columns
 
   template <class What>
   void add(Seen seen, What what) {

@@ -149,7 +149,8 @@ std::string csv(const Document& document) {
                      .rows = {},
                      .manner = document.manner};
   add_data(out, document);
-  out.notes.emplace_back("signs", document.signs);
+  if (!document.signs.empty())
+    out.notes.emplace_back("signs", document.signs);
   out.notes.insert(out.notes.end(), document.comments.begin(), document.comments.end());
   for (const Note& note : document.notes)
     if (note.seen != Seen::data)
@@ -171,7 +172,7 @@ std::string csv(const Document& document) {
 std::string picture(const Document& document) {
   for (const Section& section : document.sections)
     if (const auto* of = std::get_if<Picture>(&section.what))
-      return plot::svg(of->charts);
+      return plot::svg(of->charts, of->in_a_row);
   throw InvalidArgument("there is no picture of this result");
 }
 

@@ -7,19 +7,15 @@
 #include <utility>
 
 #include "studies/plan/plan.hpp"
-#include "studies/trade/trade.hpp"
-#include "studies/trade/trade_findings.hpp"
-#include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/io/output_file.hpp>
 
 #include "cli/frame/frame.hpp"
-#include "cli/frame/help.hpp"
 #include "cli/frame/long_work.hpp"
 #include "cli/frame/messages.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/study_options.hpp"
-#include "trade_report.hpp"
+#include "trade.hpp"
 
 namespace granum::cli {
 
@@ -40,14 +36,6 @@ struct TradeOptions {
 
 constexpr const char* file_names[] = {"trade.csv", "samples.csv", "trade.svg", "manifest.json"};
 
-struct Outcome {
-  studies::TradeScene trade;
-  std::vector<studies::TradeSample> samples;
-  std::vector<studies::TradeRow> rows;
-  std::string failures; ///< empty if no sample failed
-  double seconds = 0;
-};
-
 studies::TradeScene scene_of(const TradeOptions& options) {
   studies::TradeScene trade = options.quick  ? studies::quick_trade()
                               : options.full ? studies::full_trade()
@@ -62,11 +50,10 @@ studies::TradeScene scene_of(const TradeOptions& options) {
   return trade;
 }
 
-Outcome run_study(const studies::TradeScene& trade, const std::atomic<bool>& stop, bool quiet) {
-  Outcome outcome;
-  outcome.trade = trade;
+TradeOutcome run_study(const studies::TradeScene& trade, const std::atomic<bool>& stop, bool quiet) {
   const auto start = std::chrono::steady_clock::now();
   ProgressLine line(quiet);
+  TradeOutcome outcome{.trade = trade, .samples = {}, .rows = {}};
   outcome.samples = studies::run_trade(
       trade, {.report = [&line](const studies::Progress& p) { line.show(p); }, .stop = &stop});
   outcome.seconds = seconds_since(start);
@@ -75,33 +62,13 @@ Outcome run_study(const studies::TradeScene& trade, const std::atomic<bool>& sto
   return outcome;
 }
 
-ordered_json manifest_of(const Outcome& outcome, const TradeOptions& options) {
-  ordered_json json = json_head("trade");
-  json["wall_time_s"] = outcome.seconds;
-  json["complete"] = outcome.failures.empty();
-  json["failure"] = outcome.failures;
-  json["scene_file"] = options.study.scene_file;
-  json["settings"] = options.study.settings;
-  json["scene"] = json_of(outcome.trade);
-  json["threads_used"] = studies::thread_count(outcome.trade.scene);
-  json["rows"] = json_of(outcome.rows);
-  json["laws"] = json_of(studies::laws_of(outcome.rows));
-  return with_cost_of_sizes(with_warnings(std::move(json), likely_mistakes(outcome.trade.scene)),
-                            outcome.trade.scene);
-}
-
-std::string report_of(const Outcome& outcome) {
-  return fmt::format("{}{}{} samples in {:.1f} s on {}\n", trade_table(outcome.trade, outcome.rows),
-                     laws_table(outcome.trade, studies::laws_of(outcome.rows)), outcome.samples.size(),
-                     outcome.seconds, threads_text(studies::thread_count(outcome.trade.scene)));
-}
-
-void write_results(const fs::path& folder, const Outcome& outcome, const TradeOptions& options) {
-  const io::Existing existing = options.results.existing();
-  io::write_file(folder / file_names[0], trade_csv(outcome.rows), existing);
-  io::write_file(folder / file_names[1], samples_csv(outcome.trade, outcome.samples), existing);
-  io::write_file(folder / file_names[2], trade_picture(outcome.rows), existing);
-  io::write_file(folder / file_names[3], json_text(manifest_of(outcome, options)), existing);
+void write_results(const fs::path& folder, const TradeOutcome& outcome, const ordered_json& manifest,
+                   io::Existing existing) {
+  const Document rows = rows_document(outcome.rows);
+  io::write_file(folder / file_names[0], csv(rows), existing);
+  io::write_file(folder / file_names[1], csv(samples_document(outcome)), existing);
+  io::write_file(folder / file_names[2], picture(rows), existing);
+  io::write_file(folder / file_names[3], json_text(manifest), existing);
 }
 
 /// Draws the picture of a finished run again.
@@ -112,7 +79,8 @@ ExitCode draw_again(const TradeOptions& options) {
     throw InvalidArgument("--redraw uses the earlier run; no scene, extent or other folder may be "
                           "given with it");
   const fs::path folder = options.redraw, picture = folder / file_names[2];
-  io::write_file(picture, trade_picture(read_trade_rows(folder / file_names[0])), io::Existing::replace);
+  io::write_file(picture, cli::picture(rows_document(read_trade_rows(folder / file_names[0]))),
+                 io::Existing::replace);
   options.results.print("picture in " + picture.string() + "\n", {{"picture", picture.string()}});
   return ExitCode::ok;
 }
@@ -129,11 +97,14 @@ ExitCode run(const TradeOptions& options) {
   const bool writes = results.writes_files();
   const fs::path folder =
       writes ? results_folder(results.out, "trade", file_names, results.force) : fs::path();
-  const Outcome outcome = run_study(trade, stop, results.quiet);
+  const TradeOutcome outcome = run_study(trade, stop, results.quiet);
+  const Document document = trade_document(outcome, options.study);
+  const ordered_json manifest = with_cost_of_sizes(
+      with_warnings(json(document), likely_mistakes(outcome.trade.scene)), outcome.trade.scene);
   if (writes)
-    write_results(folder, outcome, options);
+    write_results(folder, outcome, manifest, results.existing());
   const std::string where = writes ? "CSV, picture and manifest in " + folder.string() + "\n" : "";
-  results.print(report_of(outcome) + where, manifest_of(outcome, options));
+  results.print(screen(document, false) + where, manifest);
   if (outcome.failures.empty())
     return ExitCode::ok;
   if (stop)
