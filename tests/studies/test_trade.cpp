@@ -227,9 +227,7 @@ TEST_CASE("a budget cuts the largest sizes, and reports the sufficient budget") 
   full.grains = full_trade().grains;
   // Whatever this machine's speed is and whatever else it does: the speed is given.
   constexpr double speed = 1e-7;
-  const auto processor_seconds = [](const TradeScene& study) {
-    return trade::predicted_work(study, trade::planned_work(study).work) * speed;
-  };
+  const auto processor_seconds = [](const TradeScene& study) { return trade::predicted_work(study) * speed; };
   const double all = processor_seconds(full) / static_cast<double>(thread_count(full.scene));
   const TradeScene part = within_budget(full, 0.5 * all, speed);
   CHECK(part.grains.size() >= 2);

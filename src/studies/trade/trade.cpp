@@ -144,10 +144,10 @@ TradeScene within_budget(TradeScene trade, double seconds, double seconds_per_gr
   require_positive("seconds_per_grain_step", seconds_per_grain_step, "s");
   const double speed = seconds_per_grain_step / static_cast<double>(thread_count(trade.scene));
   std::sort(trade.grains.begin(), trade.grains.end());
-  double predicted = trade::predicted_work(trade, trade::planned_work(trade).work) * speed;
+  double predicted = trade::predicted_work(trade) * speed;
   while (predicted > seconds && trade.grains.size() > 2) {
     trade.grains.pop_back();
-    predicted = trade::predicted_work(trade, trade::planned_work(trade).work) * speed;
+    predicted = trade::predicted_work(trade) * speed;
   }
   if (predicted > seconds)
     throw InvalidArgument("budget", seconds, "s", "times of at least " + short_text(predicted, 2) + " s");

@@ -37,20 +37,19 @@ class ThreadClock {
   double start_ = now();
 };
 
-triaxial::SpecimenRecipe recipe_of(const TradeScene& trade, const Packing& packing) {
+triaxial::SpecimenRecipe recipe_of(const TradeScene& trade, const Settings& settings) {
   Scene scene = trade.scene;
-  scene.study.grains = packing.grains;
-  triaxial::SpecimenRecipe out = recipe(scene, scene.study.contacts.front(), packing.seed);
-  if (packing.boundary == Boundary::smooth_walls)
+  scene.study.grains = settings.grains;
+  triaxial::SpecimenRecipe out = recipe(scene, scene.study.contacts.front(), settings.seed);
+  if (settings.boundary == Boundary::smooth_walls)
     out.wall_friction = 0;
-  if (packing.boundary == Boundary::rough_walls)
+  if (settings.boundary == Boundary::rough_walls)
     out.wall_friction = out.material.friction_coefficient;
   return out;
 }
 
-void make(const TradeScene& trade, const StopRequest& stop_requested, Packing& packing) {
-  triaxial::FrictionlessPacking made =
-      triaxial::frictionless_specimen(recipe_of(trade, packing), stop_requested);
+void make(const triaxial::SpecimenRecipe& recipe, const StopRequest& stop_requested, Part& packing) {
+  triaxial::FrictionlessPacking made = triaxial::frictionless_specimen(recipe, stop_requested);
   packing.state = std::move(made.state);
   packing.steps = made.minimiser_steps;
 }
@@ -70,7 +69,7 @@ analysis::Measurement measured(const dem::Specimen& state, const dem::Material& 
 }
 
 void measure_network(const dem::Specimen& frozen, const dem::Material& material,
-                     const StopRequest& stop_requested, Compression& out) {
+                     const StopRequest& stop_requested, Part& out) {
   const ThreadClock clock;
   const analysis::Measurement packing = measured(frozen, material, stop_requested);
   out.network_seconds += clock.seconds();
@@ -87,7 +86,7 @@ triaxial::FrozenState brought_to_rest(const dem::Specimen& state, const dem::Mat
 }
 
 void measure(const dem::Specimen& state, const dem::Material& material, const StopRequest& stop_requested,
-             Compression& out) {
+             Part& out) {
   const triaxial::FrozenState specimen = brought_to_rest(state, material, stop_requested);
   const dem::Specimen& at_rest = specimen.state();
   out.steps += specimen.report.steps;
@@ -102,12 +101,12 @@ void measure(const dem::Specimen& state, const dem::Material& material, const St
     out.frozen.push_back(at_rest);
 }
 
-void compress(const TradeScene& trade, const Packing& packing, const Meter& meter, Compression& out) {
-  const triaxial::SpecimenRecipe specimen = recipe_of(trade, packing);
+void compress(const TradeScene& trade, const Part& packing, const triaxial::SpecimenRecipe& specimen,
+              const StopRequest& stop_requested, Part& out) {
   dem::QuasistaticOptions options = triaxial::compression_options();
-  options.inertial_number = out.inertial_number;
-  options.time_step_fraction = out.time_step_fraction;
-  options.stop_requested = meter.stop_request();
+  options.inertial_number = out.settings.compression;
+  options.time_step_fraction = out.settings.time_step;
+  options.stop_requested = stop_requested;
   const auto visit = [&](const triaxial::Snapshot& snapshot) {
     if (!snapshot.report.converged())
       throw NotConverged("compression to " + pretty(snapshot.pressure, Dimension::pressure) + " " +
@@ -115,11 +114,11 @@ void compress(const TradeScene& trade, const Packing& packing, const Meter& mete
     out.steps += snapshot.report.steps;
     measure(snapshot.state, specimen.material, options.stop_requested, out);
     if (out.sheared_later && snapshot.pressure == trade.scene.study.pressures.back())
-      out.last = snapshot.state;
+      out.state = snapshot.state;
     return true;
   };
   (void)triaxial::isotropic_path(
-      triaxial::start_of_compression(packing.state, out.density, specimen, options.stop_requested),
+      triaxial::start_of_compression(packing.state, out.settings.density, specimen, options.stop_requested),
       specimen.material, trade.scene.study.pressures, options, visit);
   out.network_seconds /= static_cast<double>(trade.scene.study.pressures.size());
 }
@@ -127,28 +126,28 @@ void compress(const TradeScene& trade, const Packing& packing, const Meter& mete
 /// Point of the test at which G_vh is measured: within the reach of the dense plateau, well before the peak.
 constexpr double measured_ratio = 0.8;
 
-void shear(const TradeScene& trade, const Compression& start, const dem::Material& material,
-           const Meter& meter, Shear& out) {
+void shear(const TradeScene& trade, const Part& start, const dem::Material& material,
+           const StopRequest& stop_requested, Part& out) {
   triaxial::ShearOptions options;
   options.mean_stress = trade.scene.study.pressures.back();
-  options.inertial_number = out.inertial_number;
-  options.time_step_fraction = out.time_step_fraction;
+  options.inertial_number = out.settings.shear;
+  options.time_step_fraction = out.settings.time_step;
   options.eta_step = measured_ratio;
   options.strain_step = options.largest_strain = trade.shear_strain;
-  options.stop_requested = meter.stop_request();
-  triaxial::ShearTest test(start.last, material, options);
+  options.stop_requested = stop_requested;
+  triaxial::ShearTest test(start.state, material, options);
   for (triaxial::ShearEvent event = test.advance(); event != triaxial::ShearEvent::finished;
        event = test.advance()) {
     if (event == triaxial::ShearEvent::stopped)
       throw Stopped();
     if (event == triaxial::ShearEvent::unstable)
       throw NotConverged("the shear test " + words(dem::Outcome::unstable));
-    if (!out.vertical && test.now().stress.ratio() >= measured_ratio)
-      out.vertical =
-          measured(brought_to_rest(test.engine().state(), material, options.stop_requested).state(), material,
-                   options.stop_requested)
+    if (out.vertical.empty() && test.now().stress.ratio() >= measured_ratio)
+      out.vertical.push_back(
+          measured(brought_to_rest(test.engine().state(), material, stop_requested).state(), material,
+                   stop_requested)
               .solved_network()
-              .G_vh();
+              .G_vh());
   }
   out.peak_ratio = test.peak().stress.ratio();
   out.steps = test.now().step;
@@ -161,71 +160,55 @@ double mean_overlap_ratio(const dem::Specimen& state, const dem::Material& mater
   return material.law.overlap(forces.distribution.mean) / (2 * state.radius);
 }
 
-void probe_all(const Compression& start, const dem::Material& material, const StopRequest& stop_requested,
-               Probing& out) {
+void probe_all(const Part& start, const dem::Material& material, const StopRequest& stop_requested,
+               Part& out) {
   for (const dem::Specimen& state : start.frozen)
-    out.shear_modulus.push_back(probed(state, material, triaxial::ShearMode::vh,
-                                       out.amplitude * mean_overlap_ratio(state, material), stop_requested,
-                                       out));
+    out.vertical.push_back(probed(state, material, triaxial::ShearMode::vh,
+                                  out.settings.probe * mean_overlap_ratio(state, material), stop_requested,
+                                  out));
 }
 
-/// Does all parts, in the order in which they need each other.
-class Runner {
- public:
-  Runner(const TradeScene& trade, Work& work, const RunControl& control)
-      : trade_(trade), work_(work), meter_(control, predicted_work(trade, work)) {}
+void run_part(const TradeScene& trade, const std::vector<Part>& parts, const StopRequest& stop_requested,
+              Part& out) {
+  const triaxial::SpecimenRecipe recipe = recipe_of(trade, out.settings);
+  if (out.kind == Kind::packing)
+    return make(recipe, stop_requested, out);
+  const Part& start = parts[out.before];
+  if (!start.failure.empty())
+    throw NotConverged(start.failure);
+  if (out.kind == Kind::compression)
+    compress(trade, start, recipe, stop_requested, out);
+  else if (out.kind == Kind::shear)
+    shear(trade, start, recipe.material, stop_requested, out);
+  else
+    probe_all(start, recipe.material, stop_requested, out);
+}
 
-  void run() {
-    phase(work_.packings, "packings", [this](Packing& p) { make(trade_, meter_.stop_request(), p); });
-    phase(work_.compressions, "compressions", [this](Compression& c) {
-      const Packing& packing = work_.packings[c.packing];
-      require_whole(packing);
-      compress(trade_, packing, meter_, c);
-    });
-    phase(work_.shears, "shear tests", [this](Shear& s) {
-      const Compression& start = work_.compressions[s.compression];
-      require_whole(start);
-      shear(trade_, start, material_of(start), meter_, s);
-    });
-    phase(work_.probings, "probes", [this](Probing& p) {
-      const Compression& start = work_.compressions[p.compression];
-      require_whole(start);
-      probe_all(start, material_of(start), meter_.stop_request(), p);
-    });
-  }
-
- private:
-  static void require_whole(const Part& part) {
-    if (!part.failure.empty())
-      throw NotConverged(part.failure);
-  }
-
-  [[nodiscard]] dem::Material material_of(const Compression& part) const {
-    return recipe_of(trade_, work_.packings[part.packing]).material;
-  }
-
-  /// All parts of one kind side by side.
-  template <class Kind, class Do>
-  void phase(std::vector<Kind>& parts, const std::string& what, const Do& work) {
+/// Does all parts, those of one kind side by side.
+void run_parts(const TradeScene& trade, const RunControl& control, std::vector<Part>& parts) {
+  Meter meter(control, predicted_work(trade));
+  for (const auto& [kind, words_of_kind] : {std::pair{Kind::packing, "packings"},
+                                            {Kind::compression, "compressions"},
+                                            {Kind::shear, "shear tests"},
+                                            {Kind::probing, "probes"}}) {
     std::vector<Job> jobs;
-    for (Kind& part : parts) {
-      const double cost = predicted_work(trade_, work_, part);
-      const auto run = [this, cost, &part, &what, &work] {
-        const ThreadClock clock;
-        part.failure =
-            meter_.stopped() ? words(dem::Outcome::stopped) : failure_or_stop_of([&] { work(part); });
-        part.cpu_seconds = clock.seconds();
-        meter_.add(cost, what);
-      };
-      jobs.push_back({.work = run, .cost = cost, .after = {}});
-    }
-    side_by_side(jobs, thread_count(trade_.scene));
+    for (Part& part : parts)
+      if (part.kind == kind) {
+        const double cost = predicted_work(trade, part);
+        const auto run = [&trade, &parts, &meter, &part, cost, what = words_of_kind] {
+          const ThreadClock clock;
+          part.failure = failure_or_stop_of([&] {
+            throw_if_stopped(meter.stop_request());
+            run_part(trade, parts, meter.stop_request(), part);
+          });
+          part.cpu_seconds = clock.seconds();
+          meter.add(cost, what);
+        };
+        jobs.push_back({.work = run, .cost = cost, .after = {}});
+      }
+    side_by_side(jobs, thread_count(trade.scene));
   }
-
-  const TradeScene& trade_;
-  Work& work_;
-  Meter meter_;
-};
+}
 
 /// s as `granum verify` fits it.
 std::optional<double> exponent_of(const TradeScene& trade, const std::vector<double>& shear_modulus,
@@ -239,65 +222,32 @@ std::optional<double> exponent_of(const TradeScene& trade, const std::vector<dou
   return s ? std::optional(s->value) : std::nullopt;
 }
 
-void charge(TradeSample& sample, const Part& part) {
-  sample.cpu_seconds += part.cpu_seconds;
-  sample.steps += part.steps;
-  if (sample.failure.empty())
-    sample.failure = part.failure;
-}
-
-const std::vector<double>& moduli_of(const Varied varied, const Compression& part) {
-  switch (varied) {
-  case Varied::probe:
-    return part.vertical;
-  case Varied::boundary:
-    return part.planes;
-  default:
-    return part.isotropic;
-  }
-}
-
-TradeSample read(const TradeScene& trade, const Work& work, const Source& source) {
+TradeSample read(const TradeScene& trade, const std::vector<Part>& parts, const Source& source) {
   TradeSample sample = source.sample;
-  const bool whole_specimen = sample.varied == Varied::grains || sample.varied == Varied::boundary;
-  const Compression* compression =
-      source.compression != none ? &work.compressions[source.compression] : nullptr;
-  if (compression != nullptr) {
-    charge(sample, *compression);
-    if (whole_specimen)
-      charge(sample, work.packings[compression->packing]);
-    sample.shear_modulus = moduli_of(sample.varied, *compression);
+  for (const std::size_t place : source.charged) {
+    const Part& part = parts[place];
+    sample.cpu_seconds += part.cpu_seconds;
+    sample.steps += part.steps;
     if (sample.failure.empty())
-      sample.exponent = exponent_of(trade, sample.shear_modulus, compression->void_ratio);
-  }
-  if (source.shear != none) {
-    const Shear& part = work.shears[source.shear];
-    charge(sample, part);
-    if (part.failure.empty())
-      sample.peak_ratio = part.peak_ratio;
-    if (compression == nullptr && part.vertical)
-      sample.shear_modulus = {*part.vertical};
-  }
-  if (sample.varied == Varied::probe) {
-    // One state and one modulus.
-    sample.cpu_seconds = compression->network_seconds;
-    sample.steps = 0;
-    if (source.probing != none) {
-      const Probing& part = work.probings[source.probing];
-      const std::size_t states = trade.scene.study.pressures.size();
       sample.failure = part.failure;
-      sample.cpu_seconds = part.cpu_seconds / static_cast<double>(states);
-      sample.steps = part.steps / states;
-      sample.shear_modulus = part.shear_modulus;
-      if (sample.failure.empty())
-        sample.exponent = exponent_of(trade, part.shear_modulus, compression->void_ratio);
-    }
+    if (part.kind == Kind::shear)
+      sample.peak_ratio = part.peak_ratio;
+  }
+  const Part& measured = parts[source.measured];
+  if (sample.varied == Varied::probe) { // one state and one modulus
+    const bool by_network = measured.kind == Kind::compression;
+    const std::size_t states = trade.scene.study.pressures.size();
+    sample.cpu_seconds =
+        by_network ? measured.network_seconds : sample.cpu_seconds / static_cast<double>(states);
+    sample.steps = by_network ? 0 : sample.steps / states;
   }
   if (!sample.failure.empty()) {
-    sample.shear_modulus.clear();
-    sample.exponent.reset();
     sample.peak_ratio.reset();
+    return sample;
   }
+  sample.shear_modulus = measured.*source.moduli;
+  if (source.path != none)
+    sample.exponent = exponent_of(trade, sample.shear_modulus, parts[source.path].void_ratio);
   return sample;
 }
 
@@ -308,10 +258,10 @@ TradeSample read(const TradeScene& trade, const Work& work, const Source& source
 std::vector<TradeSample> run_trade(const TradeScene& trade, const RunControl& control) {
   require_valid(trade);
   trade::PlannedWork planned = trade::planned_work(trade);
-  trade::Runner(trade, planned.work, control).run();
+  trade::run_parts(trade, control, planned.parts);
   std::vector<TradeSample> samples;
   for (const trade::Source& source : planned.sources)
-    samples.push_back(trade::read(trade, planned.work, source));
+    samples.push_back(trade::read(trade, planned.parts, source));
   return samples;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 
 #include "studies/plan/plan.hpp"
 
@@ -12,212 +11,146 @@ namespace {
 
 using triaxial::Density;
 
-/// Index of the part for which `same` is true; it is made if there is none yet.
-template <class Kind, class Same>
-std::size_t place_of(std::vector<Kind>& parts, const Kind& wanted, const Same& same) {
-  const auto found =
-      std::find_if(parts.begin(), parts.end(), [&](const Kind& part) { return same(part, wanted); });
-  if (found != parts.end())
-    return static_cast<std::size_t>(found - parts.begin());
-  parts.push_back(wanted);
-  return parts.size() - 1;
+/// Without what a part of that kind does not depend on.
+Settings settings_of(Kind kind, Settings s) {
+  if (kind != Kind::probing)
+    s.probe = 0;
+  if (kind != Kind::shear)
+    s.shear = 0;
+  if (kind == Kind::packing)
+    return {.boundary = s.boundary, .grains = s.grains, .seed = s.seed};
+  return s;
 }
-
-/// Settings of one specimen; the defaults except for the varied quantity.
-struct Specimen {
-  Boundary boundary = Boundary::periodic;
-  std::size_t grains = 0;
-  std::uint64_t seed = 0;
-  Density density = Density::dense;
-  double compression = 0;
-  double time_step = 0;
-};
 
 class Planner {
  public:
   explicit Planner(const TradeScene& trade) : trade_(trade) {}
 
   PlannedWork all() {
+    const std::size_t usual = trade_.scene.study.grains;
     for (const std::size_t grains : trade_.grains)
-      each_specimen(grains, [&](Specimen s) { grains_sample(s); });
+      add_specimens(Varied::grains, static_cast<double>(grains), grains);
     for (const double value : trade_.compression)
-      each_specimen(trade_.scene.study.grains, [&](Specimen s) {
-        s.compression = value;
-        add(Varied::compression, value, s, {.compression = compression(s)});
-      });
+      add_specimens(Varied::compression, value, usual);
     for (const double value : trade_.shear)
-      each_specimen(trade_.scene.study.grains, [&](const Specimen& s) {
-        if (s.density == Density::dense)
-          add(Varied::shear, value, s, {.shear = shear(compression(s), value, s.time_step)});
-      });
+      add_specimens(Varied::shear, value, usual);
     for (const double value : trade_.time_step)
-      each_specimen(trade_.scene.study.grains, [&](Specimen s) {
-        s.time_step = value;
-        time_step_sample(s);
-      });
-    std::vector<double> amplitudes = trade_.probe;
-    amplitudes.push_back(0);
-    for (const double value : amplitudes)
-      each_specimen(trade_.scene.study.grains, [&](const Specimen& s) { probe_sample(s, value); });
-    boundaries();
+      add_specimens(Varied::time_step, value, usual);
+    for (const double value : trade_.probe)
+      add_specimens(Varied::probe, value, usual);
+    add_specimens(Varied::probe, 0, usual);
+    add_boundaries();
     return std::move(planned_);
   }
 
  private:
-  template <class Take>
-  void each_specimen(std::size_t grains, const Take& take) const {
-    for (const Density density : trade_.scene.study.densities)
-      for (std::size_t k = 0; k < specimens_of(trade_, grains); ++k)
-        take({.boundary = Boundary::periodic,
-              .grains = grains,
-              .seed = trade_.scene.study.first_seed + k,
-              .density = density,
-              .compression = trade_.compression_inertial_number,
-              .time_step = trade_.time_step_fraction});
-  }
-
-  std::size_t compression(const Specimen& s) {
-    const std::size_t packing =
-        place_of(planned_.work.packings, Packing{{}, s.boundary, s.grains, s.seed, {}},
-                 [](const Packing& a, const Packing& b) {
-                   return a.boundary == b.boundary && a.grains == b.grains && a.seed == b.seed;
-                 });
-    Compression part;
-    part.packing = packing;
-    part.density = s.density;
-    part.inertial_number = s.compression;
-    part.time_step_fraction = s.time_step;
-    return place_of(planned_.work.compressions, part, [](const Compression& a, const Compression& b) {
-      return a.packing == b.packing && a.density == b.density && a.inertial_number == b.inertial_number &&
-             a.time_step_fraction == b.time_step_fraction;
-    });
-  }
-
-  std::size_t shear(std::size_t compression, double inertial_number, double time_step) {
-    planned_.work.compressions[compression].sheared_later = true;
-    Shear part;
-    part.compression = compression;
-    part.inertial_number = inertial_number;
-    part.time_step_fraction = time_step;
-    return place_of(planned_.work.shears, part, [](const Shear& a, const Shear& b) {
-      return a.compression == b.compression && a.inertial_number == b.inertial_number &&
-             a.time_step_fraction == b.time_step_fraction;
-    });
-  }
-
-  /// Sources of a sample; `none` for parts that it does not need.
-  struct Places {
-    std::size_t compression = none;
-    std::size_t shear = none;
-    std::size_t probing = none;
-  };
-
-  void add(Varied varied, double value, const Specimen& s, const Places& places) {
-    TradeSample sample;
-    sample.varied = varied;
-    sample.boundary = s.boundary;
-    sample.value = value;
-    sample.density = s.density;
-    sample.seed = s.seed;
-    planned_.sources.push_back({sample, places.compression, places.shear, places.probing});
-  }
-
-  [[nodiscard]] std::size_t default_shear(const Specimen& s, std::size_t compression) {
-    return s.density == Density::dense ? shear(compression, trade_.shear_inertial_number, s.time_step) : none;
-  }
-
-  void grains_sample(const Specimen& s) {
-    const std::size_t place = compression(s);
-    add(Varied::grains, static_cast<double>(s.grains), s,
-        {.compression = place, .shear = default_shear(s, place)});
-  }
-
-  void time_step_sample(const Specimen& s) {
-    const std::size_t place = compression(s);
-    add(Varied::time_step, s.time_step, s, {.compression = place, .shear = default_shear(s, place)});
-  }
-
-  void probe_sample(const Specimen& s, double amplitude) {
-    const std::size_t place = compression(s);
-    if (amplitude == 0)
-      return add(Varied::probe, amplitude, s, {.compression = place});
-    planned_.work.compressions[place].probed_later = true;
-    Probing part;
-    part.compression = place;
-    part.amplitude = amplitude;
-    planned_.work.probings.push_back(part);
-    add(Varied::probe, amplitude, s, {.compression = place, .probing = planned_.work.probings.size() - 1});
-  }
-
   /// Walls of every size, and the periodic cell of the same size and of the largest that there is.
-  void boundaries() {
-    const std::size_t largest = *std::max_element(trade_.grains.begin(), trade_.grains.end());
+  void add_boundaries() {
     for (const Boundary boundary : {Boundary::periodic, Boundary::smooth_walls, Boundary::rough_walls}) {
       std::vector<std::size_t> sizes = trade_.walls;
       if (boundary == Boundary::periodic && !sizes.empty())
-        sizes.push_back(largest);
-      std::sort(sizes.begin(), sizes.end());
+        sizes.push_back(*std::ranges::max_element(trade_.grains));
+      std::ranges::sort(sizes);
       sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
       for (const std::size_t grains : sizes)
-        each_specimen(grains, [&](Specimen s) {
-          s.boundary = boundary;
-          add(Varied::boundary, static_cast<double>(grains), s, {.compression = compression(s)});
-        });
+        add_specimens(Varied::boundary, static_cast<double>(grains), grains, boundary);
     }
+  }
+
+  /// The samples of one value of one varied quantity; all others are at their defaults.
+  void add_specimens(Varied varied, double value, std::size_t grains,
+                     Boundary boundary = Boundary::periodic) {
+    Settings s{.boundary = boundary,
+               .grains = grains,
+               .compression = varied == Varied::compression ? value : trade_.compression_inertial_number,
+               .time_step = varied == Varied::time_step ? value : trade_.time_step_fraction,
+               .shear = varied == Varied::shear ? value : trade_.shear_inertial_number,
+               .probe = varied == Varied::probe ? value : 0};
+    for (const Density density : trade_.scene.study.densities)
+      for (std::size_t k = 0; k < specimens_of(trade_, grains); ++k) {
+        s.density = density;
+        s.seed = trade_.scene.study.first_seed + k;
+        if (varied != Varied::shear || density == Density::dense)
+          add_sample(varied, value, s);
+      }
+  }
+
+  void add_sample(Varied varied, double value, const Settings& s) {
+    Source& source = planned_.sources.emplace_back();
+    source.sample.varied = varied;
+    source.sample.boundary = s.boundary;
+    source.sample.value = value;
+    source.sample.density = s.density;
+    source.sample.seed = s.seed;
+    source.measured = source.path = place_of(Kind::compression, s);
+    source.moduli = varied == Varied::probe      ? &Part::vertical
+                    : varied == Varied::boundary ? &Part::planes
+                                                 : &Part::isotropic;
+    if (varied == Varied::shear) {
+      source.path = none;
+      source.measured = place_of(Kind::shear, s);
+      source.moduli = &Part::vertical;
+    } else if (varied == Varied::probe && s.probe > 0)
+      source.measured = place_of(Kind::probing, s);
+    source.charged = {source.measured};
+    if (varied == Varied::grains || varied == Varied::boundary)
+      source.charged.push_back(planned_.parts[source.path].before);
+    if ((varied == Varied::grains || varied == Varied::time_step) && s.density == Density::dense)
+      source.charged.push_back(place_of(Kind::shear, s));
+  }
+
+  /// Index of a part, which is made with those that it starts from if there is none yet.
+  std::size_t place_of(Kind kind, const Settings& all) {
+    std::vector<Part>& parts = planned_.parts;
+    const Settings settings = settings_of(kind, all);
+    const auto found = std::ranges::find_if(
+        parts, [&](const Part& part) { return part.kind == kind && part.settings == settings; });
+    if (found != parts.end())
+      return static_cast<std::size_t>(found - parts.begin());
+    Part part{.kind = kind, .settings = settings};
+    if (kind != Kind::packing) {
+      part.before = place_of(kind == Kind::compression ? Kind::packing : Kind::compression, all);
+      parts[part.before].sheared_later |= kind == Kind::shear;
+      parts[part.before].probed_later |= kind == Kind::probing;
+    }
+    parts.push_back(std::move(part));
+    return parts.size() - 1;
   }
 
   const TradeScene& trade_;
   PlannedWork planned_;
 };
 
-/// A scene with another number of grains, for the predictions of verify/plan.hpp.
-Scene resized(const TradeScene& trade, std::size_t grains) {
-  Scene scene = trade.scene;
-  scene.study.grains = grains;
-  return scene;
-}
-
-double count(std::size_t grains) { return static_cast<double>(grains); }
-
 } // namespace
 
 PlannedWork planned_work(const TradeScene& trade) { return Planner(trade).all(); }
 
-double predicted_work(const TradeScene& trade, const Work& /*work*/, const Packing& part) {
-  return preparation_work(resized(trade, part.grains));
-}
-
-double predicted_work(const TradeScene& trade, const Work& work, const Compression& part) {
-  const std::size_t grains = work.packings[part.packing].grains;
-  const double usual =
-      specimen_work(resized(trade, grains), part.density, trade.scene.study.contacts.front());
-  return usual;
-}
-
-double predicted_work(const TradeScene& trade, const Work& work, const Shear& part) {
-  // Spheres at 100 kPa, dense: 6,400 steps for a strain of 0.004 at 2e-4 and 0.8, of 60 grains or more.
-  constexpr double steps_per_strain_and_rate = 257;
-  const std::size_t grains = work.packings[work.compressions[part.compression].packing].grains;
-  return steps_per_strain_and_rate * trade.shear_strain / part.inertial_number / part.time_step_fraction *
-         count(grains);
-}
-
-double predicted_work(const TradeScene& trade, const Work& work, const Probing& part) {
+double predicted_work(const TradeScene& trade, const Part& part) {
+  const auto grains = static_cast<double>(part.settings.grains);
+  Scene scene = trade.scene;
+  scene.study.grains = part.settings.grains;
+  switch (part.kind) {
+  case Kind::packing:
+    return preparation_work(scene);
+  case Kind::compression:
+    return specimen_work(scene, part.settings.density, scene.study.contacts.front());
+  case Kind::shear: {
+    // Spheres at 100 kPa, dense: 6,400 steps for a strain of 0.004 at 2e-4 and 0.8, of 60 grains or more.
+    constexpr double steps_per_strain_and_rate = 257;
+    return steps_per_strain_and_rate * trade.shear_strain / part.settings.shear / part.settings.time_step *
+           grains;
+  }
+  case Kind::probing:
+    break;
+  }
   constexpr double steps = 1000; // of a probe of dense and loose specimens, about
-  const std::size_t grains = work.packings[work.compressions[part.compression].packing].grains;
-  return steps * count(trade.scene.study.pressures.size()) * count(grains);
+  return steps * static_cast<double>(scene.study.pressures.size()) * grains;
 }
 
-double predicted_work(const TradeScene& trade, const Work& work) {
+double predicted_work(const TradeScene& trade) {
   double sum = 0;
-  for (const Packing& part : work.packings)
-    sum += predicted_work(trade, work, part);
-  for (const Compression& part : work.compressions)
-    sum += predicted_work(trade, work, part);
-  for (const Shear& part : work.shears)
-    sum += predicted_work(trade, work, part);
-  for (const Probing& part : work.probings)
-    sum += predicted_work(trade, work, part);
+  for (const Part& part : planned_work(trade).parts)
+    sum += predicted_work(trade, part);
   return sum;
 }
 
