@@ -13,34 +13,28 @@
 
 namespace granum::studies {
 
+namespace {
+
+/// The name of the value of an enumeration.
+template <std::size_t count, class Value>
+std::string_view name_in(const std::array<std::string_view, count>& names, Value value, const char* what) {
+  const auto place = static_cast<std::size_t>(value);
+  if (place >= count)
+    throw InvalidArgument(std::string(what) + " is not one of the known ones");
+  return names[place];
+}
+
+} // namespace
+
 std::string_view name(Varied varied) {
-  switch (varied) {
-  case Varied::grains:
-    return "grains";
-  case Varied::compression:
-    return "compression";
-  case Varied::shear:
-    return "shear";
-  case Varied::time_step:
-    return "time-step";
-  case Varied::probe:
-    return "probe";
-  case Varied::boundary:
-    return "boundary";
-  }
-  throw InvalidArgument("varied quantity is not one of the known ones");
+  static constexpr std::array<std::string_view, 6> names{"grains",    "compression", "shear",
+                                                         "time-step", "probe",       "boundary"};
+  return name_in(names, varied, "varied quantity");
 }
 
 std::string_view name(Boundary boundary) {
-  switch (boundary) {
-  case Boundary::periodic:
-    return "periodic";
-  case Boundary::smooth_walls:
-    return "smooth-walls";
-  case Boundary::rough_walls:
-    return "rough-walls";
-  }
-  throw InvalidArgument("boundary is not one of the known ones");
+  static constexpr std::array<std::string_view, 3> names{"periodic", "smooth-walls", "rough-walls"};
+  return name_in(names, boundary, "boundary");
 }
 
 TradeScene default_trade() {
@@ -127,7 +121,7 @@ TradeScene with_enough_grains(TradeScene trade) {
   for (std::vector<std::size_t>* list : {&trade.grains, &trade.walls}) {
     for (std::size_t& grains : *list)
       grains = std::max(grains, least);
-    std::sort(list->begin(), list->end());
+    std::ranges::sort(*list);
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
   return trade;
@@ -143,14 +137,12 @@ TradeScene within_budget(TradeScene trade, double seconds, double seconds_per_gr
   require_valid(trade);
   require_positive("seconds_per_grain_step", seconds_per_grain_step, "s");
   const double speed = seconds_per_grain_step / static_cast<double>(thread_count(trade.scene));
-  std::sort(trade.grains.begin(), trade.grains.end());
-  double predicted = trade::predicted_work(trade) * speed;
-  while (predicted > seconds && trade.grains.size() > 2) {
+  std::ranges::sort(trade.grains);
+  const auto predicted = [&] { return trade::predicted_work(trade) * speed; };
+  while (predicted() > seconds && trade.grains.size() > 2)
     trade.grains.pop_back();
-    predicted = trade::predicted_work(trade) * speed;
-  }
-  if (predicted > seconds)
-    throw InvalidArgument("budget", seconds, "s", "times of at least " + short_text(predicted, 2) + " s");
+  if (predicted() > seconds)
+    throw InvalidArgument("budget", seconds, "s", "times of at least " + short_text(predicted(), 2) + " s");
   return trade;
 }
 

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
-#include <map>
 #include <string>
 
 #include <granum/core/check.hpp>
@@ -16,8 +14,7 @@ namespace granum::studies {
 
 namespace {
 
-/// One number of a sample, to be compared.
-using Figure = std::optional<double> (*)(const TradeSample&);
+using triaxial::Density;
 
 std::optional<double> log_modulus(const TradeSample& sample) {
   if (sample.shear_modulus.empty())
@@ -34,54 +31,68 @@ std::optional<double> log_peak(const TradeSample& sample) {
   return sample.peak_ratio ? std::optional(std::log(*sample.peak_ratio)) : std::nullopt;
 }
 
+/// A quantity that is compared: its value in a sample, and its deviation in a row, which is in parts of the
+/// reference where the value is a logarithm.
+struct Figure {
+  std::optional<double> (*of)(const TradeSample&);
+  std::optional<Deviation> TradeRow::*deviation;
+  bool logarithmic;
+};
+constexpr Figure figures[] = {{log_modulus, &TradeRow::shear_modulus, true},
+                              {exponent, &TradeRow::exponent, false},
+                              {log_peak, &TradeRow::peak_ratio, true}};
+
 bool paired(Varied varied) { return varied != Varied::grains && varied != Varied::boundary; }
 
-/// Samples of one row.
-using Group = std::vector<const TradeSample*>;
-
-const TradeSample& head(const Group& group) { return *group.front(); }
-
-bool belong(const TradeSample& a, const TradeSample& b) {
-  return a.varied == b.varied && a.boundary == b.boundary && a.value == b.value && a.density == b.density;
-}
+/// A row with its samples.
+struct Group {
+  TradeRow row;
+  std::vector<const TradeSample*> samples;
+};
 
 std::vector<Group> groups_of(const std::vector<TradeSample>& samples) {
   std::vector<Group> groups;
-  for (const TradeSample& sample : samples) {
-    const auto same =
-        std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return belong(head(g), sample); });
-    if (same != groups.end())
-      same->push_back(&sample);
-    else
-      groups.push_back({&sample});
+  for (const TradeSample& s : samples) {
+    auto group = std::ranges::find_if(groups, [&s](const Group& other) {
+      return other.row.varied == s.varied && other.row.boundary == s.boundary && other.row.value == s.value &&
+             other.row.density == s.density;
+    });
+    if (group == groups.end()) {
+      group = groups.insert(group, Group{});
+      group->row.varied = s.varied;
+      group->row.boundary = s.boundary;
+      group->row.value = s.value;
+      group->row.density = s.density;
+    }
+    group->samples.push_back(&s);
   }
   return groups;
 }
 
 /// Larger is finer.
-double fineness(const TradeSample& sample) {
-  if (sample.varied == Varied::boundary && sample.boundary != Boundary::periodic)
+double fineness(const TradeRow& row) {
+  if (row.varied == Varied::boundary && row.boundary != Boundary::periodic)
     return -1;
-  return paired(sample.varied) ? -sample.value : sample.value;
+  return paired(row.varied) ? -row.value : row.value;
 }
 
 const Group& reference_of(const Group& group, const std::vector<Group>& groups) {
   const Group* finest = &group;
   for (const Group& other : groups)
-    if (head(other).varied == head(group).varied && head(other).density == head(group).density &&
-        fineness(head(other)) > fineness(head(*finest)))
+    if (other.row.varied == group.row.varied && other.row.density == group.row.density &&
+        fineness(other.row) > fineness(finest->row))
       finest = &other;
   return *finest;
 }
 
-struct Spread {
+struct ValueSpread {
   double mean = 0;
   double deviation = 0; ///< standard deviation
   double count = 0;
 };
 
-Spread spread_of(const std::vector<double>& values) {
-  Spread out;
+ValueSpread spread_of(const std::vector<double>& values) {
+  ValueSpread out;
   out.count = static_cast<double>(values.size());
   for (const double value : values)
     out.mean += value / out.count;
@@ -91,84 +102,65 @@ Spread spread_of(const std::vector<double>& values) {
   return out;
 }
 
-std::vector<double> values_of(const Group& group, Figure figure) {
+ValueSpread spread_of(const Group& group, const Figure& figure) {
   std::vector<double> values;
-  for (const TradeSample* sample : group)
-    if (const std::optional<double> value = figure(*sample))
+  for (const TradeSample* sample : group.samples)
+    if (const std::optional<double> value = figure.of(*sample))
       values.push_back(*value);
-  return values;
+  return spread_of(values);
 }
 
 /// Variance times N that all sizes of one varied quantity, boundary and density agree on.
-double pooled_variance(const Group& like, const std::vector<Group>& groups, Figure figure) {
+double pooled_variance(const Group& like, const std::vector<Group>& groups, const Figure& figure) {
   double sum = 0, freedom = 0;
   for (const Group& group : groups) {
-    const std::vector<double> values = values_of(group, figure);
-    if (head(group).varied != head(like).varied || head(group).boundary != head(like).boundary ||
-        head(group).density != head(like).density || values.size() < 2)
+    const ValueSpread spread = spread_of(group, figure);
+    if (group.row.varied != like.row.varied || group.row.boundary != like.row.boundary ||
+        group.row.density != like.row.density || spread.count < 2)
       continue;
-    const Spread spread = spread_of(values);
-    sum += (spread.count - 1) * spread.deviation * spread.deviation * head(group).value;
+    sum += (spread.count - 1) * spread.deviation * spread.deviation * group.row.value;
     freedom += spread.count - 1;
   }
   return freedom > 0 ? sum / freedom : 0;
 }
 
 std::optional<Deviation> difference_of_means(const Group& group, const Group& reference,
-                                             const std::vector<Group>& groups, Figure figure) {
-  const std::vector<double> here = values_of(group, figure), there = values_of(reference, figure);
-  if (here.size() < 2 || there.size() < 2)
+                                             const std::vector<Group>& groups, const Figure& figure) {
+  const ValueSpread a = spread_of(group, figure), b = spread_of(reference, figure);
+  if (a.count < 2 || b.count < 2)
     return std::nullopt;
-  const Spread a = spread_of(here), b = spread_of(there);
-  if (&group == &reference)
-    return Deviation{0, std::sqrt(pooled_variance(group, groups, figure) / head(group).value / a.count),
-                     a.deviation};
-  const double own = pooled_variance(group, groups, figure) / head(group).value / a.count;
-  const double other = pooled_variance(reference, groups, figure) / head(reference).value / b.count;
-  return Deviation{a.mean - b.mean, std::sqrt(own + other), a.deviation};
+  const double own = pooled_variance(group, groups, figure) / group.row.value / a.count;
+  const double other = pooled_variance(reference, groups, figure) / reference.row.value / b.count;
+  return &group == &reference ? Deviation{0, std::sqrt(own), a.deviation}
+                              : Deviation{a.mean - b.mean, std::sqrt(own + other), a.deviation};
 }
 
-std::optional<Deviation> mean_of_differences(const Group& group, const Group& reference, Figure figure) {
-  std::multimap<std::uint64_t, double> finest;
-  for (const TradeSample* sample : reference)
-    if (const std::optional<double> value = figure(*sample))
-      finest.emplace(sample->seed, *value);
+std::optional<Deviation> mean_of_differences(const Group& group, const Group& reference,
+                                             const Figure& figure) {
   std::vector<double> differences;
-  for (const TradeSample* sample : group)
-    if (const std::optional<double> value = figure(*sample)) {
-      const auto [first, last] = finest.equal_range(sample->seed);
-      std::transform(first, last, std::back_inserter(differences),
-                     [&](const auto& other) { return *value - other.second; });
-    }
+  for (const TradeSample* sample : group.samples)
+    for (const TradeSample* finest : reference.samples)
+      if (const auto value = figure.of(*sample), other = figure.of(*finest);
+          sample->seed == finest->seed && value && other)
+        differences.push_back(*value - *other);
   if (differences.size() < 2)
     return std::nullopt;
-  const Spread spread = spread_of(differences);
+  const ValueSpread spread = spread_of(differences);
   return Deviation{spread.mean, spread.deviation / std::sqrt(spread.count), spread.deviation};
-}
-
-/// From differences of logarithms to parts of the reference.
-std::optional<Deviation> in_parts(std::optional<Deviation> logarithmic) {
-  if (logarithmic)
-    logarithmic->bias = std::expm1(logarithmic->bias);
-  return logarithmic;
 }
 
 TradeRow row_of(const Group& group, const std::vector<Group>& groups) {
   const Group& reference = reference_of(group, groups);
-  const auto deviation = [&](Figure figure) {
-    return paired(head(group).varied) ? mean_of_differences(group, reference, figure)
-                                      : difference_of_means(group, reference, groups, figure);
-  };
-  TradeRow row;
-  row.varied = head(group).varied;
-  row.boundary = head(group).boundary;
-  row.value = head(group).value;
-  row.density = head(group).density;
+  TradeRow row = group.row;
   row.reference = &group == &reference;
-  row.shear_modulus = in_parts(deviation(log_modulus));
-  row.exponent = deviation(exponent);
-  row.peak_ratio = in_parts(deviation(log_peak));
-  for (const TradeSample* sample : group)
+  for (const Figure& figure : figures) {
+    std::optional<Deviation>& deviation = row.*figure.deviation;
+    deviation = paired(row.varied) ? mean_of_differences(group, reference, figure)
+                                   : difference_of_means(group, reference, groups, figure);
+    if (deviation && figure.logarithmic)
+      deviation->bias = std::expm1(deviation->bias);
+  }
+  for (const TradeSample* sample : group.samples)
     if (sample->failure.empty()) {
       ++row.specimens;
       row.cpu_seconds += sample->cpu_seconds;
@@ -193,8 +185,7 @@ std::vector<TradeRow> trade_rows(const std::vector<TradeSample>& samples) {
 
 double error_of(const TradeRow& row) {
   const Deviation& d = *row.shear_modulus;
-  return row.varied == Varied::grains || row.varied == Varied::boundary ? std::hypot(d.bias, d.scatter)
-                                                                        : std::abs(d.bias);
+  return paired(row.varied) ? std::abs(d.bias) : std::hypot(d.bias, d.scatter);
 }
 
 std::string failures_text(const std::vector<TradeSample>& samples) {
@@ -214,7 +205,6 @@ std::string failures_text(const std::vector<TradeSample>& samples) {
 
 namespace {
 
-using triaxial::Density;
 using Column = std::optional<Deviation> TradeRow::*;
 
 std::vector<TradeRow> select(const std::vector<TradeRow>& rows, Varied varied, Density density) {
@@ -225,14 +215,9 @@ std::vector<TradeRow> select(const std::vector<TradeRow>& rows, Varied varied, D
   return chosen;
 }
 
-struct Slope {
-  double value = 0;
-  double standard_error = 0;
-};
-
 /// Bias against x(value), zero at the reference, weighted by the standard errors.
 template <class X>
-Slope slope_of(const std::vector<TradeRow>& rows, Column figure, const X& x) {
+RateLaw slope_of(const std::vector<TradeRow>& rows, Column figure, const X& x) {
   const auto reference =
       std::find_if(rows.begin(), rows.end(), [](const TradeRow& row) { return row.reference; });
   if (reference == rows.end())
@@ -247,7 +232,7 @@ Slope slope_of(const std::vector<TradeRow>& rows, Column figure, const X& x) {
     xx += weight * distance * distance;
     xy += weight * distance * d->bias;
   }
-  return xx > 0 ? Slope{xy / xx, 1 / std::sqrt(xx)} : Slope{};
+  return xx > 0 ? RateLaw{xy / xx, 1 / std::sqrt(xx)} : RateLaw{};
 }
 
 double scatter_of(const std::vector<TradeRow>& rows, Column figure) {
@@ -264,16 +249,15 @@ double scatter_of(const std::vector<TradeRow>& rows, Column figure) {
 ErrorLaw law_of(const std::vector<TradeRow>& rows, Density density, Column figure, Varied rate_kind) {
   const std::vector<TradeRow> sizes = select(rows, Varied::grains, density);
   const std::vector<TradeRow> rates = select(rows, rate_kind, density);
-  const Slope size = slope_of(sizes, figure, [](double grains) { return 1 / grains; });
-  const Slope rate = slope_of(rates, figure, [](double inertial_number) { return inertial_number; });
+  const RateLaw size = slope_of(sizes, figure, [](double grains) { return 1 / grains; });
   const auto [smallest, largest] = std::minmax_element(
       sizes.begin(), sizes.end(), [](const TradeRow& a, const TradeRow& b) { return a.value < b.value; });
   return {.size = {.scatter = scatter_of(sizes, figure),
-                   .bias = size.value,
-                   .bias_error = size.standard_error,
+                   .bias = size.bias,
+                   .bias_error = size.bias_error,
                    .smallest = sizes.empty() ? 0 : smallest->value,
                    .largest = sizes.empty() ? 0 : largest->value},
-          .rate = {rate.value, rate.standard_error}};
+          .rate = slope_of(rates, figure, [](double inertial_number) { return inertial_number; })};
 }
 
 /// Two significant digits, upwards.
