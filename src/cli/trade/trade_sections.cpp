@@ -311,13 +311,11 @@ Document trade_document(const TradeOutcome& outcome, const StudyOptions& options
     out.add(Seen::always,
             table_of("", fmt::format(fmt::runtime(block.title), percent_text(outcome.trade.shear_strain)),
                      row_columns(), rows_of(block.varied, outcome.rows)));
+  out.add(Seen::always, Prose{{"n: specimens; bias: mean minus that of the reference (*), +- standard error;",
+                               "scatter: standard deviation of G between specimens, or between their",
+                               "differences from the reference, in %; s: of G ~ p^s; peak: largest q/p', its",
+                               "bias; CPU: processor time of the cost named above each table"}});
   add_laws(out, outcome);
-  out.add_notes({"n: specimens; bias: mean minus that of the reference (*), +- standard error; scatter: "
-                 "standard deviation of G between specimens, or between their differences from the "
-                 "reference, in %",
-                 "s: of G ~ p^s; peak: largest q/p', its bias; CPU: processor time of the cost named above "
-                 "each table"},
-                Seen::always);
   return out;
 }
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
-#include <granum/core/units.hpp>
 #include <granum/dem/specimen_bytes.hpp>
 #include <granum/io/checkpoint/checkpoint.hpp>
 #include <granum/triaxial/specimen.hpp>
@@ -227,8 +226,7 @@ IsoRun isotropic_run(const Piece& piece, const dem::Specimen& packing) {
   const auto visit = [&](const triaxial::Snapshot& snapshot) {
     iso.run.steps += snapshot.report.steps;
     if (!snapshot.report.converged()) {
-      iso.run.failure = "compression to " + pretty(snapshot.pressure, Dimension::pressure) + " " +
-                        words(snapshot.report.outcome);
+      iso.run.failure = failure_of(snapshot);
       return false;
     }
     if (iso.run.points.empty())

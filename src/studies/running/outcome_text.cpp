@@ -5,6 +5,7 @@
 #include <new>
 
 #include <granum/core/error.hpp>
+#include <granum/core/units.hpp>
 
 namespace granum::studies {
 
@@ -22,6 +23,12 @@ std::string words(dem::Outcome outcome) {
     return stopped_on_request;
   }
   return "ended";
+}
+
+std::string failure_of(const triaxial::Snapshot& stage) {
+  return stage.report.converged() ? ""
+                                  : "compression to " + pretty(stage.pressure, Dimension::pressure) + " " +
+                                        words(stage.report.outcome);
 }
 
 std::string failure_of(const std::function<void()>& work) {

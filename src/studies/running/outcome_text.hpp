@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include <granum/dem/quasistatic.hpp>
+#include <granum/triaxial/specimen.hpp>
 
 /// How the parts of a study end, in words.
 namespace granum::studies {
@@ -12,6 +12,8 @@ namespace granum::studies {
 inline constexpr const char* stopped_on_request = "stopped on request"; ///< the text of Stopped
 
 [[nodiscard]] std::string words(dem::Outcome outcome);
+/// Why a stage of compression is a failure; empty where it converged.
+[[nodiscard]] std::string failure_of(const triaxial::Snapshot& stage);
 
 /// Runs a part of a piece of work and turns an error into the text of a failure; empty if there was none.
 /// \throws   FileError as work does: a file that cannot be written ends the whole study; Stopped as work

@@ -6,7 +6,6 @@
 
 #include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/units.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>
@@ -108,9 +107,8 @@ void compress(const TradeScene& trade, const Part& packing, const triaxial::Spec
   options.time_step_fraction = out.settings.time_step;
   options.stop_requested = stop_requested;
   const auto visit = [&](const triaxial::Snapshot& snapshot) {
-    if (!snapshot.report.converged())
-      throw NotConverged("compression to " + pretty(snapshot.pressure, Dimension::pressure) + " " +
-                         words(snapshot.report.outcome));
+    if (const std::string failure = failure_of(snapshot); !failure.empty())
+      throw NotConverged(failure);
     out.steps += snapshot.report.steps;
     measure(snapshot.state, specimen.material, options.stop_requested, out);
     if (out.sheared_later && snapshot.pressure == trade.scene.study.pressures.back())

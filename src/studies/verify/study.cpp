@@ -109,8 +109,7 @@ void run_specimen(const Scene& scene, const Packing& packing, SpecimenResult& ou
   std::size_t stage = 0;
   const auto visit = [&](const triaxial::Snapshot& snapshot) {
     if (!snapshot.report.converged()) {
-      out.failure = "compression to " + pretty(snapshot.pressure, Dimension::pressure) + " " +
-                    words(snapshot.report.outcome);
+      out.failure = failure_of(snapshot);
       return false;
     }
     const bool probed = std::find(scene.study.probe_pressures.begin(), scene.study.probe_pressures.end(),
