@@ -67,7 +67,7 @@ void say_cost_of_sizes(const studies::Scene& scene) {
 
 nlohmann::ordered_json with_cost_of_sizes(nlohmann::ordered_json json, const studies::Scene& scene) {
   if (const std::string cost = studies::cost_of_sizes(scene); !cost.empty())
-    json["notes"] = {cost};
+    json["notes"].push_back(cost);
   return json;
 }
 

@@ -182,28 +182,30 @@ void run_part(const TradeScene& trade, const std::vector<Part>& parts, const Sto
     probe_all(start, recipe.material, stop_requested, out);
 }
 
+constexpr const char* kind_names[] = {"packings", "compressions", "shear tests", "probes"};
+
+Job job_of(const TradeScene& trade, const std::vector<Part>& parts, Meter& meter, Part& part) {
+  const double cost = predicted_work(trade, part);
+  const auto run = [&trade, &parts, &meter, &part, cost] {
+    const ThreadClock clock;
+    part.failure = failure_or_stop_of([&] {
+      throw_if_stopped(meter.stop_request());
+      run_part(trade, parts, meter.stop_request(), part);
+    });
+    part.cpu_seconds = clock.seconds();
+    meter.add(cost, kind_names[static_cast<std::size_t>(part.kind)]);
+  };
+  return {.work = run, .cost = cost, .after = {}};
+}
+
 /// Does all parts, those of one kind side by side.
 void run_parts(const TradeScene& trade, const RunControl& control, std::vector<Part>& parts) {
   Meter meter(control, predicted_work(trade));
-  for (const auto& [kind, words_of_kind] : {std::pair{Kind::packing, "packings"},
-                                            {Kind::compression, "compressions"},
-                                            {Kind::shear, "shear tests"},
-                                            {Kind::probing, "probes"}}) {
+  for (const Kind kind : {Kind::packing, Kind::compression, Kind::shear, Kind::probing}) {
     std::vector<Job> jobs;
     for (Part& part : parts)
-      if (part.kind == kind) {
-        const double cost = predicted_work(trade, part);
-        const auto run = [&trade, &parts, &meter, &part, cost, what = words_of_kind] {
-          const ThreadClock clock;
-          part.failure = failure_or_stop_of([&] {
-            throw_if_stopped(meter.stop_request());
-            run_part(trade, parts, meter.stop_request(), part);
-          });
-          part.cpu_seconds = clock.seconds();
-          meter.add(cost, what);
-        };
-        jobs.push_back({.work = run, .cost = cost, .after = {}});
-      }
+      if (part.kind == kind)
+        jobs.push_back(job_of(trade, parts, meter, part));
     side_by_side(jobs, thread_count(trade.scene));
   }
 }
