@@ -39,6 +39,7 @@ std::vector<Keyword> sand_keywords() {
                "tests; implies\n    grain_shape \"sand\" unless that is given.")};
   for (const Input input : numbers_of_sand)
     all.push_back(of_input(input).or_none());
+  all[5].says = "Median diameter by mass of a sand [m], > 0.";
   all[4].says += " That of the sand at void_ratio; its law takes it unless both limits are known.";
   return all;
 }
@@ -171,6 +172,7 @@ QuestionArguments::QuestionArguments(const Arguments& a)
       inputs_.push_back(input);
     }
   deviations_ = deviations_of(a, uncertainty, estimate::uncertain_rows(), "an input of this packing");
+  require_in_use();
 }
 
 const double* QuestionArguments::one_packing(const char* function) {
@@ -179,6 +181,16 @@ const double* QuestionArguments::one_packing(const char* function) {
     throw py::type_error(std::string(function) + "() takes a single packing: numbers, not arrays");
   numbers_.assign(columns.numbers(), columns.numbers() + columns_.size());
   return numbers_.data();
+}
+
+void QuestionArguments::require_in_use() const {
+  InputValues any = values_;
+  for (const Input input : inputs_)
+    any.give(input, 1);
+  for (const auto& [input, deviation] : deviations_)
+    if (!in_use(any, estimate::row_of(input)))
+      throw InvalidArgument("uncertainty: " + std::string(estimate::row_of(input).name()) +
+                            " is not an input of this packing");
 }
 
 estimate::Answer QuestionArguments::answer(const double* x) const {

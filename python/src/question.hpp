@@ -51,6 +51,8 @@ class QuestionArguments {
   [[nodiscard]] estimate::Answer answer(const double* numbers) const;
 
  private:
+  void require_in_use() const;
+
   estimate::InputValues values_; ///< of all elements
   estimate::Deviations deviations_;
   std::vector<Argument> columns_;

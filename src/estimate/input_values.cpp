@@ -35,7 +35,7 @@ std::optional<double> InputValues::if_given(Input input) const {
 
 double InputValues::within(Input input) const {
   const InputValue& value = (*this)[input];
-  require_within(row_of(input), value.number, name(input), value.per_cent);
+  require_within(row_of(input), value.number, name(input), value.per_cent || by_keywords);
   return value.number;
 }
 

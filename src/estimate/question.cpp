@@ -44,7 +44,9 @@ void require_possible(const Question& q) {
   }
   if (q.shear_strain)
     throw InvalidArgument(
-        "shear_strain: the laws of strain are measured on sands; for spheres only small strain is available");
+        "shear_strain", *q.shear_strain, "",
+        "what spheres have: the laws of strain are measured on sands; for spheres only small "
+        "strain is available");
   if (q.sand.uniformity.value_or(1) > sphere_uniformity_limit)
     throw InvalidArgument("uniformity", *q.sand.uniformity, "",
                           "[1, 4] for spheres, the validated range; use grain shape sand");

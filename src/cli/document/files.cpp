@@ -205,7 +205,7 @@ ExitCode deliver(const Outlets& to, const Document& document) {
   const ExitCode code = deliver(output,
                                 output.json ? ""
                                 : as_csv    ? csv(document)
-                                            : screen(document, to.full),
+                                            : screen(document, to.full || !output.out.empty()),
                                 output.json ? json(document) : ordered_json(), document.warnings);
   if (!to.picture.empty())
     io::write_file(to.picture, picture(document), existing(output.force));

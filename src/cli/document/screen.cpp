@@ -58,7 +58,7 @@ std::string cell_of(const Ranges& answer, const RangeRow& row) {
 
 /// A line for each row that is always seen, and a column for each answer; for one answer also the meanings.
 std::string side_by_side(const std::vector<const Ranges*>& answers) {
-  constexpr int wide = 35;
+  constexpr std::size_t wide = 35;
   if (answers.empty())
     return "";
   std::string head = fmt::format("  {:6}", ""), text;
@@ -66,8 +66,10 @@ std::string side_by_side(const std::vector<const Ranges*>& answers) {
     head += fmt::format("{:<{}}", answer->title, wide);
   for (const RangeRow& row : answers.front()->rows) {
     std::string cells;
-    for (const Ranges* answer : answers)
-      cells += fmt::format("{:<{}}", cell_of(*answer, row), wide);
+    for (const Ranges* answer : answers) {
+      const std::string cell = cell_of(*answer, row);
+      cells += fmt::format("{:<{}}", cell, std::max<std::size_t>(wide, cell.size() + 2));
+    }
     if (row.seen == Seen::always && cells.find_first_not_of(' ') != std::string::npos)
       text += without_blanks_at_end(fmt::format("  {:<6}", row.symbol) + cells +
                                     (answers.size() == 1 ? row.meaning : ""));

@@ -50,8 +50,7 @@ Ranges ranges_of(const Answer& answer, const Question& q, const char* key, const
   Ranges ranges{.key = key, .title = title_of(answer.grain_shape()), .before = before};
   const bool directed = differs_by_direction(q);
   for (const FieldRow& row : estimate::fields()) {
-    const bool shown =
-        row.shown == estimate::Shown::always || (row.shown == estimate::Shown::by_direction && directed);
+    const bool shown = row.shown != estimate::Shown::by_direction || directed;
     ranges.rows.push_back({.key = row.key,
                            .symbol = directed ? row.directed_symbol : row.symbol,
                            .heading = row.column,
@@ -144,6 +143,13 @@ std::string shares_text(const Answer& answer) {
   return text;
 }
 
+/// Whether it is the name of an option; other shares are of the model.
+bool is_input(const std::string& share) {
+  const auto rows = estimate::uncertain_rows();
+  return std::any_of(rows.begin(), rows.end(),
+                     [&](const estimate::InputRow* const row) { return key_of(*row) == share; });
+}
+
 std::string largest_share(const Answer& answer, const Question& q) {
   const std::vector<estimate::Share> shares = answer.shares();
   if (shares.empty())
@@ -152,8 +158,8 @@ std::string largest_share(const Answer& answer, const Question& q) {
   const std::string options = input == "contacts" ? ": --preparation, --rattler-fraction"
                               : input == "sand to sand"
                                   ? (q.sand.tests ? ": granum infer" : ": --sand, granum infer")
-                              : answer.assumes(input) ? ": --" + input
-                                                      : "";
+                              : answer.assumes(input) && is_input(input) ? ": --" + input
+                                                                         : "";
   return share_text(shares.front()) + options;
 }
 

@@ -292,6 +292,8 @@ Prose first_lines(const AnswerCase& c) {
   add_share(c.sand_answer ? "beads: " : "", c.answer);
   if (prose.lines.size() == 1)
     prose.lines.clear(); // all inputs are exact
+  if (c.sand_answer && c.question.saturation > 0)
+    prose.lines.emplace_back("V_p is that of wet pores; K, E and nu are drained");
   if (c.sand_answer)
     prose.lines.emplace_back("sand or beads? --grain-shape sand (or sphere) prints one of them");
   prose.lines.push_back(fmt::format("--full: inputs, {} notes, {}every number", c.assumptions.size(),

@@ -219,7 +219,7 @@ void take_as(const std::string& name, const std::string& text, const Take& take)
     take(text);
   } catch (const InvalidArgument& error) {
     const std::string_view what = error.what();
-    throw InvalidArgument(what.starts_with(name) ? std::string(what) : fmt::format("{}: {}", name, what));
+    throw InvalidArgument(what.starts_with("--") ? std::string(what) : fmt::format("{}: {}", name, what));
   }
 }
 

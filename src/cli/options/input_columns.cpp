@@ -181,8 +181,11 @@ InputValues InputColumns::row(std::size_t row) const {
       values.give(column.input, cell.number, estimate::Source::table, column.per_cent);
   }
   for (const TextColumn& column : texts_)
-    if (const std::string text(trimmed(table_.fields(row)[column.index])); !text.empty())
+    if (const std::string text(trimmed(table_.fields(row)[column.index])); !text.empty()) {
+      if (column.input == Input::sizes && values.sizes)
+        throw InvalidArgument("sizes and uniformity are alternatives: give one of them");
       values.give(column.input, text, estimate::Source::table);
+    }
   return values;
 }
 

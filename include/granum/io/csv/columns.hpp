@@ -116,8 +116,12 @@ template <class Row>
 [[nodiscard]] std::string row_line(const Columns<Row>& columns, const Row& row) {
   std::string line;
   for (const Column<Row>& column : columns)
-    if (column.shown && column.shown->width != 0)
-      line += cell_text(*column.shown, column.of(row));
+    if (column.shown && column.shown->width != 0) {
+      const std::string cell = cell_text(*column.shown, column.of(row));
+      const bool set_off = line.empty() && column.shown->width > 0 &&
+                           cell.size() > static_cast<std::size_t>(column.shown->width); // from nothing
+      line += set_off ? cell.substr(1) : cell;
+    }
   line.erase(line.find_last_not_of(' ') + 1);
   return line;
 }
