@@ -21,7 +21,7 @@ ends() {
 }
 parts_left() { find . -name '*.granum.part' -type f | grep -q .; }
 
-state=(estimate --void-ratio 0.6 --pressure 100kPa)
+state=(estimate --void-ratio 0.6 --pressure 100kPa --full)
 "$program" "${state[@]}" >expected || exit 1
 
 # Devices: written to with and without --force, never replaced.

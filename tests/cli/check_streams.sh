@@ -22,7 +22,7 @@ outcome() {
 }
 
 # A warning, an error, a study that goes on, a refusal of the command line.
-warning=(estimate --void-ratio 0.6 --pressure 100kPa --coordination-number 13)
+warning=(estimate --void-ratio 0.6 --pressure 100kPa --coordination-number 13 --full)
 error=(estimate --void-ratio -1 --pressure 100kPa)
 study=(verify --grains 80 --seeds 1 --set study.contacts=sphere --set study.densities=dense
   --set study.pressures=20kPa,40kPa,60kPa --set study.probe_pressures=)
