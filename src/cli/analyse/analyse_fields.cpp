@@ -454,8 +454,8 @@ const io::Columns<RungSeries>& separate_fields() {
   static const io::Columns<RungSeries> fields = {
       title_of_rung,
       {"", "separate_remark", [](const RungSeries& r) { return r.separate_remark; }},
-      {"", "m", part(&hardin::Fit::exponent_i), exponent("m (sigma_v), G_vh")},
-      {"", "n", part(&hardin::Fit::exponent_j), exponent("n (sigma_h), G_vh")}};
+      {"", "m", part(&hardin::Fit::exponent_j), exponent("m (sigma_h), G_vh")},
+      {"", "n", part(&hardin::Fit::exponent_i), exponent("n (sigma_v), G_vh")}};
   return fields;
 }
 
