@@ -212,7 +212,7 @@ py::object infer_spheres(const Arguments& a, const InputValues& values,
                          const std::vector<inverse::Observation>& measurements) {
   constexpr std::size_t d50 = Given::quantities - 1;
   if (a.given(d50))
-    throw py::type_error("d50 is a number of a sand: give sand or grain_shape");
+    throw py::type_error("d50 is a number of a sand; spheres have a radius");
   if (a.given(Given::growth) && a.text(Given::growth) == "sand")
     throw InvalidArgument("growth sand is that of sands: give sand or grain_shape");
   return sphere_inference(measurements, options_of(a, values));
