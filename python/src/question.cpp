@@ -90,14 +90,15 @@ estimate::Deviations deviations_of(const Arguments& a, std::size_t at, std::span
   estimate::Deviations stated;
   if (!a.given(at))
     return stated;
-  for (const auto& [name, deviation] :
+  for (const auto& entry :
        a.as<std::map<std::string, double>>(at, "a dict of inputs and their standard deviations")) {
+    const std::string& name = entry.first;
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const InputRow* const one) {
       return one->law == nullptr && one->name() == name; // numbers of laws belong to law objects
     });
     if (row == rows.end())
       throw InvalidArgument("uncertainty: " + name + " is not " + other);
-    stated[(*row)->input] = require_non_negative("uncertainty of " + name, deviation);
+    stated[(*row)->input] = require_non_negative("uncertainty of " + name, entry.second);
   }
   return stated;
 }
