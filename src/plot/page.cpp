@@ -79,7 +79,8 @@ std::string html_table(const std::vector<std::string>& headings,
   const auto of_numbers = [&](std::size_t k) { return k < numbers.size() && numbers[k] && !words[k]; };
   std::string head;
   for (std::size_t k = 0; k < headings.size(); ++k)
-    head += html_element("th", svg_escaped(headings[k]), of_numbers(k) ? "number" : "");
+    head += html_element(headings[k].empty() ? "td" : "th", svg_escaped(headings[k]),
+                         of_numbers(k) ? "number" : "");
   std::string body;
   for (const std::vector<std::string>& row : rows) {
     std::string cells;

@@ -102,7 +102,7 @@ test("the calculator answers while typing, and reports errors", async () => {
   await page.check("input[name=csame][value=python]");
   assert.match(await page.textContent("#clines"), /preparation="loose"/);
   await page.check("input[name=csame][value=cpp]");
-  assert.match(await page.textContent("#clines"), /Kind::loose/);
+  assert.match(await page.textContent("#clines"), /Input::preparation, "loose"/);
   assert.equal(await page.locator("#answer circle").count(), 6, "five closed forms and the answer");
   const { y } = await axesOf(page, "#answer");
   const [low, high] = (await page.locator("#answer svg").getAttribute("aria-label")).match(/from ([\d.]+) to ([\d.]+)\.$/).slice(1).map(Number);

@@ -92,7 +92,7 @@ const sands = () => granum.call("sand_exponents").numbers;
 /// A number of the table of results in a folder of validation.
 const ofTable = (name, row) => Number(fs.readFileSync(path.join(root, "validation", name, "README.md"), "utf8").match(row)[1]);
 /// u0 over the rms height of both surfaces, as the library's own help has it.
-const roughShare = Number(fs.readFileSync(path.join(root, "src/contact/laws.cpp"), "utf8").match(/about ([\d.]+) of the rms height/)[1]);
+const roughShare = Number(fs.readFileSync(path.join(root, "src/contact/laws.cpp"), "utf8").match(/([\d.]+) times the combined rms height/)[1]);
 
 /// Shapes are as stiff as spheres at the force that the first step names.
 function asStiffAt(force) {
