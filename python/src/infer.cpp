@@ -240,8 +240,8 @@ py::object infer(const Arguments& a) {
   const std::vector<inverse::Observation> measurements = measurements_of(a, law, measured);
   try {
     const InputValues values = values_of(a, measurements.front().state);
-    return told_shape(values) == estimate::GrainShape::sand ? infer_sand(a, values, measurements)
-                                                            : infer_spheres(a, values, measurements);
+    return known_shape(values) == estimate::GrainShape::sand ? infer_sand(a, values, measurements)
+                                                             : infer_spheres(a, values, measurements);
   } catch (const InvalidArgument& error) {
     std::vector<Argument> typed = measured.arguments;
     if (a.given(Given::pressure))

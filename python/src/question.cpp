@@ -188,7 +188,7 @@ void QuestionArguments::require_in_use() const {
   InputValues any = values_;
   for (const Input input : inputs_)
     any.give(input, 1);
-  if (any.given(Input::d50) && told_shape(any) != estimate::GrainShape::sand)
+  if (any.given(Input::d50) && known_shape(any) != estimate::GrainShape::sand)
     throw py::type_error("d50 is a number of a sand; spheres have a radius");
   for (const auto& [input, deviation] : deviations_)
     if (!in_use(any, estimate::row_of(input)))

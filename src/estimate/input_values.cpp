@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <granum/core/error.hpp>
+
+#include "parts.hpp"
 
 namespace granum::estimate {
 
@@ -62,7 +65,7 @@ void InputValues::give(Input input, sizes::Distribution distribution) {
 }
 
 void InputValues::imply(Input input, double number, double deviation) {
-  if (!told(input))
+  if (!stated(input))
     values_[index_of(input)] = {.number = number, .deviation = deviation, .source = Source::implied};
 }
 
@@ -96,7 +99,7 @@ std::string InputValues::spelled(std::string_view sentence) const {
   return out + std::string(sentence);
 }
 
-std::optional<GrainShape> told_shape(const InputValues& values) {
+std::optional<GrainShape> known_shape(const InputValues& values) {
   if (values.grain_shape)
     return values.grain_shape;
   if (values.known_sand != nullptr)
@@ -121,7 +124,7 @@ void imply_by_sand(InputValues& values) {
   const sands::KnownSand& sand = *values.known_sand;
   if (values.mineral == nullptr)
     values.mineral = &contact::mineral(sand.mineral);
-  const bool sized = (values.given(Input::radius) && !values.law) || values.told(Input::d50) ||
+  const bool sized = (values.given(Input::radius) && !values.law) || values.stated(Input::d50) ||
                      (values.sizes && values.sizes->mean_radius());
   if (sand.d50 && !sized)
     values.imply(Input::d50, *sand.d50);
@@ -132,7 +135,7 @@ void imply_by_sand(InputValues& values) {
 }
 
 void imply_by_mineral(InputValues& values) {
-  if (values.mineral == nullptr && told_shape(values) == GrainShape::sand)
+  if (values.mineral == nullptr && known_shape(values) == GrainShape::sand)
     values.mineral = &contact::mineral("quartz");
   if (values.mineral == nullptr)
     return;
@@ -144,24 +147,34 @@ void imply_by_mineral(InputValues& values) {
     values.imply(Input::grain_density, mineral.density);
 }
 
+} // namespace
+
 bool by_usual_limits(const InputValues& values) {
   return values.given(Input::relative_density) && !values.given(Input::least_void_ratio);
 }
 
+std::pair<double, double> void_ratio_limits(const InputValues& values) {
+  if (by_usual_limits(values))
+    return {sands::usual_least_void_ratio, sands::usual_largest_void_ratio};
+  return {values.number(Input::least_void_ratio), values.number(Input::largest_void_ratio)};
+}
+
+namespace {
+
 void imply_by_relative_density(InputValues& values) {
-  if (!values.given(Input::relative_density) || (values.by_keywords && values.told(Input::void_ratio)))
+  if (!values.given(Input::relative_density) || (values.by_keywords && values.stated(Input::void_ratio)))
     return;
-  if (values.told(Input::void_ratio) || values.told(Input::porosity) || values.told(Input::solid_fraction))
+  if (values.stated(Input::void_ratio) || values.stated(Input::porosity) ||
+      values.stated(Input::solid_fraction))
     throw InvalidArgument(values.spelled(conflict::density));
   if (values.given(Input::least_void_ratio) != values.given(Input::largest_void_ratio))
     throw InvalidArgument(
         values.spelled("{least_void_ratio} and {largest_void_ratio} go together: give both, or neither"));
   const bool usual = by_usual_limits(values);
-  if (usual && told_shape(values) != GrainShape::sand)
+  if (usual && known_shape(values) != GrainShape::sand)
     throw InvalidArgument(
         values.spelled("{relative_density} of spheres needs {least_void_ratio} and {largest_void_ratio}"));
-  const double least = usual ? sands::usual_least_void_ratio : values.number(Input::least_void_ratio),
-               largest = usual ? sands::usual_largest_void_ratio : values.number(Input::largest_void_ratio);
+  const auto [least, largest] = void_ratio_limits(values);
   values.imply(Input::void_ratio,
                sands::void_ratio_of_relative_density(values.within(Input::relative_density), least, largest),
                usual ? sands::usual_void_ratio_deviation : 0);
@@ -172,7 +185,7 @@ void imply_by_stress_ratio(InputValues& values) {
   if (!values.given(Input::k0))
     return;
   const double ratio = values.within(Input::k0), stress_v = values.number(Input::stress_v);
-  if (values.told(Input::stress_h)) {
+  if (values.stated(Input::stress_h)) {
     constexpr double rounding = 0.01; // a row of a table may have both, as far as they agree
     const double stress_h = values.number(Input::stress_h);
     if (values[Input::k0].source == Source::table &&

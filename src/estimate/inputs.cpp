@@ -463,15 +463,4 @@ void require_within(const InputRow& row, double value, std::string_view name, bo
                                           : range);
 }
 
-std::string with_options(std::string_view sentence) {
-  std::string out;
-  for (std::size_t at = sentence.find('{'); at != std::string_view::npos; at = sentence.find('{')) {
-    const std::size_t end = sentence.find('}', at);
-    const InputRow* const row = find_input(sentence.substr(at + 1, end - at - 1));
-    out += std::string(sentence.substr(0, at)) + (row != nullptr ? row->option() : "");
-    sentence.remove_prefix(end + 1);
-  }
-  return out + std::string(sentence);
-}
-
 } // namespace granum::estimate

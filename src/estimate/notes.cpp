@@ -6,6 +6,8 @@
 #include <granum/core/number.hpp>
 #include <granum/sands/pooled_law.hpp>
 
+#include "parts.hpp"
+
 namespace granum::estimate {
 
 std::string Note::sentence() const {
@@ -144,7 +146,7 @@ void add_sand_notes(std::vector<Note>& notes, const InputValues& values, const Q
         pretty(contact::mineral("quartz").material.shear_modulus, Dimension::pressure) +
         ") unless others are given and k_t/k_n of smooth spheres. From G alone, few contacts and soft "
         "contacts cannot be distinguished");
-  if (values.given(Input::relative_density) && !values.given(Input::least_void_ratio))
+  if (by_usual_limits(values))
     add("void ratio " + short_text(q.state.void_ratio) + " follows from the relative density with e_min " +
         short_text(sands::usual_least_void_ratio) + " and e_max " +
         short_text(sands::usual_largest_void_ratio) +

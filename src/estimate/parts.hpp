@@ -4,14 +4,16 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include <granum/core/validity.hpp>
 #include <granum/effective/relaxed_exponents.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 #include <granum/estimate/answer.hpp>
+#include <granum/estimate/input_values.hpp>
 #include <granum/estimate/question.hpp>
 
-/// The parts of an answer: its contacts, its numbers for a sand, and its ranges.
+/// The parts of a question and of an answer: its contacts, its numbers for a sand, and its ranges.
 namespace granum::estimate {
 
 /// The contacts of a question: the best estimate, and one standard deviation to each side.
@@ -70,5 +72,10 @@ void set_speeds(Values& all, const Question& question, const elastic::Transverse
 
 /// \throws   InvalidArgument if a number exceeds the range of a double
 void require_finite_values(const Values& all);
+
+/// Whether a void ratio follows from D_r with the limits of usual sands.
+bool by_usual_limits(const InputValues& values);
+/// e_min and e_max: those that are known, or those of usual sands.
+std::pair<double, double> void_ratio_limits(const InputValues& values);
 
 } // namespace granum::estimate

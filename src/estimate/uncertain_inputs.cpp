@@ -7,6 +7,8 @@
 #include <granum/core/number.hpp>
 #include <granum/estimate/input_values.hpp>
 
+#include "parts.hpp"
+
 namespace granum::estimate {
 
 std::span<const InputRow* const> uncertain_rows() {
@@ -111,10 +113,8 @@ double assumed_deviation(const InputValues& values, const InputRow& row) {
 /// With the values that follow from the moved one.
 InputValues moved(InputValues values, Input input, double change) {
   values.set(input, values.number(input) + change);
-  if (input == Input::relative_density) {
-    const bool usual = !values.given(Input::least_void_ratio);
-    const double least = usual ? sands::usual_least_void_ratio : values.number(Input::least_void_ratio),
-                 largest = usual ? sands::usual_largest_void_ratio : values.number(Input::largest_void_ratio);
+  if (input == Input::relative_density) { // it may lead beyond what sands have
+    const auto [least, largest] = void_ratio_limits(values);
     values.imply(Input::void_ratio, largest - values.number(input) * (largest - least));
   }
   if (values.given(Input::k0))

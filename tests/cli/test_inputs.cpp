@@ -116,7 +116,7 @@ TEST_CASE("inputs at doors: a possible number makes one question, by option and 
     for (const Door door : doors) {
       InputValues values = beside(*row);
       REQUIRE_NOTHROW(door(values, *row, exact_text(number)));
-      CHECK(values.told(row->input));
+      CHECK(values.stated(row->input));
       CHECK(values.number(row->input) == number);
       questions.push_back(question_of(completed(values)));
     }
@@ -142,7 +142,7 @@ TEST_CASE("inputs at doors: words are read alike, and refused alike with the wor
       for (const Door door : doors) {
         InputValues values;
         REQUIRE_NOTHROW(door(values, row, text));
-        CHECK(values.told(row.input));
+        CHECK(values.stated(row.input));
       }
     }
     for (const Door door : doors) {

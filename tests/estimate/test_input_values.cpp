@@ -15,7 +15,7 @@ using namespace granum::estimate;
 
 namespace {
 
-/// A packing of which nothing but density and stress is known.
+/// A packing whose density and stress are known, and nothing else.
 InputValues usual() {
   InputValues values;
   values.give(Input::void_ratio, 0.6);
@@ -90,7 +90,7 @@ TEST_CASE("input values: the sentences on missing and contradicting inputs name 
   CHECK(refusal(none).find("void_ratio") != std::string::npos);
   InputValues twice = usual();
   twice.give(Input::porosity, 0.4);
-  CHECK(refusal(twice) == with_options(conflict::density));
+  CHECK(refusal(twice) == InputValues().spelled(conflict::density));
   InputValues sizes = usual();
   sizes.give(Input::uniformity, 2.0);
   CHECK_THROWS_AS(sizes.give(Input::sizes, std::string("bidisperse:2")), InvalidArgument);
@@ -106,7 +106,7 @@ TEST_CASE("input values: what is implied follows what is given, and may be compl
   values.give(Input::stress_v, 100e3);
   values.give(Input::k0, 0.5);
   const InputValues once = completed(values), twice = completed(once);
-  CHECK(told_shape(once) == GrainShape::sand);
+  CHECK(known_shape(once) == GrainShape::sand);
   CHECK(once.number(Input::stress_h) == 50e3);
   CHECK(once[Input::void_ratio].source == Source::implied);
   const Question q = question_of(once), again = question_of(twice);

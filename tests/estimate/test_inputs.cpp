@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/estimate/answer.hpp>
+#include <granum/estimate/input_values.hpp>
 
 #include "questions.hpp"
 
@@ -29,11 +30,11 @@ TEST_CASE("inputs: rows are in the order of their names, with keys and symbols o
     CHECK((row.kind != Kind::word) == row.words.empty());
     CHECK((row.law == nullptr) == (row.input < Input::of_laws));
     for (const Conflict& of : row.excludes)
-      CHECK(with_options(of.sentence).find('{') == std::string::npos);
+      CHECK(InputValues().spelled(of.sentence).find('{') == std::string::npos);
   }
   CHECK(inputs().size() > static_cast<std::size_t>(Input::of_laws));
   CHECK(find_input("e") == nullptr);
-  CHECK(with_options("{void_ratio} and {k0}.") == "--void-ratio and --k0.");
+  CHECK(InputValues().spelled("{void_ratio} and {k0}.") == "--void-ratio and --k0.");
 }
 
 TEST_CASE("inputs: limits are closed or open as they are written, and print so that they exclude what they "

@@ -36,7 +36,7 @@ struct InputValue {
 
   [[nodiscard]] bool given() const { return source != Source::nobody; }
   /// Not implied.
-  [[nodiscard]] bool told() const { return source == Source::table || source == Source::typed; }
+  [[nodiscard]] bool stated() const { return source == Source::table || source == Source::typed; }
 };
 
 /// What is known of a packing, by its inputs.
@@ -46,7 +46,7 @@ class InputValues {
 
   [[nodiscard]] const InputValue& operator[](Input input) const;
   [[nodiscard]] bool given(Input input) const { return (*this)[input].given(); }
-  [[nodiscard]] bool told(Input input) const { return (*this)[input].told(); }
+  [[nodiscard]] bool stated(Input input) const { return (*this)[input].stated(); }
   /// The number given, or else the default.
   [[nodiscard]] double number(Input input) const { return (*this)[input].number; }
   [[nodiscard]] std::optional<double> if_given(Input input) const;
@@ -63,7 +63,7 @@ class InputValues {
   void give(Input input, sizes::Distribution distribution);
   /// As if nobody had given it.
   void leave_out(Input input);
-  /// Sets a value that was not told.
+  /// Sets a value that was not stated.
   void imply(Input input, double number, double deviation = 0);
   /// Another number, whoever gave it.
   void set(Input input, double number) { values_[static_cast<std::size_t>(input)].number = number; }
@@ -98,7 +98,7 @@ class InputValues {
 /// The kind of grains, as given or implied: a name, a relative density, limits of the void ratio, a sieve
 /// curve or C_u of a soil, a shear strain and the ground imply a sand; glass, steel, numbers of contacts and
 /// their shape imply spheres; empty if neither is implied.
-[[nodiscard]] std::optional<GrainShape> told_shape(const InputValues& values);
+[[nodiscard]] std::optional<GrainShape> known_shape(const InputValues& values);
 
 /// The values with everything that they imply: a named sand its mineral, size and limits; a mineral its
 /// moduli and density; a relative density the void ratio (by keywords unless that is given); K_0 the

@@ -134,7 +134,7 @@ struct InputRow {
   double (*deviation)(const InputValues& values) = nullptr;
   std::string origin = {};             ///< of the default: "isotropic contact directions"
   bool uncertain = true;               ///< a number that may have a standard deviation
-  std::vector<std::string> words = {}; ///< of which a word is one, or with which it begins: "friction:NUMBER"
+  std::vector<std::string> words = {}; ///< a word is one of these, or begins with one: "friction:NUMBER"
   std::vector<WordAlias> aliases = {}; ///< of these words
   /// Sets the value of a text. \throws InvalidArgument that does not name the input
   void (*take)(InputValues& values, const std::string& text) = nullptr;
@@ -157,8 +157,5 @@ struct InputRow {
 /// \throws   InvalidArgument naming the number as `name`, if the row's limits do not contain it
 /// \param    signed_per_cent   it had a per cent sign, so that no hint on one is due
 void require_within(const InputRow& row, double value, std::string_view name, bool signed_per_cent = false);
-
-/// A sentence in which each {key} is replaced by the option of that input.
-[[nodiscard]] std::string with_options(std::string_view sentence);
 
 } // namespace granum::estimate

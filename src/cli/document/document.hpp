@@ -117,7 +117,7 @@ struct Section {
   std::variant<Items, Ranges, Table, Picture, Prose, Rows, Data> what;
 };
 
-/// An assumption or a remark: a sentence, to which values may come.
+/// An assumption or a remark, a sentence.
 struct Note {
   std::string text;
   Seen seen = Seen::full;
@@ -125,8 +125,7 @@ struct Note {
 
 struct Document {
   std::string command = {};                ///< "estimate"
-  std::string title = {};                  ///< first line of a screen
-  std::string question = {};               ///< first line of a page
+  std::string title = {}, question = {};   ///< first line of a screen, and of a page
   std::vector<std::string> sentences = {}; ///< the answer in words, below that
   std::vector<Section> sections = {};
   std::vector<Note> notes = {};

@@ -22,7 +22,7 @@ AnswerCase bare_answer(const InputValues& values, const std::vector<std::string>
   std::vector<estimate::UncertainInput> inputs = uncertain_inputs(values, uncertainties);
   std::optional<estimate::Answer> of_sand;
   double sand_grain_modulus = 0;
-  if (!told_shape(values)) {
+  if (!known_shape(values)) {
     try {
       const InputValues sand = as_sand(values);
       const estimate::Question of_grains = question_of(sand);

@@ -13,14 +13,6 @@
 /// Options that exclude each other, according to their rows. Checked by tests/cli/people.cmake
 namespace granum::cli {
 
-/// Messages about quantities that are given twice, by options or by a row of a table.
-namespace given_twice {
-inline constexpr const char* rattlers =
-    "--mechanical-coordination-number and --rattler-fraction are alternatives: give one";
-inline constexpr const char* sizes =
-    "--sizes, --sieve and --uniformity are alternatives: give one of them, once";
-} // namespace given_twice
-
 /// "--slope goes with --contact cone, not with --contact sphere".
 [[nodiscard]] std::string belongs_to_other_contact(const std::string& option, std::string_view wanted,
                                                    std::string_view chosen);

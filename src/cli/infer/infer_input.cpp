@@ -107,7 +107,7 @@ namespace {
 
 const std::string fitted_growth(name(inverse::GrowthRule::fitted));
 
-/// The option, or the column, that gives the kind of grains; as told_shape.
+/// The option, or the column, that gives the kind of grains; as known_shape.
 std::string source_of_shape(const InputValues& values) {
   if (values.grain_shape)
     return fmt::format("--grain-shape {}", name(*values.grain_shape));
@@ -115,10 +115,10 @@ std::string source_of_shape(const InputValues& values) {
     return fmt::format("--sand {}", values.known_sand->key);
   InputValues unnamed = values;
   unnamed.mineral = nullptr;
-  if (told_shape(unnamed) != told_shape(values))
+  if (known_shape(unnamed) != known_shape(values))
     return fmt::format("--grain {}", values.mineral->key);
   for (const estimate::InputRow& row : estimate::inputs())
-    if (row.implies == told_shape(values) && values.given(row.input))
+    if (row.implies == known_shape(values) && values.given(row.input))
       return row.input == Input::contact ? fmt::format("{} {}", row.option(), name(values.contact))
                                          : row.option();
   return "";
@@ -135,7 +135,7 @@ bool of_spheres_alone(const std::string& growth) {
 /// Sand, spheres or both, and the known properties of the sand.
 void resolve_shape(const InferOptions& o, const InputValues& values, InferCase& question) {
   using estimate::GrainShape;
-  std::optional<GrainShape> shape = told_shape(values);
+  std::optional<GrainShape> shape = known_shape(values);
   const std::optional<GrainShape> of_growth = o.growth == sand_growth_name ? std::optional(GrainShape::sand)
                                               : of_spheres_alone(o.growth) ? std::optional(GrainShape::sphere)
                                                                            : std::nullopt;

@@ -24,14 +24,14 @@ Typed key_of_scene(const char* name, double value, Dimension dimension) { return
 
 Validity likely_mistakes(const InputValues& values, const effective::State& state) {
   Validity validity;
-  if (values.told(Input::void_ratio))
+  if (values.stated(Input::void_ratio))
     judge_void_ratio({values.name(Input::void_ratio), state.void_ratio}, values.sizes.has_value(), validity);
   const bool by_z = values.given(Input::mechanical_coordination_number);
   const Input z = by_z ? Input::mechanical_coordination_number : Input::coordination_number;
   if (values.given(z) && !values.sizes)
     judge_contacts(typed(values, z), by_z, state, validity);
   for (const Input stress : {Input::pressure, Input::stress_v, Input::stress_h})
-    if (values.told(stress)) // a stress that follows from others was not mistyped
+    if (values.stated(stress)) // a stress that follows from others was not mistyped
       judge_stress(typed(values, stress), validity);
   for (const auto& [input, judge] : {std::pair{Input::radius, &judge_length},
                                      {Input::d50, &judge_length},

@@ -209,7 +209,7 @@ ExitCode Tally::conclude(ExitCode code) const {
 }
 
 AskedOfRows asked_of(const InputValues& values) {
-  return {.both = !told_shape(values), .strained = values.given(Input::shear_strain)};
+  return {.both = !known_shape(values), .strained = values.given(Input::shear_strain)};
 }
 
 SweptRows::SweptRows(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
@@ -272,7 +272,7 @@ std::vector<std::string> remarks_on(const SweepOptions& o, std::vector<std::stri
   const bool counted = o.inputs.given(Input::coordination_number) ||
                        o.inputs.given(Input::rattler_fraction) ||
                        o.inputs.given(Input::mechanical_coordination_number);
-  if (told_shape(o.inputs) == estimate::GrainShape::sand) {
+  if (known_shape(o.inputs) == estimate::GrainShape::sand) {
     assumptions.emplace_back("void ratio and sand are the same at every state");
     return assumptions;
   }

@@ -13,7 +13,7 @@ contact::GrainMaterial grain_of(const InputValues& values) {
   const double modulus = values.number(Input::grain_shear_modulus);
   if (!values.given(Input::grain_bulk_modulus))
     return {modulus, values.number(Input::grain_poisson_ratio)};
-  if (values.told(Input::grain_poisson_ratio))
+  if (values.stated(Input::grain_poisson_ratio))
     throw InvalidArgument(values.spelled(conflict::grain));
   const double bulk = values.number(Input::grain_bulk_modulus);
   require_positive(values.name(Input::grain_bulk_modulus), bulk, "Pa");
@@ -186,8 +186,8 @@ sands::Sand sand_of(const InputValues& values) {
       sand.uniformity = values.known_sand->uniformity;
     sand.tests = values.known_sand->tests;
   }
-  if (values.sizes || values.given(Input::uniformity) || values.told(Input::least_void_ratio) ||
-      values.told(Input::largest_void_ratio))
+  if (values.sizes || values.given(Input::uniformity) || values.stated(Input::least_void_ratio) ||
+      values.stated(Input::largest_void_ratio))
     sand.tests.reset(); // of another batch
   sand.least_void_ratio = values.if_given(Input::least_void_ratio);
   sand.largest_void_ratio = values.if_given(Input::largest_void_ratio);
@@ -215,7 +215,7 @@ Question question_of(const InputValues& values) {
                                ? std::nullopt
                                : std::optional(values.within(Input::grain_density)),
           .saturation = values.within(Input::saturation),
-          .grain_shape = told_shape(values).value_or(GrainShape::sphere),
+          .grain_shape = known_shape(values).value_or(GrainShape::sphere),
           .sand = sand_of(values),
           .shear_strain = values.given(Input::shear_strain)
                               ? std::optional(values.within(Input::shear_strain))
