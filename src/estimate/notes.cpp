@@ -19,10 +19,6 @@ std::string Note::sentence() const {
 
 namespace {
 
-Note plain(std::string sentence, std::string source = {}) {
-  return {.reason = std::move(sentence), .source = std::move(source)};
-}
-
 /// A default as a note.
 Note default_note(const InputValues& values, Input input, std::span<const UncertainInput> inputs) {
   const InputRow& row = row_of(input);
@@ -47,27 +43,27 @@ Note tangential_note(const InputValues& values, const effective::State& state) {
           .reason = "the no-slip contact of Mindlin"};
 }
 
-void add_size_notes(std::vector<Note>& notes, const InputValues& values) {
+void add_size_notes(Notes& notes, const InputValues& values) {
   if (!values.sizes)
     return;
   constexpr double compared = 1.75; // the largest C_u of validation/sizes
   const double uniformity = sizes::gradation(*values.sizes, 1).uniformity();
   if (uniformity > compared)
-    notes.push_back(plain("C_u is " + short_text(uniformity) +
-                          ": the sizes in contact were validated with packings only up to " +
-                          short_text(compared)));
+    add_sentence(notes, "C_u is " + short_text(uniformity) +
+                            ": the sizes in contact were validated with packings only up to " +
+                            short_text(compared));
   if (!values.given(Input::rattler_fraction) && !values.given(Input::mechanical_coordination_number))
-    notes.push_back(plain(
-        values.spelled("contacts of unequal grains: the sizes in contact are those of a packing without "
-                       "rattlers; rattlers are small, so grains in contact are larger than average; "
-                       "{rattler_fraction} sets the share of rattlers")));
+    add_sentence(notes, values.spelled(
+                            "contacts of unequal grains: the sizes in contact are those of a packing without "
+                            "rattlers; rattlers are small, so grains in contact are larger than average; "
+                            "{rattler_fraction} sets the share of rattlers"));
 }
 
 } // namespace
 
-std::vector<Note> assumed_of_spheres(const InputValues& values, const effective::State& state,
-                                     std::span<const UncertainInput> inputs) {
-  std::vector<Note> notes;
+Notes assumed_of_spheres(const InputValues& values, const effective::State& state,
+                         std::span<const UncertainInput> inputs) {
+  Notes notes;
   const auto note_default = [&](Input input) {
     if (!values.given(input))
       notes.push_back(default_note(values, input, inputs));
@@ -101,17 +97,17 @@ std::optional<Note> assumed_density(const InputValues& values, std::span<const U
 
 namespace {
 
-void add_names(std::vector<Note>& notes, const InputValues& values) {
+void add_names(Notes& notes, const InputValues& values) {
   if (values.mineral != nullptr)
-    notes.push_back(
-        plain("grains of " + std::string(values.mineral->name) + " [" + values.mineral->source + "]",
-              values.mineral->source));
+    add_sentence(notes,
+                 "grains of " + std::string(values.mineral->name) + " [" + values.mineral->source + "]",
+                 values.mineral->source);
   if (values.known_sand == nullptr)
     return;
   const sands::KnownSand& sand = *values.known_sand;
   const std::string tests = sand.tests ? std::to_string(sand.tests->count) + " tests of this sand"
                                        : "no tests of this sand are included";
-  notes.push_back(plain(std::string(sand.name) + " [" + sand.source + "]: " + tests, sand.source));
+  add_sentence(notes, std::string(sand.name) + " [" + sand.source + "]: " + tests, sand.source);
 }
 
 /// "0.43", or below sands::low_stress both exponents.
@@ -125,10 +121,10 @@ std::string exponent_text(const sands::Sand& sand, double mean_stress) {
 }
 
 /// The basis of an answer for a sand.
-void add_sand_notes(std::vector<Note>& notes, const InputValues& values, const Question& q) {
+void add_sand_notes(Notes& notes, const InputValues& values, const Question& q) {
   const double p = q.state.mean_stress();
   const auto add = [&notes](const std::string& sentence, std::string source = {}) {
-    notes.push_back(plain("sand: " + sentence, std::move(source)));
+    add_sentence(notes, "sand: " + sentence, std::move(source));
   };
   add("G = " + sands::formula(q.sand) + ", p_a = 100 kPa, s = " + exponent_text(q.sand, p) +
           "; one standard deviation of G is a factor of " +
@@ -157,9 +153,9 @@ void add_sand_notes(std::vector<Note>& notes, const InputValues& values, const Q
 
 } // namespace
 
-std::vector<Note> notes_of(const InputValues& values, const Question& question,
-                           std::span<const UncertainInput> inputs, bool of_sand) {
-  std::vector<Note> notes;
+Notes notes_of(const InputValues& values, const Question& question, std::span<const UncertainInput> inputs,
+               bool of_sand) {
+  Notes notes;
   if (question.grain_shape == GrainShape::sphere)
     notes = assumed_of_spheres(values, question.state, inputs);
   if (const std::optional<Note> density = assumed_density(values, inputs))
@@ -168,8 +164,7 @@ std::vector<Note> notes_of(const InputValues& values, const Question& question,
   if (of_sand)
     add_sand_notes(notes, values, question);
   if (question.saturation > 0 && question.saturation < 1)
-    notes.push_back(
-        plain("air and water share one pressure in the pores; menisci between grains are left out"));
+    add_sentence(notes, "air and water share one pressure in the pores; menisci between grains are left out");
   return notes;
 }
 

@@ -157,6 +157,6 @@ granum_new_user("a shell sand" "estimate --void-ratio 0.9 --pressure 100kPa --gr
 granum_new_user("a sand that nobody knows here" "estimate --sand monterey --relative-density 50% --pressure 100kPa" 2 "known are toyoura, ottawa")
 granum_new_user("a depth without units" "sweep --depth 0..30 --void-ratio 0.7" 2 "--depth = 0 has no unit; write 0m")
 granum_new_user("ground water as gwt" "sweep --depth 0m..30m --void-ratio 0.7 --gwt 2m" 2 "did you mean --water-table")
-granum_new_user("K_0 of a measured speed" "infer --vs 200m/s --void-ratio 0.7 --stress-v 100kPa --k0 0.5" 2 "did you mean --stress-h[^\n]*sigma_h = K_0 sigma_v")
+granum_new_user("K_0 of a measured speed" "infer --vs 200m/s --void-ratio 0.7 --stress-v 100kPa --k0 0.5" 0 "sigma_h = 50 kPa")
 granum_new_user("water in the layers' file" "sweep --layers engineer_layers_water.csv --depth 0m..12m --points 4" 0 "below 2 m 1[89][0-9.]*[ \n]+kN/m3")
 granum_new_user("measured speeds beside a table's states" "sweep --table engineer_speeds.csv --grain-shape sand" 0 "1 of 3 states[^\n]*cemented")

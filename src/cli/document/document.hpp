@@ -9,6 +9,7 @@
 
 #include <granum/core/validity.hpp>
 #include <granum/estimate/answer.hpp>
+#include <granum/estimate/notes.hpp>
 #include <granum/io/csv/columns.hpp>
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
@@ -117,9 +118,9 @@ struct Section {
   std::variant<Items, Ranges, Table, Picture, Prose, Rows, Data> what;
 };
 
-/// An assumption or a remark, a sentence.
+/// An assumption or a remark.
 struct Note {
-  std::string text;
+  estimate::Note what;
   Seen seen = Seen::full;
 };
 
@@ -138,9 +139,13 @@ struct Document {
   void add(Seen seen, What what) {
     sections.push_back({seen, std::move(what)});
   }
-  void add_notes(const std::vector<std::string>& texts, Seen seen = Seen::full) {
-    for (const std::string& text : texts)
-      notes.push_back({text, seen});
+  void add_notes(const estimate::Notes& what, Seen seen = Seen::full) {
+    for (const estimate::Note& note : what)
+      notes.push_back({note, seen});
+  }
+  void add_notes(const std::vector<std::string>& sentences_of, Seen seen = Seen::full) {
+    for (const std::string& sentence : sentences_of)
+      notes.push_back({{.reason = sentence}, seen});
   }
 };
 
@@ -168,7 +173,7 @@ struct Document {
 
 /// Text for a terminal, without warnings.
 [[nodiscard]] std::string screen(const Document& document, bool full);
-/// Every section that has a key, SI units; notes; without warnings.
+/// Every section that has a key, SI units; assumed inputs, and all notes as sentences; without warnings.
 [[nodiscard]] nlohmann::ordered_json json(const Document& document);
 /// The sections alone, as members of an object.
 [[nodiscard]] nlohmann::ordered_json members_of(const std::vector<Section>& sections);
@@ -191,7 +196,8 @@ struct Outlets {
 /// Adds --full, --picture and --report.
 void add_outlets(Command& command, Outlets& outlets, const std::string& picture_help);
 /// Checks names of files before any work is done.
-/// \throws   InvalidArgument for another ending than .svg and .html; FileError as require_free of frame.hpp
+/// \throws   InvalidArgument for another ending than .svg and .html, and one name for two files; FileError as
+///           require_free of frame.hpp
 void require_free(const Outlets& outlets);
 /// Prints the document wherever it is asked for.
 /// \return   as deliver of frame.hpp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A document as JSON, CSV and SVG, and its way to the files that are asked for.
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
@@ -34,6 +35,27 @@ ordered_json& object_at(ordered_json& out, const std::string& key) {
 ordered_json json_of(const std::optional<estimate::Range>& range) {
   return range ? ordered_json{{"value", range->value}, {"low", range->low}, {"high", range->high}}
                : ordered_json();
+}
+
+/// "--grain-shear-modulus" as "grain_shear_modulus", the key of a value among the inputs.
+std::string key_of(const estimate::Note& note) {
+  std::string key = note.name.substr(std::min(note.name.find_first_not_of('-'), note.name.size()));
+  std::replace(key.begin(), key.end(), '-', '_');
+  return key;
+}
+
+/// An assumed input.
+ordered_json json_of(const estimate::Note& note) {
+  ordered_json out;
+  if (note.number)
+    out["value"] = *note.number;
+  else
+    out["value"] = note.value;
+  if (note.deviation > 0)
+    out["deviation"] = note.deviation;
+  if (!note.reason.empty())
+    out["reason"] = note.reason;
+  return out;
 }
 
 void put(ordered_json& out, const Items& items) {
@@ -137,9 +159,13 @@ ordered_json members_of(const std::vector<Section>& sections) {
 ordered_json json(const Document& document) {
   ordered_json out = json_head(document.command);
   out.update(members_of(document.sections));
-  ordered_json& notes = out["notes"] = ordered_json::array();
-  for (const Note& note : document.notes)
-    notes.push_back(note.text);
+  ordered_json notes = ordered_json::array();
+  for (const Note& note : document.notes) {
+    if (!note.what.name.empty())
+      out["assumed"][key_of(note.what)] = json_of(note.what);
+    notes.push_back(note.what.sentence());
+  }
+  out["notes"] = std::move(notes);
   return out;
 }
 
@@ -154,7 +180,7 @@ std::string csv(const Document& document) {
   out.notes.insert(out.notes.end(), document.comments.begin(), document.comments.end());
   for (const Note& note : document.notes)
     if (note.seen != Seen::data)
-      out.notes.emplace_back("note", note.text);
+      out.notes.emplace_back("note", note.what.sentence());
   for (const Section& section : document.sections)
     if (const auto* rows = std::get_if<Rows>(&section.what)) {
       out.headings = rows->headings;
@@ -193,6 +219,13 @@ void add_outlets(Command& command, Outlets& outlets, const std::string& picture_
 }
 
 void require_free(const Outlets& outlets) {
+  const std::array<std::pair<const char*, const std::string*>, 3> files = {
+      {{"--out", &outlets.output.out}, {"--picture", &outlets.picture}, {"--report", &outlets.report}}};
+  for (std::size_t k = 0; k < files.size(); ++k)
+    for (std::size_t other = 0; other < k; ++other)
+      if (!files[k].second->empty() && *files[k].second == *files[other].second)
+        throw InvalidArgument(fmt::format("{} and {} name one file, '{}': give each its own",
+                                          files[other].first, files[k].first, *files[k].second));
   require_free(outlets.output, outlets.picture);
   require_free({.json = false, .strict = false, .force = outlets.output.force, .out = outlets.report}, "");
   if (!outlets.report.empty() && !outlets.report.ends_with(".html"))

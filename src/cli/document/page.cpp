@@ -125,7 +125,7 @@ std::string page(const Document& document) {
   }
   for (const Note& note : document.notes)
     if (note.seen != Seen::data)
-      notes.push_back(note.text);
+      notes.push_back(note.what.sentence());
   if (figures.empty())
     figures.emplace_back();
   for (std::size_t k = 1; k < figures.size(); ++k)

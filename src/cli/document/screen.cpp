@@ -172,7 +172,7 @@ std::string screen(const Document& document, bool full) {
   std::string notes;
   for (const Note& note : document.notes)
     if (note.seen == Seen::always || (full && note.seen == Seen::full))
-      notes += "- " + note.text + "\n";
+      notes += "- " + note.what.sentence() + "\n";
   return within_width(text + (notes.empty() ? "" : "\n") + notes);
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <granum/core/error.hpp>
-#include <granum/estimate/notes.hpp>
 
 namespace granum::cli {
 
@@ -42,8 +41,7 @@ AnswerCase bare_answer(const InputValues& values, const std::vector<std::string>
 AnswerCase solve_answer(const InputValues& values, const std::vector<std::string>& uncertainties) {
   AnswerCase c = bare_answer(values, uncertainties);
   add_measured_laws(c);
-  for (const estimate::Note& note : notes_of(values, c.question, c.inputs, c.of_sand() != nullptr))
-    c.assumptions.push_back(note.sentence());
+  c.assumptions = notes_of(values, c.question, c.inputs, c.of_sand() != nullptr);
   return c;
 }
 

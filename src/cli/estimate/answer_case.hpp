@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <granum/estimate/answer.hpp>
+#include <granum/estimate/notes.hpp>
 #include <granum/sands/measured_sands.hpp>
 #include <granum/stress/axial_stress.hpp>
 
@@ -32,8 +33,8 @@ struct AnswerCase {
   double sand_grain_modulus = 0; ///< G_g of sand_answer, if there is one [Pa]
   double uniformity = 0;         ///< C_u of the measured laws [1]
   bool uniformity_assumed = false;
-  std::vector<SandAnswer> sands = {};        ///< empty without stress
-  std::vector<std::string> assumptions = {}; ///< of shape, grains and fabric, with their deviations
+  std::vector<SandAnswer> sands = {}; ///< empty without stress
+  estimate::Notes assumptions = {};   ///< of shape, grains and fabric, with their deviations
 
   /// The answer for a sand, if there is one.
   [[nodiscard]] const estimate::Answer* of_sand() const;

@@ -319,7 +319,10 @@ Document document_of(const Options& o, const AnswerCase& c) {
   add_inputs(to, c, packing_json(o.inputs, state));
   add_answers(to, c);
   Items notes{.key = "answer"};
-  io::add_item(notes.items, "notes", c.assumptions);
+  std::vector<std::string> sentences;
+  for (const estimate::Note& note : c.assumptions)
+    sentences.push_back(note.sentence());
+  io::add_item(notes.items, "notes", sentences);
   to.add(Seen::data, std::move(notes));
   to.add(Seen::first, first_lines(c));
   to.add(Seen::full, measured_laws_table(c));

@@ -103,7 +103,7 @@ void add_prediction_options(Command& command, InferOptions& o) {
        {.name = "--predict-stress-ratio",
         .value = number_without_default(o.predict_stress_ratio),
         .meaning = "sigma_h/sigma_v of the predictions; by default that of the first measurement",
-        .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}}},
+        .synonyms = {{"stressratio", "sigma_h = K_0 sigma_v"}}},
        {.name = "--predict-void-ratio",
         .value = number_without_default(o.predict_void_ratio),
         .meaning = "Predict for another packing of this void ratio, prepared in the same way"},
@@ -114,6 +114,7 @@ void add_infer_options(Command& command, InferOptions& o) {
   add_measured_options(command, o);
   add_packing_options(command, o.inputs);
   add_answer_options(command, o.inputs);
+  add_input(command, o.inputs, Input::k0);
   for (const char* asked : {"--coordination-number", "--mechanical-coordination-number", "--preparation"})
     command.remove(asked);
   add_prediction_options(command, o);
@@ -262,6 +263,12 @@ ExitCode run(const InferOptions& o) {
   const Inferred all = inferred(question);
   Document document{.command = "infer", .title = title_text(all)};
   document.warnings = likely_mistakes(o.inputs, question.measurements.front().state);
+  for (const std::string& pressure : o.predict_pressure)
+    document.warnings.merge(
+        likely_mistakes(Number{.value = parse_quantity("--predict-pressure", pressure, Dimension::pressure),
+                               .dimension = Dimension::pressure,
+                               .name = "--predict-pressure",
+                               .typed = true}));
   document.warnings.merge(all.validity);
   add_inferred(document, all);
   const bool explained = !all.beads || all.beads->together;

@@ -65,9 +65,9 @@ struct InferCase {
   inverse::SandGrowth sand_growth = inverse::SandGrowth::measured;
   bool of_spheres = true; ///< unless the grains are given as sand
   std::vector<PredictedState> predicted;
-  nlohmann::ordered_json packing;       ///< contact, grains and packing, SI
-  std::vector<std::string> assumptions; ///< inputs that were not given, one sentence each
-  io::CsvManner manner = {};            ///< of the table of measurements
+  nlohmann::ordered_json packing; ///< contact, grains and packing, SI
+  estimate::Notes assumptions;    ///< inputs that were not given
+  io::CsvManner manner = {};      ///< of the table of measurements
 };
 
 /// \throws   InvalidArgument or FileError for invalid options and tables

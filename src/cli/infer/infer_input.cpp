@@ -59,7 +59,7 @@ std::vector<Observation> measurements_of_options(const InferOptions& o, InferCas
 
 /// Assumptions on the grains, with their deviations, and the uncertain inputs.
 inverse::SharedInputs uncertain_inputs_of(const InferOptions& o, const InputValues& values,
-                                          std::vector<std::string>& assumptions) {
+                                          estimate::Notes& assumptions) {
   const std::vector<const estimate::InputRow*> shared = inverse::shared_rows(values);
   const std::vector<estimate::UncertainInput> uncertain =
       uncertain_inputs(values, deviations_of(o.uncertain, values, shared,
@@ -67,8 +67,8 @@ inverse::SharedInputs uncertain_inputs_of(const InferOptions& o, const InputValu
   for (const estimate::UncertainInput& one : uncertain) {
     const estimate::InputRow& row = estimate::uncertain_row(one.input);
     if (one.assumed && std::find(shared.begin(), shared.end(), &row) != shared.end())
-      assumptions.push_back(
-          fmt::format("standard deviation of {}: {}", one.input, pretty(one.deviation, row.dimension)));
+      add_sentence(assumptions, fmt::format("standard deviation of {}: {}", one.input,
+                                            pretty(one.deviation, row.dimension)));
   }
   return inverse::shared_inputs(values, uncertain);
 }
@@ -187,7 +187,9 @@ double share_of(const Number& error, Dimension dimension) {
 }
 
 void note_assumed_error(const InferOptions& o, InferCase& question, bool stated) {
-  const std::string note = "assumed --measurement-error 2 % of speeds, 4 % of moduli, where none is given";
+  const estimate::Note note{.name = "--measurement-error",
+                            .value = "2 % of speeds, 4 % of moduli",
+                            .reason = "where none is given"};
   if (!stated && !o.measurement_error.given() &&
       std::find(question.assumptions.begin(), question.assumptions.end(), note) == question.assumptions.end())
     question.assumptions.push_back(note);
@@ -266,12 +268,11 @@ InferCase infer_case(const InferOptions& given) {
   const State& first = question.measurements.front().state;
   resolve_shape(o, values, question);
   if (question.of_spheres)
-    for (const estimate::Note& note : assumed_of_spheres(values, first))
-      question.assumptions.push_back(note.sentence());
+    std::ranges::copy(assumed_of_spheres(values, first), std::back_inserter(question.assumptions));
   else
     require_options_of_sand(o);
   if (const std::optional<estimate::Note> density = assumed_density(values))
-    question.assumptions.push_back(density->sentence());
+    question.assumptions.push_back(*density);
   question.packing = packing_json(values, first);
   question.options = {.grain_density = values.number(Input::grain_density),
                       .pore_density = elastic::water_density * values.within(Input::saturation),

@@ -60,14 +60,14 @@ std::optional<double> number_in(const io::CsvTable& table, std::size_t row,
 }
 
 /// A column of contacts is the result of another program, not an input of this one.
-std::vector<std::string> table_remarks(const InputColumns& columns, const InputValues& row) {
-  std::vector<std::string> remarks;
+estimate::Notes table_remarks(const InputColumns& columns, const InputValues& row) {
+  estimate::Notes remarks;
   for (const Input input :
        {Input::coordination_number, Input::mechanical_coordination_number, Input::rattler_fraction})
     if (remarks.empty() && row[input].source == estimate::Source::table)
-      remarks.emplace_back("C_n, z* and rattlers in the table are not used, because they are inferred");
+      add_sentence(remarks, "C_n, z* and rattlers in the table are not used, because they are inferred");
   if (const std::vector<std::string> unread = columns.unread(); !unread.empty())
-    remarks.push_back(unread_text(unread));
+    add_sentence(remarks, unread_text(unread));
   return remarks;
 }
 

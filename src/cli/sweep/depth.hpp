@@ -15,7 +15,7 @@ namespace granum::cli {
 struct GroundCase {
   stress::Ground ground;
   double saturation = 0; ///< of the pores above the water table
-  std::vector<std::string> assumptions;
+  estimate::Notes assumptions;
   Validity validity; ///< where weights and void ratio contradict each other
 };
 

@@ -70,11 +70,11 @@ void resolve_moist_ground(const SweepOptions& o, const PackingMass& mass, Ground
   if (!given.given()) {
     c.saturation = share_of_water;
     c.ground.unit_weight = mass.unit_weight(share_of_water);
-    c.assumptions.push_back(
-        fmt::format("unit weight of {}: grains of {} at this void ratio, with {} % of the pores "
-                    "filled with water; change it with --unit-weight",
-                    weight(c.ground.unit_weight), pretty(mass.grain_density, Dimension::density),
-                    short_text(100 * share_of_water, 3)));
+    add_sentence(c.assumptions,
+                 fmt::format("unit weight of {}: grains of {} at this void ratio, with {} % of the pores "
+                             "filled with water; change it with --unit-weight",
+                             weight(c.ground.unit_weight), pretty(mass.grain_density, Dimension::density),
+                             short_text(100 * share_of_water, 3)));
     return;
   }
   c.ground.unit_weight = require_positive(given.name, given.value, "N/m3");
@@ -87,10 +87,10 @@ void resolve_moist_ground(const SweepOptions& o, const PackingMass& mass, Ground
   c.saturation = std::min(std::max(implied, 0.0), 1.0);
   note_contradiction(given, mass.unit_weight(c.saturation),
                      implied > 1 ? "all pores full" : "all pores empty", mass, c.validity);
-  c.assumptions.push_back(
-      fmt::format("{} % of the pores above the water table are water, from the unit weight; "
-                  "change it with --saturation",
-                  short_text(100 * c.saturation, 3)));
+  add_sentence(c.assumptions,
+               fmt::format("{} % of the pores above the water table are water, from the unit weight; "
+                           "change it with --saturation",
+                           short_text(100 * c.saturation, 3)));
 }
 
 void resolve_wet_ground(const SweepOptions& o, const PackingMass& mass, GroundCase& c) {
@@ -105,9 +105,10 @@ void resolve_wet_ground(const SweepOptions& o, const PackingMass& mass, GroundCa
     return;
   }
   c.ground.saturated_unit_weight = full;
-  c.assumptions.push_back(fmt::format("saturated unit weight of {}: grains of {} at this void ratio with all "
-                                      "pores full; change it with --saturated-unit-weight",
-                                      weight(full), pretty(mass.grain_density, Dimension::density)));
+  add_sentence(c.assumptions,
+               fmt::format("saturated unit weight of {}: grains of {} at this void ratio with all "
+                           "pores full; change it with --saturated-unit-weight",
+                           weight(full), pretty(mass.grain_density, Dimension::density)));
 }
 
 } // namespace
@@ -177,7 +178,7 @@ GroundCase resolve_ground(const SweepOptions& o) {
   resolve_moist_ground(o, mass, c);
   resolve_wet_ground(o, mass, c);
   if (!k0.given())
-    c.assumptions.push_back(fmt::format("assumed --k0 {}", short_text(k0.value)));
+    c.assumptions.push_back({.name = k0.name, .value = short_text(k0.value), .number = k0.value});
   return c;
 }
 

@@ -75,7 +75,7 @@ std::vector<Layer> layers_of(const SweepOptions& o) {
         layer.ground = below(std::move(layer.ground), layer.top, end.effective.v);
       }
       if (!unread.empty())
-        layer.ground.assumptions.push_back(unread_text(unread));
+        add_sentence(layer.ground.assumptions, unread_text(unread));
       layers.push_back(std::move(layer));
     } catch (const InvalidArgument& error) {
       throw FileError(o.ground.layers, table.line(k), error.what());

@@ -129,7 +129,7 @@ class SweptRows {
   /// \param    place   first members of the object in JSON
   void add(std::vector<io::CsvCell> cells, nlohmann::ordered_json place, const SweptState& state);
   /// A document of the rungs, the states and the remarks.
-  [[nodiscard]] Document document(const std::vector<std::string>& remarks) &&;
+  [[nodiscard]] Document document(const estimate::Notes& remarks) &&;
 
  private:
   const SweepOptions& options_;
@@ -146,8 +146,7 @@ class SweptRows {
 [[nodiscard]] ExitCode deliver_sweep(const Outlets& to, const Document& document);
 
 /// The assumptions of the answers, and whether contacts grow or are constant.
-[[nodiscard]] std::vector<std::string> remarks_on(const SweepOptions& options,
-                                                  std::vector<std::string> assumptions);
+[[nodiscard]] estimate::Notes remarks_on(const SweepOptions& options, estimate::Notes assumptions);
 
 /// Sweeps the states of options.table.
 ExitCode sweep_table(const SweepOptions& options, const Rungs& rungs);

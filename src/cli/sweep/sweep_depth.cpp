@@ -209,32 +209,33 @@ SweptRows rows_of(const SweepOptions& o, const std::vector<DepthState>& states) 
 
 /// The assumptions of a layer: those of its ground, and of its answer at the bottom.
 /// \param    alone   whether it is the only layer
-std::vector<std::string> assumptions_of(const Layer& layer, double bottom, bool alone) {
-  std::vector<std::string> all = layer.ground.assumptions;
+estimate::Notes assumptions_of(const Layer& layer, double bottom, bool alone) {
+  estimate::Notes all = layer.ground.assumptions;
   const stress::GroundStress stress = stress::stress_at(layer.ground.ground, bottom - layer.top);
   const AnswerCase solved = solve_answer(at_stress(layer.options.inputs, stress.effective), {});
-  for (const std::string& note : alone ? remarks_on(layer.options, solved.assumptions) : solved.assumptions)
+  for (const estimate::Note& note :
+       alone ? remarks_on(layer.options, solved.assumptions) : solved.assumptions)
     all.push_back(note);
   return all;
 }
 
 /// The assumptions of all layers down to the deepest depth, and then those of single layers.
-std::vector<std::string> assumptions_of(const std::vector<Layer>& layers, double deepest) {
-  std::vector<std::pair<const Layer*, std::vector<std::string>>> assumed;
+estimate::Notes assumptions_of(const std::vector<Layer>& layers, double deepest) {
+  std::vector<std::pair<const Layer*, estimate::Notes>> assumed;
   for (auto layer = layers.begin(); layer != layers.end() && layer->top < deepest; ++layer) {
     const double end = layer + 1 == layers.end() ? deepest : (layer + 1)->top;
     assumed.emplace_back(&*layer, assumptions_of(*layer, std::min(end, deepest), layers.size() == 1));
   }
-  const auto everywhere = [&](const std::string& note) {
+  const auto everywhere = [&](const estimate::Note& note) {
     return std::all_of(assumed.begin(), assumed.end(), [&](const auto& one) {
       return std::find(one.second.begin(), one.second.end(), note) != one.second.end();
     });
   };
-  std::vector<std::string> all, of_layers;
+  estimate::Notes all, of_layers;
   for (const auto& [layer, notes] : assumed)
-    for (const std::string& note : notes)
+    for (const estimate::Note& note : notes)
       if (!everywhere(note))
-        of_layers.push_back(fmt::format("from {} m: {}", short_text(layer->top), note));
+        add_sentence(of_layers, fmt::format("from {} m: {}", short_text(layer->top), note.sentence()));
       else if (layer == assumed.front().first)
         all.push_back(note);
   all.insert(all.end(), of_layers.begin(), of_layers.end());
@@ -245,32 +246,35 @@ bool is_sand(const DepthState& at) {
   return at.state.answer->question.grain_shape == estimate::GrainShape::sand;
 }
 
-std::vector<std::string> depth_remarks(const std::vector<Layer>& layers,
-                                       const std::vector<DepthState>& states) {
-  std::vector<std::string> remarks = assumptions_of(layers, states.back().point.depth);
+estimate::Notes depth_remarks(const std::vector<Layer>& layers, const std::vector<DepthState>& states) {
+  estimate::Notes remarks = assumptions_of(layers, states.back().point.depth);
   const bool sand = std::any_of(states.begin(), states.end(), is_sand),
              spheres = !std::all_of(states.begin(), states.end(), is_sand);
   const bool unequal = std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
     return layer.ground.ground.earth_pressure_at_rest != 1;
   });
   if (unequal && sand)
-    remarks.emplace_back(
+    add_sentence(
+        remarks,
         "G in a vertical plane grows as sigma_v^n sigma_h^m; n + m is the exponent s under equal stresses");
   if (unequal && spheres)
-    remarks.emplace_back(
-        "unequal stresses act on each contact by its direction (rung 2, relaxed); they do not "
-        "change the contacts: --fabric is that of the ground at rest");
+    add_sentence(remarks,
+                 "unequal stresses act on each contact by its direction (rung 2, relaxed); they do not "
+                 "change the contacts: --fabric is that of the ground at rest");
   const auto shallow = [](const DepthState& at) {
     const double p = at.point.stress.effective.mean();
     return is_sand(at) && p > 0 && p < sands::least_tested_stress;
   };
   if (const auto last = std::find_if(states.rbegin(), states.rend(), shallow); last != states.rend())
-    remarks.push_back(fmt::format(
-        "no sand was tested below p' = 25 kPa, here at depths of {} m and less: the range is wider "
-        "there, up to a factor of 1.6",
-        short_text(last->point.depth)));
+    add_sentence(
+        remarks,
+        fmt::format(
+            "no sand was tested below p' = 25 kPa, here at depths of {} m and less: the range is wider "
+            "there, up to a factor of 1.6",
+            short_text(last->point.depth)));
   if (states.front().point.stress.effective.v == 0)
-    remarks.emplace_back(
+    add_sentence(
+        remarks,
         "without stress a packing has no stiffness: at the surface G and V_s are 0, although suction "
         "and cement stiffen real ground");
   return remarks;

@@ -237,7 +237,7 @@ void SweptRows::add(std::vector<io::CsvCell> cells, ordered_json place, const Sw
   rows_.lines += io::csv_line(cells, manner_);
 }
 
-Document SweptRows::document(const std::vector<std::string>& remarks) && {
+Document SweptRows::document(const estimate::Notes& remarks) && {
   Document to{.command = "sweep", .manner = manner_};
   to.signs += "; q = sigma_v - sigma_h; sigma_v, sigma_h and p are effective stresses";
   to.comments = {{"exponents",
@@ -268,15 +268,16 @@ ExitCode deliver_sweep(const Outlets& to, const Document& document) {
   return code;
 }
 
-std::vector<std::string> remarks_on(const SweepOptions& o, std::vector<std::string> assumptions) {
+estimate::Notes remarks_on(const SweepOptions& o, estimate::Notes assumptions) {
   const bool counted = o.inputs.given(Input::coordination_number) ||
                        o.inputs.given(Input::rattler_fraction) ||
                        o.inputs.given(Input::mechanical_coordination_number);
   if (known_shape(o.inputs) == estimate::GrainShape::sand) {
-    assumptions.emplace_back("void ratio and sand are the same at every state");
+    add_sentence(assumptions, "void ratio and sand are the same at every state");
     return assumptions;
   }
-  assumptions.emplace_back(
+  add_sentence(
+      assumptions,
       counted
           ? "void ratio and contacts are the same at every state"
           : "void ratio and preparation are the same at every state; the number of contacts grows with p'");

@@ -172,11 +172,11 @@ class TableSweep {
     output_.add(std::move(cells), std::move(place), state);
   }
 
-  [[nodiscard]] std::vector<std::string> remarks() const {
-    std::vector<std::string> remarks = assumptions_.value_or(std::vector<std::string>());
+  [[nodiscard]] estimate::Notes remarks() const {
+    estimate::Notes remarks = assumptions_.value_or(estimate::Notes());
     const std::vector<std::string> unread = reader_.unread();
     if (!unread.empty())
-      remarks.push_back(unread_text(unread));
+      add_sentence(remarks, unread_text(unread));
     return remarks;
   }
 
@@ -187,7 +187,7 @@ class TableSweep {
   io::Columns<RowStress> stresses_; ///< if rows are depths
   io::Columns<SpeedRatio> speeds_;  ///< if V_s was measured
   SweptRows output_;
-  std::optional<std::vector<std::string>> assumptions_; ///< of the first row that is a packing
+  std::optional<estimate::Notes> assumptions_; ///< of the first row that is a packing
   std::vector<RowPoint> points_;
   Tally tally_;
 };
