@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/batch.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>

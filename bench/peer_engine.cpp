@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/io/lammps/data.hpp>
 #include <granum/io/output_file.hpp>

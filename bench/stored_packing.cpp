@@ -5,7 +5,7 @@
 #include <random>
 #include <stdexcept>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/lammps/data.hpp>
 #include <granum/io/output_file.hpp>
 

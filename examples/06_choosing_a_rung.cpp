@@ -17,7 +17,7 @@
 #include <vector>
 
 #include <granum/analysis/measure.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/elastic/projection.hpp>
 #include <granum/estimate/ladder.hpp>

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include <granum/core/check.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/text.hpp>
 
 /// Whether a message "x = 1 is outside [1, 2]" prints a number that is within the range it prints.
 inline bool contradicts_itself(std::string_view text) {

@@ -10,7 +10,6 @@
 #include <granum/contact/laws.hpp>
 #include <granum/contact/minerals.hpp>
 #include <granum/contact/pair.hpp>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 #include "bindings.hpp"

@@ -6,7 +6,7 @@
 #include <exception>
 #include <string_view>
 
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 /// Errors of the library as exceptions of Python.
 namespace granum::python {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <granum/core/near_miss.hpp>
+#include <granum/core/text.hpp>
 
 #include "docstrings.hpp"
 #include "errors.hpp"

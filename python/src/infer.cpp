@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 #include <granum/elastic/saturation.hpp>
 #include <granum/inverse/sand_inference.hpp>
 #include <granum/inverse/shared_inputs.hpp>

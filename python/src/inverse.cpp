@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include <granum/core/measured.hpp>
+#include <granum/core/statistics.hpp>
 #include <granum/inverse/inference.hpp>
 
 #include "bindings.hpp"

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include <granum/core/measured.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/statistics.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/estimate/ladder.hpp>

@@ -7,7 +7,7 @@
 
 #include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/network/linear_response.hpp>
 
 #include "bindings.hpp"

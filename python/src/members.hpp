@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 
 #include "functions.hpp"
 

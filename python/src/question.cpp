@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 #include <granum/estimate/inputs.hpp>
 
 #include "shared_keywords.hpp"

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/core/validity.hpp>
 
 #include "errors.hpp"
 #include "functions.hpp"

@@ -3,7 +3,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/sizes/contact_means.hpp>
 #include <granum/sizes/distribution.hpp>
 #include <granum/sizes/distribution_text.hpp>

@@ -7,7 +7,7 @@
 #include <future>
 #include <mutex>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "bindings.hpp"
 #include "errors.hpp"

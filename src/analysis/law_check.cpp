@@ -10,7 +10,7 @@
 
 #include <granum/contact/pair.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/packing/force_distribution.hpp>
 
 namespace granum::analysis {

@@ -7,7 +7,7 @@
 
 #include <granum/analysis/counted_part.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 #include <granum/packing/bodies.hpp>

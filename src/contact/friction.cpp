@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::contact {

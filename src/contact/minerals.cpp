@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/near_miss.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::contact {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/contact/pair.hpp>
 
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 
 namespace granum::contact {
 

@@ -7,11 +7,10 @@
 #include <limits>
 #include <numbers>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
-#include "core/gamma.hpp"
+#include "core/compiled_once.hpp"
 
 namespace granum::contact {
 

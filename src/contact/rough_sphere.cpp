@@ -8,10 +8,9 @@
 #include <numbers>
 #include <vector>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
 #include <granum/core/quadrature.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::contact {
 

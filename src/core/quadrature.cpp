@@ -3,7 +3,7 @@
 
 #include <boost/math/special_functions/legendre.hpp>
 
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 
 namespace granum {
 

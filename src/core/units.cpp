@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum {
 

@@ -11,7 +11,6 @@
 #include <tuple>
 #include <variant>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 #include "engine_data.hpp"

@@ -9,9 +9,8 @@
 #include <optional>
 #include <string>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "dem/sweep/contact_sweep.hpp"
 #include "dem/sweep/fire_mixing.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/packing/assembly.hpp>
 
 #include "dem/sweep/pair_reach.hpp"

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::dem {
 

@@ -9,7 +9,6 @@
 #include <variant>
 
 #include <granum/contact/pair.hpp>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/dem/neighbours.hpp>
 

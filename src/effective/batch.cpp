@@ -9,9 +9,8 @@
 #include <cstdint>
 #include <numbers>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 #include "core/vector/power.hpp"
 #include "core/vector/stream.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 
 #include "kernels.hpp"
 

@@ -7,10 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/near_miss.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 
 #include "contact_prior_coefficients.hpp"

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 #include "checked_state.hpp"

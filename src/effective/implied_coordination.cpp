@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 #include "contact_prior_coefficients.hpp"

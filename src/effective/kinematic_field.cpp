@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/stress/axial_stress.hpp>
 

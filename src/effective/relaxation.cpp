@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
-#include <granum/core/check.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/orientation.hpp>
 

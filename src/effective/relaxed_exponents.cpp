@@ -6,7 +6,6 @@
 #include <numbers>
 #include <optional>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/fabric/orientation.hpp>

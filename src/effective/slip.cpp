@@ -6,7 +6,6 @@
 #include <numbers>
 #include <vector>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/quadrature.hpp>
 #include <granum/effective/relaxation.hpp>

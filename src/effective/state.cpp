@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/fabric/orientation.hpp>
 
 #include "checked_state.hpp"

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 #include "checked_state.hpp"

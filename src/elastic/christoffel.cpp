@@ -9,12 +9,10 @@
 #include <cstdint>
 #include <cstdio>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/symmetric.hpp>
 #include <granum/elastic/mandel.hpp>
 
-#include "core/symmetric_eigen.hpp"
+#include "core/compiled_once.hpp"
 #include "direction.hpp"
 
 namespace granum::elastic {

@@ -2,7 +2,7 @@
 // Alone in this source, because Eigen's solver takes long to compile.
 #include <granum/elastic/eigen_system.hpp>
 
-#include "core/symmetric_eigen.hpp"
+#include "core/compiled_once.hpp"
 
 namespace granum::elastic {
 

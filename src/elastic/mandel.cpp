@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include <granum/core/error.hpp>
-#include <granum/core/symmetric.hpp>
 #include <granum/elastic/eigen_system.hpp>
 
 namespace granum::elastic {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/projection.hpp>
 
-#include <granum/core/symmetric.hpp>
+#include <granum/core/error.hpp>
 #include <granum/elastic/mandel.hpp>
 
 #include "direction.hpp"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/saturation.hpp>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::elastic {
 

@@ -2,7 +2,6 @@
 #include <granum/elastic/symmetry.hpp>
 
 #include <granum/core/error.hpp>
-#include <granum/core/symmetric.hpp>
 #include <granum/elastic/mandel.hpp>
 #include <granum/elastic/projection.hpp>
 

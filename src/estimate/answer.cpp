@@ -6,9 +6,8 @@
 #include <utility>
 
 #include <granum/contact/minerals.hpp>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/relaxed_exponents.hpp>
 #include <granum/elastic/saturation.hpp>

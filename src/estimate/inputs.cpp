@@ -7,9 +7,8 @@
 #include <cmath>
 #include <iterator>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/estimate/input_values.hpp>
 #include <granum/sizes/distribution_text.hpp>
 

@@ -7,9 +7,8 @@
 #include <limits>
 #include <string_view>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::estimate {
 

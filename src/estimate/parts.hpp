@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 #include <granum/effective/relaxed_exponents.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 #include <granum/estimate/answer.hpp>

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/estimate/inputs.hpp>
 #include <granum/stress/axial_stress.hpp>
 

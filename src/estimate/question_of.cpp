@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/elastic/isotropic.hpp>

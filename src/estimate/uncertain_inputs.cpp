@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/estimate/input_values.hpp>
 
 #include "parts.hpp"

@@ -9,7 +9,7 @@
 #include <granum/fabric/likelihood_estimate.hpp>
 #include <granum/fabric/polar_distribution.hpp>
 
-#include "core/gamma.hpp"
+#include "core/compiled_once.hpp"
 #include "normals.hpp"
 
 namespace granum::fabric {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/fabric/measures.hpp>
 
 #include "normals.hpp"

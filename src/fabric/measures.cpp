@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <granum/core/check.hpp>
-#include <granum/core/symmetric.hpp>
+#include <granum/core/error.hpp>
 #include <granum/fabric/orientation.hpp>
 
 namespace granum::fabric {

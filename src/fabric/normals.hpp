@@ -7,7 +7,7 @@
 #include <string>
 
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/core/vec3.hpp>
 
 namespace granum::fabric {

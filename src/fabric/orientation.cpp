@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <granum/core/check.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::fabric {
 

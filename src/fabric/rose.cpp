@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 #include <granum/fabric/polar_distribution.hpp>
 
 #include "normals.hpp"

@@ -5,8 +5,8 @@
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
-#include <granum/core/check.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/fabric/polar_distribution.hpp>
 
 namespace granum::fabric {

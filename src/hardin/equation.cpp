@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 
 namespace granum::hardin {
 

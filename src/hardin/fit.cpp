@@ -9,10 +9,9 @@
 #include <Eigen/Core>
 #include <gsl/gsl_linalg.h>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
+#include <granum/core/text.hpp>
 
 #include "eigen_gsl.hpp"
 #include "nonlinear_fit.hpp"

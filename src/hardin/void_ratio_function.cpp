@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/sands/measured_sands.hpp>
 

@@ -8,13 +8,12 @@
 #include <utility>
 
 #include <Eigen/Cholesky>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
+#include <granum/core/text.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 
-#include "core/gamma.hpp"
+#include "core/compiled_once.hpp"
 #include "hardin/nonlinear_fit.hpp"
 
 namespace granum::inverse::detail {

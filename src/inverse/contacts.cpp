@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::inverse {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 #include <granum/estimate/answer.hpp>

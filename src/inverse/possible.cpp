@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 
 namespace granum::inverse::detail {

@@ -8,12 +8,11 @@
 #include <string>
 
 #include <Eigen/LU>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
+#include <granum/core/text.hpp>
 
-#include "core/gamma.hpp"
+#include "core/compiled_once.hpp"
 #include "possible.hpp"
 
 namespace granum::inverse {

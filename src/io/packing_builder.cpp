@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/own_image.hpp>
 
 #include "io/text/row.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/text/file_names.hpp>
 #include <granum/io/vtk/collection.hpp>
 

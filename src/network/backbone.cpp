@@ -9,7 +9,7 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/packing/bodies.hpp>
 #include <granum/packing/coordination.hpp>
 

@@ -9,9 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "block_cg.hpp"
 #include "contact_operator.hpp"

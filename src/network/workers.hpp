@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 #include "core/team.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 namespace granum::packing {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <granum/contact/pair.hpp>
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 
 namespace granum::packing {
 

@@ -2,7 +2,7 @@
 #include <granum/packing/coordination.hpp>
 
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 namespace granum::packing {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 
 namespace granum::packing {
 

@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
 #include <granum/core/quadrature.hpp>
+#include <granum/core/text.hpp>
 #include <granum/packing/assembly.hpp>
 
 namespace granum::packing {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 #include <granum/packing/force_distribution.hpp>
 
 namespace granum::packing {

@@ -6,7 +6,6 @@
 #include <string>
 
 #include <granum/contact/pair.hpp>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::packing {

@@ -5,9 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/plot/svg_text.hpp>
 
 #include "coinciding.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include <granum/core/utf8.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::plot {
 

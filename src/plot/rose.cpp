@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "picture.hpp"
 

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <string>
 
-#include <granum/core/utf8.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::plot {
 

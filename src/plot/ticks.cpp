@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::plot {
 

@@ -9,7 +9,7 @@
 
 #include "sphere_checks.hpp"
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::rock_physics {
 

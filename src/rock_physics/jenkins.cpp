@@ -6,7 +6,6 @@
 
 #include <numbers>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/rock_physics/hertz_mindlin.hpp>
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include <granum/core/check.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/text.hpp>
 #include <granum/rock_physics/hertz_mindlin.hpp>
 
 #include "sphere_checks.hpp"

@@ -7,10 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
-#include <granum/core/validity.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::rock_physics::sphere {
 

@@ -5,10 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/near_miss.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "constants.hpp"
 

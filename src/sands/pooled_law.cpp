@@ -6,9 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 #include <granum/sands/known_sands.hpp>
 #include <granum/sands/measured_sands.hpp>

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 
 #include "constants.hpp"
 

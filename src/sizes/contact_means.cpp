@@ -5,9 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/mean.hpp>
+#include <granum/core/statistics.hpp>
 
 #include "core/root.hpp"
 #include "sorted_radii.hpp"

@@ -9,10 +9,9 @@
 #include <utility>
 
 #include <boost/math/special_functions/erf.hpp>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
 #include <granum/core/quadrature.hpp>
+#include <granum/core/text.hpp>
 
 #include "core/root.hpp"
 #include "sorted_radii.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 
 namespace granum::sizes {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 
 namespace granum::sizes {
 

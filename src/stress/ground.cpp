@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::stress {

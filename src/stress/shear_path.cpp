@@ -5,7 +5,6 @@
 #include <numbers>
 #include <string>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::stress {

@@ -9,9 +9,8 @@
 #include <utility>
 
 #include <granum/core/bytes.hpp>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::triaxial {
 

@@ -8,7 +8,6 @@
 #include <type_traits>
 #include <utility>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::triaxial {

@@ -9,7 +9,6 @@
 
 #include <boost/random/uniform_real_distribution.hpp>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 #include <granum/sizes/sampling.hpp>
 

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 

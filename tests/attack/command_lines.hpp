@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 
 #include "cli/commands.hpp"

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <nlohmann/json.hpp>
 
 /// What must be true of every number that a command prints.

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/ladder.hpp>

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/estimate/answer.hpp>
 
 #include "cli/options/input_columns.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/core/check.hpp>
+#include <granum/core/error.hpp>
 
 #include <limits>
 #include <string>
 
 #include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 
 #include "refusal_text.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/core/near_miss.hpp>
+#include <granum/core/text.hpp>
 
 #include <string>
 #include <vector>

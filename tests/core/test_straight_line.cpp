@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/core/straight_line.hpp>
+#include <granum/core/statistics.hpp>
 
 #include <cmath>
 #include <limits>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <memory>
 
-#include <granum/core/stop_request.hpp>
+#include <granum/core/stop.hpp>
 
 namespace granum::test {
 

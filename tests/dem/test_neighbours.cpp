@@ -10,7 +10,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 using namespace granum;
 using namespace granum::dem;

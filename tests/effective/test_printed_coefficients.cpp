@@ -11,7 +11,7 @@
 
 #include <doctest/doctest.h>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "effective/relaxation_coefficients.hpp"
 

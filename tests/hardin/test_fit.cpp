@@ -8,7 +8,7 @@
 #include <boost/random/normal_distribution.hpp>
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <gsl/gsl_errno.h>
 #include <relative.hpp>
 

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/effective/contact_prior.hpp>
 
 #include "relative.hpp"

@@ -10,7 +10,7 @@
 #include <granum/contact/minerals.hpp>
 #include <granum/contact/power_law.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <relative.hpp>
 
 using namespace granum;

@@ -66,7 +66,7 @@ list(APPEND private_headers_rock_physics effective)
 list(APPEND private_headers_inverse hardin)
 list(APPEND private_headers_cli studies)
 # What core wraps of other libraries, for every module: eigenvalues, gamma functions, roots.
-set(compiled_once "^\"core/(gamma|root|symmetric_eigen)[.]hpp\"$")
+set(compiled_once "^\"core/(compiled_once|root)[.]hpp\"$")
 # Vector code: written once, in core, and used by these modules.
 set(vector_room "^src/core/vector/")
 foreach(module effective network dem)

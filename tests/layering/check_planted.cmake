@@ -91,7 +91,7 @@ planted(src/fabric/p.cpp "void f() { try { g(); } catch (...) {} }" "catches an 
 planted(src/network/p.cpp "using Lanes = double __attribute__((vector_size(64)));" "uses vector_size; vector code has its room, src/core/vector")
 planted(src/dem/p.cpp "#include <immintrin.h>" "uses immintrin.h; vector code has its room, src/core/vector")
 planted(src/effective/p.cpp "__attribute__((target_clones(\"avx2\", \"default\"))) void f();" "uses target_clones; vector code")
-planted(src/contact/p.cpp "#include \"core/gamma.hpp\"" "")
+planted(src/contact/p.cpp "#include \"core/compiled_once.hpp\"" "")
 planted(src/contact/p.cpp "#include \"core/vector/level.hpp\"" "includes \"core/vector/level.hpp\", a private header of core")
 planted(src/packing/p.cpp "#include \"core/vector/level.hpp\"" "includes \"core/vector/level.hpp\", a private header of core")
 

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/network/linear_response.hpp>
 
 #include "large_networks.hpp"

@@ -13,7 +13,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "chart_text.hpp"
 #include "relative.hpp"

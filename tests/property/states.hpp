@@ -7,7 +7,7 @@
 
 #include <rapidcheck.h>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/state.hpp>
 
 /// Random packings over the whole domain of the closed forms. rapidcheck shrinks a packing that breaks a

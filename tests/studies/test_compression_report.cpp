@@ -5,7 +5,7 @@
 #include <set>
 
 #include <doctest/doctest.h>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/relaxation.hpp>
 
 #include "relative.hpp"

@@ -9,7 +9,7 @@
 
 #include "studies/scene/scene.hpp"
 #include <doctest/doctest.h>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 
 #include "relative.hpp"

@@ -12,7 +12,7 @@
 #include "studies/verify/study.hpp"
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/sizes/distribution_text.hpp>
 
 #include "refusal_text.hpp"

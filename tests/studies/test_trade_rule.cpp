@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 
 #include "relative.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/csv/packing.hpp>
 #include <granum/io/lammps/dump.hpp>
 #include <granum/io/mercury/output.hpp>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace accuracy {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/output_file.hpp>
 
 #include "harness.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/projection.hpp>

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/sizes/distribution_text.hpp>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <granum/contact/power_law.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "reading.hpp"

@@ -14,7 +14,7 @@
 
 #include <granum/contact/normal_law.hpp>
 #include <granum/contact/power_law.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/sizes/distribution_text.hpp>

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/sands/measured_sands.hpp>
 #include <granum/sands/pooled_law.hpp>

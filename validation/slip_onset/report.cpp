@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/slip.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/plot/chart.hpp>

@@ -10,7 +10,7 @@
 
 #include <granum/analysis/measure.hpp>
 #include <granum/contact/friction.hpp>
-#include <granum/core/straight_line.hpp>
+#include <granum/core/statistics.hpp>
 #include <granum/fabric/anisotropy_estimate.hpp>
 #include <granum/fabric/orientation.hpp>
 #include <granum/fabric/rose.hpp>

@@ -5,7 +5,7 @@
 #include <span>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/version.hpp>
 
 namespace granum::web {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <granum/contact/laws.hpp>
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 
 #define GRANUM_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <granum/contact/normal_law.hpp>
-#include <granum/core/mean.hpp>
+#include <granum/core/statistics.hpp>
 
 /// Two grains that differ, as two that are equal: every law of this module is one of equal grains.
 namespace granum::contact {

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include <granum/contact/normal_law.hpp>
-#include <granum/core/stop_request.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/dem/specimen.hpp>
 
 namespace granum::dem {

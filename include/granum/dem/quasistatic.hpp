@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include <granum/core/stop_request.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/core/vec3.hpp>
 #include <granum/dem/engine.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 #include <granum/effective/state.hpp>
 
 /// The possible number of contacts of a packing if only void ratio and stress are known: from that of grains

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/state.hpp>

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include <granum/contact/normal_law.hpp>
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 #include <granum/sizes/contact_means.hpp>
 
 /// Effective stiffness of a packing from the average over its contacts.

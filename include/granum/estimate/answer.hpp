@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 #include <granum/estimate/fields.hpp>
 #include <granum/estimate/question.hpp>
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 #include <granum/core/vec3.hpp>
 
 namespace granum::fabric {

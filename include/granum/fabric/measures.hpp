@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 #include <granum/core/vec3.hpp>
 
 /// One axisymmetric fabric in the notations that are in use, each made from any other.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 
 /// Directions of contact normals, axisymmetric about axis 3: E(gamma) = 3 (1 + a cos 2 gamma)/(4 pi (3 - a)).
 /// a > 0: more contacts near the axis; a = 0: isotropic. E is a density, never negative, for -1 <= a <= 1.

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/measured.hpp>
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/statistics.hpp>
 #include <granum/hardin/equation.hpp>
 
 /// Eq. (1) fitted to measured moduli.

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/measured.hpp>
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/statistics.hpp>
 #include <granum/effective/implied_coordination.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include <granum/core/measured.hpp>
+#include <granum/core/statistics.hpp>
 #include <granum/effective/exponents.hpp>
 
 namespace granum::inverse {

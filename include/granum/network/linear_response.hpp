@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include <granum/core/stop_request.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/elastic/stiffness.hpp>
 #include <granum/packing/assembly.hpp>
 

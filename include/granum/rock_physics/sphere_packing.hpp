@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 
 /// Common part of the classical closed forms: equal elastic spheres with Hertz contacts, and the moduli
 /// that come out.

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 
 /// Published laws of the small-strain shear modulus of sands under isotropic stress, measured in
 /// laboratories, for comparison with results for spheres.

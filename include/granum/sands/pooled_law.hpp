@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 #include <granum/sands/known_sands.hpp>
 
 /// Estimates for a sand from the measurements of many sands: G at small strain, its exponent of stress,

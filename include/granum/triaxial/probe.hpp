@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <granum/core/stop_request.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/specimen.hpp>
 

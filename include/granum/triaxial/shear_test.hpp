@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <granum/core/bytes.hpp>
-#include <granum/core/stop_request.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/stress/shear_path.hpp>

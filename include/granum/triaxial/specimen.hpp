@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <granum/core/stop_request.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/specimen.hpp>

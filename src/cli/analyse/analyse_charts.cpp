@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include <fmt/core.h>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/fabric/orientation.hpp>
 
 #include "analyse.hpp"

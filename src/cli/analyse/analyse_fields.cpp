@@ -2,7 +2,7 @@
 #include "analyse_fields.hpp"
 
 #include <fmt/core.h>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "cli/options/packing_json.hpp"
 

@@ -8,9 +8,8 @@
 #include <utility>
 
 #include <fmt/core.h>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/elastic/isotropic.hpp>
 
 #include "cli/frame/frame.hpp"

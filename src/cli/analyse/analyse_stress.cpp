@@ -10,7 +10,7 @@
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/elastic/projection.hpp>
 #include <granum/io/csv/table.hpp>
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/notes.hpp>
 #include <granum/io/csv/columns.hpp>

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "cli/frame/help.hpp"
 #include "document.hpp"

@@ -6,7 +6,7 @@
 #include <span>
 
 #include <fmt/format.h>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/sands/strain.hpp>
 
 namespace granum::cli {

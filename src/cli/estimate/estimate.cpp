@@ -4,9 +4,8 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 #include <granum/estimate/ladder.hpp>

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include <fmt/format.h>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/rungs.hpp>
 
 namespace granum::cli {

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
-#include <granum/core/stop_request.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/io/lammps/deck.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/stress/shear_path.hpp>

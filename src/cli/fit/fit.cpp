@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <granum/contact/minerals.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/transition_pressure.hpp>
 #include <granum/plot/svg_text.hpp>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 #include <granum/hardin/fit.hpp>
 
 #include "cli/frame/frame.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 
 #include "cli/options/input_columns.hpp"

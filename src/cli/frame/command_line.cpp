@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/estimate/inputs.hpp>
 
 #include "contradictions.hpp"

@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
-#include <granum/core/utf8.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/version.hpp>
 #include <granum/io/output_file.hpp>
 

@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include <granum/core/error.hpp>
-#include <granum/core/utf8.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::cli {
 

@@ -10,10 +10,8 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/near_miss.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::cli {
 

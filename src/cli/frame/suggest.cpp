@@ -6,8 +6,7 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <granum/core/near_miss.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "studies/scene/scene_keys.hpp"
 

@@ -3,9 +3,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/elastic/saturation.hpp>
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/notes.hpp>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "cli/estimate/answer_sections.hpp"
 #include "infer.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "cli/options/input_columns.hpp"
 #include "infer.hpp"

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::cli {
 

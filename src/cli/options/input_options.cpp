@@ -5,7 +5,7 @@
 #include <set>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/csv/sieve.hpp>
 
 namespace granum::cli {

@@ -2,8 +2,8 @@
 #include "likely_mistakes.hpp"
 
 #include <fmt/core.h>
-#include <granum/core/check.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/text.hpp>
 
 #include "slips.hpp"
 

@@ -2,7 +2,7 @@
 #include "packing_json.hpp"
 
 #include <fmt/core.h>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::cli {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/contact_prior.hpp>
 
 namespace granum::cli {

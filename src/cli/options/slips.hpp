@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
-#include <granum/core/validity.hpp>
 #include <granum/effective/state.hpp>
 
 /// Checks for numbers that are possible, but more likely a mistake in unit or symbol, by their value only.

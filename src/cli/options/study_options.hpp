@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/core/validity.hpp>
+#include <granum/core/error.hpp>
 #include <granum/io/output_file.hpp>
 #include <nlohmann/json.hpp>
 

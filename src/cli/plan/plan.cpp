@@ -5,7 +5,7 @@
 #include "studies/plan/plan.hpp"
 #include "studies/trade/trade_findings.hpp"
 #include <fmt/core.h>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/csv/columns.hpp>
 #include <granum/triaxial/specimen.hpp>
 

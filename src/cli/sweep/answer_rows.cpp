@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "answer_rows.hpp"
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::cli {

@@ -3,9 +3,8 @@
 #include <cmath>
 
 #include <fmt/core.h>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/elastic/wave_speeds.hpp>
 
 #include "depth.hpp"

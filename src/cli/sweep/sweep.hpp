@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
-#include <granum/core/validity.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/elastic/saturation.hpp>
 #include <granum/plot/chart.hpp>

@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "cli/frame/json_members.hpp"
 #include "cli/options/packing_json.hpp"

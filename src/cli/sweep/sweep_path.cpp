@@ -5,9 +5,8 @@
 #include <numbers>
 
 #include <fmt/core.h>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/stress/shear_path.hpp>
 
 #include "cli/frame/json_members.hpp"

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 #include "answer_rows.hpp"

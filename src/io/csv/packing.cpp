@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/io/packing_format.hpp>
 

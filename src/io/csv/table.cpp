@@ -6,8 +6,8 @@
 #include <optional>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/text/source.hpp>
 
 namespace granum::io {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::io {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::io {
 

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/packing_format.hpp>
 
 #include "io/packing_builder.hpp"

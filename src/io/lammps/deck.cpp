@@ -9,9 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/lammps/data.hpp>
 #include <granum/packing/density.hpp>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/packing_format.hpp>
 
 #include "io/packing_builder.hpp"

@@ -9,7 +9,7 @@
 #include <zlib.h>
 
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 namespace granum::io {
 

@@ -11,7 +11,7 @@
 #include <expat.h>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/packing_format.hpp>
 
 #include "io/text/row.hpp"

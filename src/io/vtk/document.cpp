@@ -14,8 +14,8 @@
 #include <zlib.h>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
+#include <granum/core/text.hpp>
 
 #include "io/text/row.hpp"
 

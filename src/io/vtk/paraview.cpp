@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/packing/coordination.hpp>
 #include <granum/plot/svg_text.hpp>
 

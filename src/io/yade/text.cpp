@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/packing_format.hpp>
 
 #include "io/lammps/dump_file.hpp"

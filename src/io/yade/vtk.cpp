@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/packing_format.hpp>
 
 #include "io/packing_builder.hpp"

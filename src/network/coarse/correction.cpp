@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 #include "core/vector/level.hpp"
 #include "network/contact_operator.hpp"

@@ -10,7 +10,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/elastic/eigen_system.hpp>
 
 #include "core/vector/level.hpp"

@@ -18,9 +18,9 @@
 #include <memory>
 
 #include <Eigen/Cholesky>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
-#include "core/symmetric_eigen.hpp"
+#include "core/compiled_once.hpp"
 #include "core/vector/level.hpp"
 #include "local_motion.hpp"
 #include "network/contact_operator.hpp"

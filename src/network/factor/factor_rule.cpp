@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 namespace granum::network {
 

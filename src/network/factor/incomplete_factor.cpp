@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 #include "core/vector/level.hpp"
 #include "substitution.hpp"

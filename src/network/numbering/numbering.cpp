@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 #include "weakly_supported.hpp"
 

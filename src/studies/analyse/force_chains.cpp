@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/plot/svg_text.hpp>
 
 namespace granum::studies {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/elastic/projection.hpp>

@@ -6,8 +6,8 @@
 #include <functional>
 #include <map>
 
-#include <granum/core/number.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
+#include <granum/core/text.hpp>
 #include <granum/elastic/eigen_system.hpp>
 
 #include "mistakes.hpp"

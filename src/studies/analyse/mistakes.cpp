@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 
 #include "studies/analyse/overlaps.hpp"

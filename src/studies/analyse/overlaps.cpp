@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <granum/contact/pair.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/dem/neighbours.hpp>
 #include <granum/io/own_image.hpp>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 
 namespace granum::studies {

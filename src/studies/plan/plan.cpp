@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include <granum/core/check.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/error.hpp>
+#include <granum/core/text.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/triaxial/specimen.hpp>
 

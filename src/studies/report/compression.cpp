@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/relaxation.hpp>
 
 namespace granum::studies {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "studies/paper/paper.hpp"
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/hardin/fit.hpp>
 
 namespace granum::studies {

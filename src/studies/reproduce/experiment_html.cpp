@@ -7,7 +7,7 @@
 #include "studies/reproduce/experiment_findings.hpp"
 #include "studies/reproduce/experiment_tables.hpp"
 #include "studies/reproduce/figures/figure_parts.hpp"
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/version.hpp>
 #include <granum/plot/svg_text.hpp>
 

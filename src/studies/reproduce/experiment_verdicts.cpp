@@ -5,7 +5,7 @@
 
 #include "studies/reproduce/experiment_findings.hpp"
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::studies {
 

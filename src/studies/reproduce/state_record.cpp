@@ -2,7 +2,7 @@
 #include "state_record.hpp"
 
 #include <granum/analysis/measure.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 #include <granum/triaxial/probe.hpp>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/reproduce/experiment.hpp"
-#include <granum/core/stop_request.hpp>
+#include <granum/core/stop.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/triaxial/shear_test.hpp>
 

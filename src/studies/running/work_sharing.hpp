@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "studies/running/run_control.hpp"
-#include <granum/core/stop_request.hpp>
+#include <granum/core/stop.hpp>
 
 /// How studies share work among threads and report their progress.
 namespace granum::studies {

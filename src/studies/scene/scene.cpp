@@ -9,9 +9,8 @@
 
 #include "studies/scene/scene_keys.hpp"
 #include <granum/contact/friction.hpp>
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 #include <granum/triaxial/shear_test.hpp>
 

@@ -8,8 +8,7 @@
 #include <type_traits>
 
 #include <granum/core/error.hpp>
-#include <granum/core/near_miss.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/sizes/distribution_text.hpp>
 
 namespace granum::studies {

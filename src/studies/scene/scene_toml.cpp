@@ -2,7 +2,7 @@
 #include <type_traits>
 
 #include "studies/scene/scene_keys.hpp"
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::studies {
 

@@ -6,9 +6,8 @@
 #include <iterator>
 #include <string>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 namespace granum::studies {
 

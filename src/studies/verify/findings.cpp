@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "studies/paper/paper.hpp"
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/hardin/fit.hpp>
 #include <granum/hardin/polynomial.hpp>
 

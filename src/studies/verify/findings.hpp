@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "studies/verify/study.hpp"
-#include <granum/core/measured.hpp>
+#include <granum/core/statistics.hpp>
 
 namespace granum::studies {
 

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <vector>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/lammps/arrays.hpp>
 #include <granum/io/lammps/dump.hpp>
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/lammps/data.hpp>
 
 #include "io/import_support.hpp"

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/io/lammps/dump.hpp>
 #include <granum/packing/stress.hpp>
 

@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 #include <zlib.h>
 
 #include "io/import_support.hpp"

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "studies/scene/scene.hpp"
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/io/lammps/dump.hpp>

@@ -8,7 +8,7 @@
 
 #include "studies/reproduce/figures/experiment_figures.hpp"
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/dem/neighbours.hpp>
 #include <granum/plot/svg_text.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 
 #include "figure_parts.hpp"
 

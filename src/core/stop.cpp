@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/core/stop_scope.hpp>
+#include <granum/core/stop.hpp>
 
 #include <utility>
 

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src. Compiled once, because Eigen's solver takes seconds to compile for each size.
+// Private to src. Compiled once, because Boost's gamma functions and Eigen's solver of each size take seconds.
 #pragma once
+
+#include <cstddef>
 
 #include <Eigen/Core>
 
 namespace granum {
+
+/// Gamma(z)/Gamma(z + 1/2), without the overflow of its parts.
+[[nodiscard]] double gamma_ratio_half(double z);
+
+/// Probability that chi-square of so many degrees of freedom is at least that large; 1 with no degree.
+[[nodiscard]] double p_value(double chi_square, std::size_t degrees_of_freedom);
 
 template <int Size>
 struct SymmetricEigen {

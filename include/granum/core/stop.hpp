@@ -2,13 +2,30 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
-#include <granum/core/stop_request.hpp>
+#include <granum/core/error.hpp>
 
-/// A stop request for functions that have no argument for one: readers of files, measurements on packings,
-/// samples, fits.
-/// Checked by tests/core/test_stop_scope.cpp
 namespace granum {
+
+/// Returns whether long work is to end early; empty: never. Loops call it before every step, so that a flag
+/// set on Ctrl-C takes effect within a second for any number of grains. Once true it stays true. Any thread
+/// may call it.
+using StopRequest = std::function<bool()>;
+
+[[nodiscard]] inline bool is_stopped(const StopRequest& stop_requested) {
+  return stop_requested && stop_requested();
+}
+
+/// \throws   Stopped if the request is true
+inline void throw_if_stopped(const StopRequest& stop_requested) {
+  if (is_stopped(stop_requested))
+    throw Stopped();
+}
+
+// A stop request for functions that have no argument for one: readers of files, measurements on packings,
+// samples, fits.
+// Checked by tests/core/test_stop_scope.cpp
 
 /// While it lives, long work of this thread ends with the exception Stopped once the request is true. An
 /// inner scope replaces an outer one until it ends. Threads that this one starts have none.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/core/straight_line.hpp>
+#include <granum/core/statistics.hpp>
 
 #include <cmath>
 
-#include <granum/core/check.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum {
