@@ -11,7 +11,7 @@
 #include <granum/dem/engine.hpp>
 #include <granum/dem/neighbours.hpp>
 #include <granum/packing/coordination.hpp>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "meter.hpp"

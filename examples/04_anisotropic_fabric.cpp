@@ -19,9 +19,7 @@
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/elastic/christoffel.hpp>
-#include <granum/elastic/thomsen.hpp>
-#include <granum/elastic/wave_speeds.hpp>
+#include <granum/elastic/waves.hpp>
 #include <granum/fabric/orientation.hpp>
 
 using namespace granum;

@@ -19,7 +19,7 @@
 #include <granum/analysis/measure.hpp>
 #include <granum/core/text.hpp>
 #include <granum/dem/specimen.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 #include <granum/estimate/ladder.hpp>
 #include <granum/triaxial/specimen.hpp>
 

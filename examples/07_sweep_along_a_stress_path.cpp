@@ -21,7 +21,7 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/plot/chart.hpp>
-#include <granum/stress/shear_path.hpp>
+#include <granum/stress/stress.hpp>
 
 using namespace granum;
 

@@ -18,7 +18,7 @@
 #include <numbers>
 
 #include <granum/analysis/measure.hpp>
-#include <granum/contact/friction.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>

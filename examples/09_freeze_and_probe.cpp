@@ -12,7 +12,7 @@
 #include <numbers>
 
 #include <granum/analysis/measure.hpp>
-#include <granum/contact/friction.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 

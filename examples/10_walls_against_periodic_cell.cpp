@@ -12,7 +12,7 @@
 #include <optional>
 
 #include <granum/analysis/measure.hpp>
-#include <granum/contact/friction.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 using namespace granum;

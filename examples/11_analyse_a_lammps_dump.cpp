@@ -20,7 +20,7 @@
 #include "studies/analyse/measured_frame.hpp"
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 #include <granum/io/lammps/dump.hpp>
 
 using namespace granum;

@@ -16,7 +16,7 @@
 
 #include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 #include <granum/io/yade/text.hpp>
 
 using namespace granum;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include <granum/elastic/eigen_system.hpp>
+#include <granum/elastic/stiffness.hpp>
 
 #include "network/block_cg.hpp"
 #include "network/contact_operator.hpp"

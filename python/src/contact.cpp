@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <granum/contact/grains.hpp>
 #include <granum/contact/laws.hpp>
-#include <granum/contact/minerals.hpp>
-#include <granum/contact/pair.hpp>
 #include <granum/core/error.hpp>
 
 #include "bindings.hpp"
@@ -194,7 +193,7 @@ void bind_minerals(py::module_& module) {
                 "dict of Mineral\n    By their keys: quartz, feldspar, calcite, dolomite, glass, steel.", "",
                 "For minerals, averages over all directions of a crystal. [Mavko2009] [Makse2004] "
                 "[BudynasNisbett2011]",
-                "contact::minerals", "contact/minerals.hpp"});
+                "contact::minerals", "contact/grains.hpp"});
 }
 
 } // namespace
@@ -226,7 +225,7 @@ void bind_contact(py::module_& module) {
          {required("radius_i", "float", ""), required("radius_j", "float", "Of the two spheres, > 0 [m].")},
          {"Radius 2 R* of two equal spheres with the same contact law as two unequal ones.",
           "float\n    2 R_i R_j/(R_i + R_j) [m].", "For a radius that is not positive.", "[Hertz1882]",
-          "contact::pair_radius", "contact/pair.hpp"},
+          "contact::pair_radius", "contact/grains.hpp"},
          [](double i, double j) {
            return contact::pair_radius(require_positive("radius_i", i, "m"),
                                        require_positive("radius_j", j, "m"));

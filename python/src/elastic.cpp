@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/pybind11.h>
 
-#include <granum/elastic/averages.hpp>
-#include <granum/elastic/christoffel.hpp>
-#include <granum/elastic/engineering_moduli.hpp>
-#include <granum/elastic/mandel.hpp>
-#include <granum/elastic/projection.hpp>
-#include <granum/elastic/saturation.hpp>
-#include <granum/elastic/symmetry.hpp>
-#include <granum/elastic/thomsen.hpp>
-#include <granum/elastic/wave_speeds.hpp>
+#include <granum/elastic/isotropic.hpp>
+#include <granum/elastic/stiffness.hpp>
+#include <granum/elastic/waves.hpp>
 
 #include "bindings.hpp"
 #include "errors.hpp"
@@ -61,14 +55,14 @@ void bind_symmetry(py::module_& module) {
       {"Moduli of a stiffness along the axes and in their planes.",
        "EngineeringModuli\n    E is 0 along an axis with a zero-energy deformation.",
        refused_stiffness("not symmetric and finite."), "", "elastic::engineering_moduli",
-       "elastic/engineering_moduli.hpp"},
+       "elastic/isotropic.hpp"},
       [](const VoigtStiffness& c) { return elastic::engineering_moduli(c); }, 1);
   define(
       module, "symmetry_distances", {stiffness_keyword()},
       {"Distances of a stiffness from classes of symmetry.",
        "SymmetryDistances\n    Distances relative to the norm of the stiffness [1].",
        refused_stiffness("zero or not symmetric and finite."), "[Moakher2006]", "elastic::symmetry_distances",
-       "elastic/symmetry.hpp"},
+       "elastic/stiffness.hpp"},
       [](const VoigtStiffness& c) { return elastic::symmetry_distances(c); }, 1);
   define(
       module, "rotate",
@@ -76,7 +70,7 @@ void bind_symmetry(py::module_& module) {
        required("rotation", "(3, 3) array_like", "An orthogonal matrix of determinant 1 [1].")},
       {"The stiffness of a rotated material, in unchanged axes.", "(6, 6) ndarray\n    Voigt matrix [Pa].",
        refused_stiffness("not symmetric, or a matrix that is no rotation."), "[Mehrabadi1990]",
-       "elastic::rotate", "elastic/mandel.hpp"},
+       "elastic::rotate", "elastic/stiffness.hpp"},
       [](const VoigtStiffness& c, const Mat3& rotation) {
         return array_of(elastic::rotate(c, rotation).matrix);
       },
@@ -119,7 +113,7 @@ void bind_projections(py::module_& module) {
       {"The isotropic solid nearest to a stiffness.", "Isotropic",
        refused_stiffness("not symmetric, or a resulting modulus that is not positive."),
        "Nearest in the norm that no rotation changes. [Moakher2006]", "elastic::isotropic_projection",
-       "elastic/projection.hpp"},
+       "elastic/isotropic.hpp"},
       [](const VoigtStiffness& c) { return elastic::isotropic_projection(c); }, 1);
   define(
       module, "transversely_isotropic_projection",
@@ -129,7 +123,7 @@ void bind_projections(py::module_& module) {
        "Estimate\n    In axes with the axis of symmetry as the third.",
        refused_stiffness("not symmetric, or an axis of zero length."),
        "Nearest in the norm that no rotation changes. [Moakher2006]",
-       "elastic::transversely_isotropic_projection", "elastic/projection.hpp"},
+       "elastic::transversely_isotropic_projection", "elastic/isotropic.hpp"},
       [](const VoigtStiffness& c, const std::optional<Vec3>& axis) {
         return constants(axis ? elastic::transversely_isotropic_projection(c, *axis)
                               : elastic::transversely_isotropic_projection(c));
@@ -144,7 +138,7 @@ void bind_projections(py::module_& module) {
       module, "isotropic_averages", {stiffness_keyword()},
       {"Voigt's, Hill's and Reuss' averages of a stiffness over all orientations.", "IsotropicAverages",
        refused_stiffness("not symmetric and positive definite."), "[Hill1952]", "elastic::isotropic_averages",
-       "elastic/averages.hpp"},
+       "elastic/isotropic.hpp"},
       [](const VoigtStiffness& c) { return elastic::isotropic_averages(c); }, 1);
 }
 
@@ -214,7 +208,7 @@ void bind_waves(py::module_& module) {
           "PlaneWaves\n    Speeds (..., 3) and polarisations (..., 3, 3), from the fastest to the slowest.",
           refused_stiffness("not symmetric and positive semidefinite, a density or direction out of range."),
           "Small amplitudes, wave lengths far above the size of the grains. [Musgrave1970]",
-          "elastic::plane_waves", "elastic/christoffel.hpp"},
+          "elastic::plane_waves", "elastic/waves.hpp"},
          &plane_waves, 1);
   define(module, "bulk_density",
          {of_input(estimate::Input::grain_density, "float"),
@@ -222,7 +216,7 @@ void bind_waves(py::module_& module) {
           required("pore_density", "float", "Density of the pore fluid, >= 0 [kg/m3].")
               .or_number(elastic::GrainsAndPores{}.pore_density)},
          {"Mass per volume of a packing, (rho_s + e rho_pore)/(1+e).", "float\n    [kg/m3]",
-          "For a number out of range.", "", "elastic::bulk_density", "elastic/wave_speeds.hpp"},
+          "For a number out of range.", "", "elastic::bulk_density", "elastic/waves.hpp"},
          [](double grain_density, double void_ratio, double pore_density) {
            return elastic::bulk_density({grain_density, void_ratio, pore_density});
          });
@@ -236,7 +230,7 @@ void bind_waves(py::module_& module) {
       {stiffness_keyword(), with_default("weak", "False", "bool", "delta to first order.")},
       {"Thomsen's parameters of a stiffness, made symmetric about axis 3.", "ThomsenParameters",
        "For another shape, or unless the stiffness is symmetric, positive definite and C33 > C44.",
-       "[Thomsen1986]", "elastic::thomsen_parameters", "elastic/thomsen.hpp"},
+       "[Thomsen1986]", "elastic::thomsen_parameters", "elastic/waves.hpp"},
       [](const VoigtStiffness& c, bool weak) {
         const TransverselyIsotropic ti = elastic::transversely_isotropic_projection(c);
         return weak ? elastic::weak_thomsen_parameters(ti) : elastic::thomsen_parameters(ti);
@@ -256,7 +250,7 @@ void bind_saturation(py::module_& module) {
        "Estimate\n    Stiffness with saturated pores, symmetrised about axis 3.",
        refused_stiffness("not symmetric, or a number out of range."),
        "One solid, connected pores; shear moduli do not change. [Gassmann1951] [Mavko2009]",
-       "elastic::saturated", "elastic/saturation.hpp"},
+       "elastic::saturated", "elastic/waves.hpp"},
       [](const VoigtStiffness& c, double grain_bulk_modulus, double fluid_bulk_modulus, double void_ratio) {
         return constants(elastic::saturated(elastic::transversely_isotropic_projection(c),
                                             {.grain_bulk_modulus = grain_bulk_modulus,
@@ -269,7 +263,7 @@ void bind_saturation(py::module_& module) {
          {"Bulk modulus of a fine mixture of water and air, as in moist ground.",
           "float\n    1/(S/K_w + (1 - S)/K_a) [Pa]: 2.18 GPa of water alone, 0.142 MPa of air.",
           "For a saturation outside of [0, 1].", "Menisci between grains are not included. [Mavko2009]",
-          "elastic::water_and_air_bulk_modulus", "elastic/saturation.hpp"},
+          "elastic::water_and_air_bulk_modulus", "elastic/waves.hpp"},
          &elastic::water_and_air_bulk_modulus, 1);
 }
 

@@ -3,14 +3,8 @@
 
 #include <iterator>
 
-#include <granum/fabric/anisotropy_estimate.hpp>
-#include <granum/fabric/goodness_of_fit.hpp>
-#include <granum/fabric/likelihood_estimate.hpp>
-#include <granum/fabric/measures.hpp>
+#include <granum/fabric/estimates.hpp>
 #include <granum/fabric/orientation.hpp>
-#include <granum/fabric/polar_distribution.hpp>
-#include <granum/fabric/rose.hpp>
-#include <granum/fabric/sampling.hpp>
 
 #include "bindings.hpp"
 #include "members.hpp"
@@ -45,14 +39,13 @@ void bind_density(py::module_& module) {
          {column("polar_cosine", "t of |n3| <= t, in [0, 1] [1]."), anisotropy},
          {"The share of contact normals at an angle from axis 3 that is at least the given one.",
           "float or ndarray\n    P(t) [1], of the broadcast shape.", out_of_range,
-          "The integral of fabric_density.", "fabric::cumulative_probability",
-          "fabric/polar_distribution.hpp"},
+          "The integral of fabric_density.", "fabric::cumulative_probability", "fabric/orientation.hpp"},
          &of_two<fabric::cumulative_probability>);
   define(module, "fabric_polar_cosine_quantile", {column("probability", "In [0, 1] [1]."), anisotropy},
          {"The polar cosine of a probability.",
           "float or ndarray\n    t with P(t) = probability [1], of the broadcast shape.", out_of_range,
           "The inverse of fabric_cumulative_probability, with the same bits on every machine.",
-          "fabric::polar_cosine_quantile", "fabric/polar_distribution.hpp"},
+          "fabric::polar_cosine_quantile", "fabric/orientation.hpp"},
          &of_two<fabric::polar_cosine_quantile>);
   define(module, "sample_normals",
          {required("anisotropy", "float", "a in [-1, 1] [1].").called("fabric_anisotropy"),
@@ -60,7 +53,7 @@ void bind_density(py::module_& module) {
           required("seed", "int", "The same seed gives the same sample on every machine.")},
          {"Unit vectors drawn from E(gamma; a).", "(count, 3) ndarray\n    Unit vectors, in both senses [1].",
           "For an anisotropy out of range.", "Points in the unit disc. [Marsaglia1972]",
-          "fabric::sample_normals", "fabric/sampling.hpp"},
+          "fabric::sample_normals", "fabric/orientation.hpp"},
          [](double a, std::size_t count, std::uint64_t seed) {
            return array_of(unlocked([&] { return fabric::sample_normals(a, count, seed); }));
          });
@@ -81,7 +74,7 @@ void bind_measures(py::module_& module) {
           optional("mean_cos_2gamma", "float", "2 F33 - 1 [1].")},
          {"An axisymmetric fabric in all notations, from one of its measures.", "FabricMeasures",
           "For an impossible number.", "[Kanatani1984]", "fabric::measures_from_anisotropy",
-          "fabric/measures.hpp", "TypeError\n    Unless exactly one of the four is given.\n"},
+          "fabric/orientation.hpp", "TypeError\n    Unless exactly one of the four is given.\n"},
          [](const Arguments& a) {
            constexpr FabricMeasures (*makers[])(double) = {
                fabric::measures_from_anisotropy, fabric::measures_from_F33,
@@ -128,7 +121,7 @@ void bind_estimates(py::module_& module) {
           "AnisotropyEstimate\n    With its standard error for independent contacts; contacts of a packing "
           "scatter less.",
           refused_normals, "Axis 3 is the axis of symmetry.", "fabric::estimate_anisotropy",
-          "fabric/anisotropy_estimate.hpp"},
+          "fabric/estimates.hpp"},
          of_normals([](const auto& all) { return fabric::estimate_anisotropy(all); }), 1);
   define(module, "estimate_anisotropy_by_likelihood", {normals},
          {"a of E(gamma; a) from contact normals, by maximum likelihood.",
@@ -136,12 +129,12 @@ void bind_estimates(py::module_& module) {
           refused_normals,
           "Scatters less than estimate_anisotropy, the more so the further a is from 0, but assumes E(gamma; "
           "a).",
-          "fabric::estimate_anisotropy_by_likelihood", "fabric/likelihood_estimate.hpp"},
+          "fabric::estimate_anisotropy_by_likelihood", "fabric/estimates.hpp"},
          of_normals([](const auto& all) { return fabric::estimate_anisotropy_by_likelihood(all); }), 1);
   define(module, "isotropy_p_value", {normals},
          {"p-value: probability of directions at least as uneven as these, if the true fabric is isotropic.",
           "float\n    p of (F33 - 1/3)/sqrt(4/(45 N)), either sign, for independent contacts [1].",
-          refused_normals, "", "fabric::test_isotropy", "fabric/goodness_of_fit.hpp"},
+          refused_normals, "", "fabric::test_isotropy", "fabric/estimates.hpp"},
          of_normals([](const auto& all) { return fabric::test_isotropy(all).p_value; }), 1);
   define(
       module, "rose",
@@ -150,7 +143,7 @@ void bind_estimates(py::module_& module) {
        required("bins", "int", "Of equal width, in [1, 1000].")},
       {"Histogram of the angle between contact normals and axis 3, with E(gamma; a) for comparison.",
        "list of RoseBin\n    With densities and their standard errors, in both hemispheres [1/sr].",
-       refused_normals, "", "fabric::rose", "fabric/rose.hpp"},
+       refused_normals, "", "fabric::rose", "fabric/estimates.hpp"},
       [](const std::vector<Vec3>& all, double anisotropy, std::size_t bins) {
         return unlocked([&] { return fabric::rose(all, anisotropy, bins); });
       },

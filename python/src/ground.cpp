@@ -4,9 +4,8 @@
 #include <limits>
 
 #include <granum/core/units.hpp>
-#include <granum/elastic/saturation.hpp>
-#include <granum/stress/ground.hpp>
-#include <granum/stress/shear_path.hpp>
+#include <granum/elastic/waves.hpp>
+#include <granum/stress/stress.hpp>
 
 #include "bindings.hpp"
 #include "moduli.hpp"
@@ -83,7 +82,7 @@ void bind_ground_stress(py::module_& module) {
        column("surcharge", "Pressure on the surface, >= 0 [Pa].").or_number(0), strict_keyword()},
       {"Total stress, pore pressure and effective stress in level ground.", "GroundStress",
        "For a number out of range; arrays: under strict.", "Water at rest, no suction above its table.",
-       "stress::stress_at", "stress/ground.hpp"},
+       "stress::stress_at", "stress/stress.hpp"},
       &ground_stress);
 }
 
@@ -101,7 +100,7 @@ void bind_paths(py::module_& module) {
           column("eta", "q/p', in [0, 3) in compression, in (-3/2, 0] in extension [1]."), strict_keyword()},
          {"The stresses at which a triaxial test reaches a stress ratio.", "AxialStress",
           "For another path, or a number out of range; arrays: under strict.", "[Chung2014]",
-          "stress::stress_on_path", "stress/shear_path.hpp"},
+          "stress::stress_on_path", "stress/stress.hpp"},
          [](const Arguments& a) {
            return rows_of(a, AxialStressRow{}, [path = a.choice(0, paths)](const double* x, Notes&) {
              const stress::AxialStress found = stress::stress_on_path(path, x[0], x[1]);
@@ -114,7 +113,7 @@ void bind_paths(py::module_& module) {
          {"The stress ratio q/p' at which a material without cohesion fails on a path.",
           "float or ndarray\n    eta [1], negative in extension.",
           "For another path, or the first angle out of range.", "", "stress::failure_ratio",
-          "stress/shear_path.hpp"},
+          "stress/stress.hpp"},
          [](const Arguments& a) {
            return numbers_of_rows(
                a, [path = a.choice(0, paths)](const double* x) { return stress::failure_ratio(path, x[0]); });

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include <granum/core/error.hpp>
-#include <granum/elastic/saturation.hpp>
+#include <granum/elastic/waves.hpp>
 #include <granum/inverse/sand_inference.hpp>
 #include <granum/inverse/shared_inputs.hpp>
 

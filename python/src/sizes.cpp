@@ -6,8 +6,6 @@
 #include <granum/core/text.hpp>
 #include <granum/sizes/contact_means.hpp>
 #include <granum/sizes/distribution.hpp>
-#include <granum/sizes/distribution_text.hpp>
-#include <granum/sizes/sampling.hpp>
 
 #include "bindings.hpp"
 #include "errors.hpp"

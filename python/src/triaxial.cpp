@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include <granum/stress/shear_path.hpp>
+#include <granum/stress/stress.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>

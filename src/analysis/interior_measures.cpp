@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/fabric/anisotropy_estimate.hpp>
+#include <granum/fabric/estimates.hpp>
 #include <granum/packing/interior.hpp>
 
 namespace granum::analysis {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/stop.hpp>
 #include <granum/packing/force_distribution.hpp>

@@ -9,7 +9,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
-#include <granum/elastic/wave_speeds.hpp>
+#include <granum/elastic/waves.hpp>
 #include <granum/packing/bodies.hpp>
 #include <granum/packing/cell_work.hpp>
 #include <granum/packing/density.hpp>

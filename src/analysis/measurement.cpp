@@ -6,7 +6,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 
 namespace granum::analysis {
 

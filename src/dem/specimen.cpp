@@ -8,7 +8,7 @@
 #include <tuple>
 #include <variant>
 
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/dem/neighbours.hpp>
 

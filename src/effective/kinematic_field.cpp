@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
-#include <granum/stress/axial_stress.hpp>
+#include <granum/stress/stress.hpp>
 
 #include "checked_state.hpp"
 #include "core/root.hpp"

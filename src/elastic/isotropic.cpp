@@ -2,9 +2,15 @@
 // Notation: w = G/(3K) in [0, inf); nu = (1-2w)/(2(1+w)) and E = 3G/(1+w) stay finite for an infinite K.
 #include <granum/elastic/isotropic.hpp>
 
+#include <algorithm>
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
 #include <granum/core/error.hpp>
+#include <granum/elastic/stiffness.hpp>
+
+#include "parts.hpp"
 
 namespace granum::elastic {
 
@@ -56,5 +62,122 @@ TransverselyIsotropic transversely_isotropic(const Isotropic& solid) {
 }
 
 VoigtStiffness voigt(const Isotropic& solid) { return voigt(transversely_isotropic(solid)); }
+
+namespace {
+
+double middle(double a, double b) { return a / 2 + b / 2; }
+
+/// \param    stiffness, compliance   isotropic parts of the two
+IsotropicAverages averages(const IsotropicPart& stiffness, const IsotropicPart& compliance) {
+  const double K_v = stiffness.volumetric / 3, G_v = stiffness.deviatoric / 2;
+  const double K_r = std::min(1 / (3 * compliance.volumetric), K_v);
+  const double G_r = std::min(1 / (2 * compliance.deviatoric), G_v);
+  return {.voigt = Isotropic::from_bulk_and_shear(K_v, G_v),
+          .hill = Isotropic::from_bulk_and_shear(middle(K_v, K_r), middle(G_v, G_r)),
+          .reuss = Isotropic::from_bulk_and_shear(K_r, G_r)};
+}
+
+} // namespace
+
+IsotropicAverages isotropic_averages(const VoigtStiffness& stiffness) {
+  const MandelStiffness c = mandel(stiffness);
+  if (!positive_definite(c))
+    throw InvalidArgument(
+        "averages need a positive definite stiffness: a mode without stiffness has no compliance");
+  const Matrix6 symmetric = c.matrix / 2 + c.matrix.transpose() / 2;
+  const Matrix6 compliance = symmetric.llt().solve(Matrix6::Identity());
+  return averages(isotropic_part(symmetric), isotropic_part(compliance));
+}
+
+IsotropicAverages isotropic_averages(const TransverselyIsotropic& c) {
+  const TransverselyIsotropicCompliance s = compliance(c);
+  const auto part = [](double m11, double m33, double m12, double m13, double mandel_shear) {
+    // the shears on the Mandel basis: twice, and m11 - m12 of the horizontal plane
+    const double horizontal = m11 - m12, vertical = (m11 - m13) + (m33 - m13);
+    return IsotropicPart{.volumetric = (2 * (m11 + m12) + m33 + 4 * m13) / 3,
+                         .deviatoric = (2 * (horizontal + vertical) / 3 + 2 * mandel_shear + horizontal) / 5};
+  };
+  return averages(part(c.C11, c.C33, c.C12, c.C13, 2 * c.C44), part(s.S11, s.S33, s.S12, s.S13, s.S44 / 2));
+}
+
+namespace {
+
+/// 1/S_kk of one of the first three axes, S the inverse of the Mandel matrix: there it is that of Voigt.
+double youngs_modulus(const EigenSystem& system, int axis) {
+  constexpr double rounding = 1e-13;
+  const double softest = rounding * system.values[5];
+  double compliance = 0;
+  for (int k = 0; k < 6; ++k) {
+    const double share = system.vectors(axis, k) * system.vectors(axis, k);
+    if (system.values[k] > softest)
+      compliance += share / system.values[k];
+    else if (share > rounding)
+      return 0;
+  }
+  return compliance > 0 ? 1 / compliance : 0;
+}
+
+} // namespace
+
+EngineeringModuli engineering_moduli(const VoigtStiffness& stiffness) {
+  const Matrix6& c = stiffness.matrix;
+  require_symmetric<6>("stiffness", c);
+  const double scale = c.cwiseAbs().maxCoeff();
+  if (scale == 0)
+    return {};
+  const Matrix6 m = mandel(VoigtStiffness{c / scale}).matrix;
+  const EigenSystem system = eigen_system((m + m.transpose()) / 2);
+  return {.bulk_modulus = c.topLeftCorner<3, 3>().sum() / 9,
+          .E_1 = scale * youngs_modulus(system, 0),
+          .E_2 = scale * youngs_modulus(system, 1),
+          .E_3 = scale * youngs_modulus(system, 2),
+          .C44 = c(3, 3),
+          .C55 = c(4, 4),
+          .C66 = c(5, 5)};
+}
+
+namespace {
+
+/// The shortest rotation that turns `axis`, or its opposite, to axis 3.
+Mat3 rotation_to_axis_3(const Vec3& axis) {
+  Vec3 n = unit_along("axis", axis);
+  if (n.z < 0) // keeps 1 + n.z away from zero
+    n = -n;
+  const double f = 1 / (1 + n.z);
+  return {{{1 - f * n.x * n.x, -f * n.x * n.y, -n.x},
+           {-f * n.x * n.y, 1 - f * n.y * n.y, -n.y},
+           {n.x, n.y, n.z}}};
+}
+
+} // namespace
+
+Isotropic isotropic_projection(const VoigtStiffness& stiffness) {
+  require_symmetric<6>("stiffness", stiffness.matrix);
+  const IsotropicPart part = isotropic_part(mandel(stiffness).matrix);
+  return Isotropic::from_bulk_and_shear(part.volumetric / 3, part.deviatoric / 2);
+}
+
+double projected_shear_modulus(const TransverselyIsotropic& c) {
+  return (2 * c.C44 + c.C66()) / 5 + (2 * c.C11 + c.C33 - c.C12 - 2 * c.C13) / 15;
+}
+
+TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness) {
+  require_symmetric<6>("stiffness", stiffness.matrix);
+  const Matrix6 c = (stiffness.matrix + stiffness.matrix.transpose()) / 2;
+  const double diagonal = c(0, 0) + c(1, 1);
+  return {.C11 = (3 * diagonal + 2 * c(0, 1) + 4 * c(5, 5)) / 8,
+          .C33 = c(2, 2),
+          .C12 = (diagonal + 6 * c(0, 1) - 4 * c(5, 5)) / 8,
+          .C13 = (c(0, 2) + c(1, 2)) / 2,
+          .C44 = (c(3, 3) + c(4, 4)) / 2};
+}
+
+TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness, const Vec3& axis) {
+  return transversely_isotropic_projection(rotate(stiffness, rotation_to_axis_3(axis)));
+}
+
+VoigtStiffness voigt(const TransverselyIsotropic& stiffness, const Vec3& axis) {
+  return rotate(voigt(stiffness), transpose(rotation_to_axis_3(axis)));
+}
 
 } // namespace granum::elastic

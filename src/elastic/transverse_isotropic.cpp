@@ -41,14 +41,14 @@ Scaled scaled(const TransverselyIsotropicCompliance& s) {
 /// m33 (m11+m12) - 2 m13^2: the determinant of the block over m11 - m12.
 double axial_determinant(const NormalBlock& b) { return b.m33 * (b.m11 + b.m12) - 2 * b.m13 * b.m13; }
 
-bool positive_definite(const Scaled& scaled) {
+bool is_definite(const Scaled& scaled) {
   const auto& [b, shear, exponent] = scaled;
   return std::isfinite(b.m11) && std::isfinite(b.m33) && std::isfinite(shear) && shear > 0 &&
          b.m11 - b.m12 > 0 && b.m11 + b.m12 > 0 && axial_determinant(b) > 0;
 }
 
 void require_positive_definite(const Scaled& scaled, const char* what) {
-  if (!positive_definite(scaled))
+  if (!is_definite(scaled))
     throw InvalidArgument(std::string("transversely isotropic ") + what +
                           " must be finite and positive definite");
 }
@@ -69,7 +69,7 @@ NormalBlock inverse(const NormalBlock& b) {
 
 } // namespace
 
-bool TransverselyIsotropic::positive_definite() const { return elastic::positive_definite(scaled(*this)); }
+bool TransverselyIsotropic::positive_definite() const { return is_definite(scaled(*this)); }
 
 double TransverselyIsotropic::E_v() const {
   const auto [b, shear, exponent] = checked(*this);

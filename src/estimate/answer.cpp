@@ -5,13 +5,12 @@
 #include <cmath>
 #include <utility>
 
-#include <granum/contact/minerals.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/relaxed_exponents.hpp>
-#include <granum/elastic/saturation.hpp>
-#include <granum/elastic/wave_speeds.hpp>
+#include <granum/elastic/waves.hpp>
 
 #include "effective/relaxation_kernel.hpp"
 #include "parts.hpp"

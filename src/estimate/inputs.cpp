@@ -10,7 +10,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/estimate/input_values.hpp>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 
 namespace granum::estimate {
 

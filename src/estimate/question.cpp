@@ -7,7 +7,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/estimate/inputs.hpp>
-#include <granum/stress/axial_stress.hpp>
+#include <granum/stress/stress.hpp>
 
 #include "parts.hpp"
 

@@ -11,7 +11,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/stop.hpp>
 #include <granum/core/text.hpp>
-#include <granum/elastic/wave_speeds.hpp>
+#include <granum/elastic/waves.hpp>
 
 #include "core/compiled_once.hpp"
 #include "hardin/nonlinear_fit.hpp"

@@ -9,7 +9,7 @@
 #include <granum/core/stop.hpp>
 #include <granum/core/text.hpp>
 #include <granum/effective/contact_prior.hpp>
-#include <granum/elastic/wave_speeds.hpp>
+#include <granum/elastic/waves.hpp>
 #include <granum/estimate/answer.hpp>
 
 #include "contact_model.hpp"

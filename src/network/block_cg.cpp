@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include <granum/elastic/eigen_system.hpp>
+#include <granum/elastic/stiffness.hpp>
 
 #include "core/vector/level.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::packing {

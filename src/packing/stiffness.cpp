@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 
 namespace granum::packing {

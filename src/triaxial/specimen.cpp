@@ -10,7 +10,7 @@
 #include <boost/random/uniform_real_distribution.hpp>
 
 #include <granum/core/error.hpp>
-#include <granum/sizes/sampling.hpp>
+#include <granum/sizes/distribution.hpp>
 
 namespace granum::triaxial {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/contact/friction.hpp>
+#include <granum/contact/grains.hpp>
 
 #include <limits>
 #include <numbers>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/quadrature.hpp>
 

@@ -9,8 +9,8 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <doctest/doctest.h>
+#include <granum/contact/grains.hpp>
 #include <granum/contact/laws.hpp>
-#include <granum/contact/pair.hpp>
 #include <granum/core/error.hpp>
 
 #include <relative.hpp>

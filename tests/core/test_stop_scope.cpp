@@ -8,11 +8,9 @@
 
 #include <doctest/doctest.h>
 #include <granum/effective/batch.hpp>
-#include <granum/fabric/goodness_of_fit.hpp>
-#include <granum/fabric/likelihood_estimate.hpp>
-#include <granum/fabric/sampling.hpp>
-#include <granum/sizes/distribution_text.hpp>
-#include <granum/sizes/sampling.hpp>
+#include <granum/fabric/estimates.hpp>
+#include <granum/fabric/orientation.hpp>
+#include <granum/sizes/distribution.hpp>
 
 using namespace granum;
 

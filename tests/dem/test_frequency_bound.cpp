@@ -10,8 +10,8 @@
 
 #include <Eigen/Dense>
 #include <doctest/doctest.h>
+#include <granum/contact/grains.hpp>
 #include <granum/contact/laws.hpp>
-#include <granum/contact/pair.hpp>
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/walls.hpp>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/minimise.hpp>

@@ -12,7 +12,7 @@
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxed_exponents.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/elastic/mandel.hpp>
+#include <granum/elastic/stiffness.hpp>
 
 #include "effective/relaxation_coefficients.hpp"
 #include "relative.hpp"

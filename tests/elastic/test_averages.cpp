@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/elastic/averages.hpp>
+#include <granum/elastic/isotropic.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/core/quadrature.hpp>
-#include <granum/elastic/mandel.hpp>
+#include <granum/elastic/stiffness.hpp>
 #include <relative.hpp>
 
 #include "samples.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/elastic/christoffel.hpp>
+#include <granum/elastic/waves.hpp>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
-#include <granum/elastic/mandel.hpp>
+#include <granum/elastic/stiffness.hpp>
 #include <relative.hpp>
 
 #include "samples.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/elastic/eigen_system.hpp>
+#include <granum/elastic/stiffness.hpp>
 
 #include <cmath>
 
 #include <doctest/doctest.h>
-#include <granum/elastic/mandel.hpp>
 
 #include "samples.hpp"
 

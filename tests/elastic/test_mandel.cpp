@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/elastic/mandel.hpp>
+#include <granum/elastic/stiffness.hpp>
 
 #include <functional>
 #include <limits>
@@ -8,13 +8,9 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/elastic/averages.hpp>
-#include <granum/elastic/christoffel.hpp>
-#include <granum/elastic/engineering_moduli.hpp>
 #include <granum/elastic/isotropic.hpp>
-#include <granum/elastic/projection.hpp>
-#include <granum/elastic/symmetry.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
+#include <granum/elastic/waves.hpp>
 #include <relative.hpp>
 
 #include "samples.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 
 #include <numbers>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/elastic/mandel.hpp>
+#include <granum/elastic/stiffness.hpp>
 #include <relative.hpp>
 
 #include "samples.hpp"

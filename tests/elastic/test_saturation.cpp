@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/elastic/saturation.hpp>
+#include <granum/elastic/waves.hpp>
 
 #include <cmath>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
-#include <granum/elastic/wave_speeds.hpp>
 
 using namespace granum;
 using namespace granum::elastic;

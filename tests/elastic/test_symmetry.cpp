@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/elastic/symmetry.hpp>
+#include <granum/elastic/stiffness.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
-#include <granum/elastic/mandel.hpp>
 #include <relative.hpp>
 
 #include "samples.hpp"

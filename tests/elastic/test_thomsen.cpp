@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/elastic/thomsen.hpp>
+#include <granum/elastic/waves.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,6 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/elastic/christoffel.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <relative.hpp>
 

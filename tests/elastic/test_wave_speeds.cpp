@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/elastic/wave_speeds.hpp>
+#include <granum/elastic/waves.hpp>
 
 #include <cmath>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/elastic/christoffel.hpp>
 #include <relative.hpp>
 
 using namespace granum;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <doctest/doctest.h>
-#include <granum/contact/minerals.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/contact/power_law.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/fabric/anisotropy_estimate.hpp>
+#include <granum/fabric/estimates.hpp>
 
 #include <cmath>
 #include <cstdint>

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/fabric/goodness_of_fit.hpp>
+#include <granum/fabric/estimates.hpp>
 
 #include <cmath>
 #include <vector>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/fabric/anisotropy_estimate.hpp>
-#include <granum/fabric/likelihood_estimate.hpp>
-#include <granum/fabric/sampling.hpp>
+#include <granum/fabric/orientation.hpp>
 #include <relative.hpp>
 
 using namespace granum;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/fabric/likelihood_estimate.hpp>
+#include <granum/fabric/estimates.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/fabric/anisotropy_estimate.hpp>
 #include <granum/fabric/orientation.hpp>
-#include <granum/fabric/sampling.hpp>
 #include <relative.hpp>
 
 using namespace granum;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/fabric/measures.hpp>
+#include <granum/fabric/orientation.hpp>
 
 #include <cmath>
 #include <limits>
@@ -8,7 +8,6 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/fabric/orientation.hpp>
 #include <relative.hpp>
 
 using namespace granum;

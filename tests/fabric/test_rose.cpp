@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/fabric/rose.hpp>
+#include <granum/fabric/estimates.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +9,6 @@
 #include <granum/core/error.hpp>
 #include <granum/core/quadrature.hpp>
 #include <granum/fabric/orientation.hpp>
-#include <granum/fabric/sampling.hpp>
 #include <relative.hpp>
 
 using namespace granum;

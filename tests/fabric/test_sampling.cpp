@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/fabric/sampling.hpp>
+#include <granum/fabric/orientation.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,6 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/fabric/orientation.hpp>
-#include <granum/fabric/polar_distribution.hpp>
 
 using namespace granum;
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
-#include <granum/contact/minerals.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/contact/power_law.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/stop.hpp>

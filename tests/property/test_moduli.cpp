@@ -9,8 +9,7 @@
 
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/elastic/eigen_system.hpp>
-#include <granum/elastic/mandel.hpp>
+#include <granum/elastic/stiffness.hpp>
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include <doctest/doctest.h>
-#include <granum/contact/minerals.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 
 using namespace granum;

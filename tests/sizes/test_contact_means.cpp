@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/sizes/sampling.hpp>
+#include <granum/sizes/distribution.hpp>
 
 #include <relative.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/sizes/sampling.hpp>
+#include <granum/sizes/distribution.hpp>
 
 #include <algorithm>
 #include <cmath>

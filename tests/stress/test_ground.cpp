@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/stress/ground.hpp>
+#include <granum/stress/stress.hpp>
 
 #include <limits>
 #include <string>

@@ -2,7 +2,7 @@
 #include "studies/analyse/frame_answer.hpp"
 
 #include <doctest/doctest.h>
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 
 #include "relative.hpp"
 #include "studies/analyse/state_series.hpp"

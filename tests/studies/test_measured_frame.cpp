@@ -10,8 +10,8 @@
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/elastic/projection.hpp>
-#include <granum/fabric/sampling.hpp>
+#include <granum/elastic/isotropic.hpp>
+#include <granum/fabric/orientation.hpp>
 #include <granum/io/packing_files.hpp>
 #include <granum/packing/density.hpp>
 #include <granum/packing/fabric_tensor.hpp>

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <doctest/doctest.h>
-#include <granum/contact/friction.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 
 #include "relative.hpp"

@@ -13,7 +13,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 
 #include "refusal_text.hpp"
 #include "relative.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <doctest/doctest.h>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 
 using namespace granum;
 using namespace granum::studies;

@@ -4,7 +4,7 @@
 #include <map>
 
 #include <doctest/doctest.h>
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/density.hpp>
 

@@ -8,7 +8,7 @@
 #include "studies/verify/findings.hpp"
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 
 #include "relative.hpp"
 

@@ -11,7 +11,7 @@
 #include <granum/core/error.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/stress.hpp>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "dem/lattice_state.hpp"

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/dem/neighbours.hpp>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 
 #include "dem/lattice_state.hpp"
 #include "relative.hpp"

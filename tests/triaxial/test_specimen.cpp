@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/packing/stress.hpp>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 
 #include "dem/lattice_state.hpp"
 #include "dem/stop_at.hpp"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures of the fabric as integrals over E(gamma; a), its distribution over the polar angle, and the root
 // of the likelihood equation.
-#include <granum/fabric/likelihood_estimate.hpp>
-#include <granum/fabric/measures.hpp>
-#include <granum/fabric/polar_distribution.hpp>
+#include <granum/fabric/estimates.hpp>
+#include <granum/fabric/orientation.hpp>
 
 #include "harness.hpp"
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is done on whole stiffness matrices, written out by components.
-#include <granum/elastic/averages.hpp>
-#include <granum/elastic/mandel.hpp>
-#include <granum/elastic/projection.hpp>
-#include <granum/elastic/symmetry.hpp>
+#include <granum/elastic/isotropic.hpp>
+#include <granum/elastic/stiffness.hpp>
 
 #include "matrices.hpp"
 

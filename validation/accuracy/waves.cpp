@@ -2,9 +2,7 @@
 // Speeds as eigenvalues of C_ijkl n_j n_l; Thomsen's parameters as his equations 8 and 17 print them.
 #include <algorithm>
 
-#include <granum/elastic/christoffel.hpp>
-#include <granum/elastic/thomsen.hpp>
-#include <granum/elastic/wave_speeds.hpp>
+#include <granum/elastic/waves.hpp>
 
 #include "matrices.hpp"
 

@@ -6,7 +6,7 @@
 #include <granum/core/text.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 #include <granum/sizes/contact_means.hpp>
 #include <granum/sizes/distribution.hpp>
 

@@ -17,7 +17,7 @@
 
 #include "studies/running/probes.hpp"
 #include "studies/running/work_sharing.hpp"
-#include <granum/contact/friction.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/triaxial/probe.hpp>
 
 #include "../relaxation/recording.hpp"

@@ -12,7 +12,7 @@
 
 #include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 
 #include "../relaxation/reading.hpp"
 #include "closed_forms.hpp"

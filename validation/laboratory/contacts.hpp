@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <granum/elastic/wave_speeds.hpp>
+#include <granum/elastic/waves.hpp>
 #include <granum/inverse/inference.hpp>
 #include <granum/plot/chart.hpp>
 #include <granum/sands/measured_sands.hpp>

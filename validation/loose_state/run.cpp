@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <granum/analysis/measure.hpp>
-#include <granum/contact/friction.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/triaxial/specimen.hpp>

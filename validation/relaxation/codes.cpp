@@ -15,7 +15,7 @@
 #include <utility>
 
 #include <granum/analysis/measure.hpp>
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/io/lammps/dump.hpp>
 #include <granum/io/yade/text.hpp>

@@ -17,7 +17,7 @@
 #include <granum/analysis/counted_part.hpp>
 #include <granum/analysis/measure.hpp>
 #include <granum/dem/specimen.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/cell_work.hpp>
 #include <granum/packing/coordination.hpp>

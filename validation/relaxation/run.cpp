@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-#include <granum/contact/friction.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/contact/normal_law.hpp>
 #include <granum/contact/rough_sphere.hpp>
 #include <granum/triaxial/probe.hpp>

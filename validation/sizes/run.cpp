@@ -9,13 +9,13 @@
 #include <vector>
 
 #include <granum/analysis/measure.hpp>
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 #include <granum/io/lammps/dump.hpp>
 #include <granum/sizes/contact_means.hpp>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 
 using namespace granum;
 

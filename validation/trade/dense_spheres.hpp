@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include <granum/contact/friction.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
-#include <granum/stress/axial_stress.hpp>
+#include <granum/stress/stress.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "../relaxation/specimens.hpp"

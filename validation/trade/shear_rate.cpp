@@ -18,7 +18,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/stress/axial_stress.hpp>
+#include <granum/stress/stress.hpp>
 #include <granum/triaxial/shear_test.hpp>
 
 #include "dense_spheres.hpp"

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include <granum/contact/friction.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/contact/grains.hpp>
+#include <granum/elastic/isotropic.hpp>
 #include <granum/hardin/fit.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/coordination.hpp>

@@ -109,7 +109,7 @@ const sameSand = {
     return [...pythonBegin, `sand = granum.packing_answer(\n${given.join(",\n")})`, "G = sand.shear_modulus", "print(G.value, G.low, G.high)"].join("\n");
   },
   cpp(known) {
-    return ["#include <cstdio>", "", "#include <granum/contact/minerals.hpp>", "#include <granum/estimate/answer.hpp>", "",
+    return ["#include <cstdio>", "", "#include <granum/contact/grains.hpp>", "#include <granum/estimate/answer.hpp>", "",
       ...cppSand(known, stressesOf(known), [["saturation", literal(known.saturation)]]), "  const estimate::Answer sand = estimate::answer(question);",
       "  const estimate::Range& G = sand[estimate::Field::shear_modulus];", '  std::printf("%.17g %.17g %.17g\\n", G.value, G.low, G.high);', "}"].join("\n");
   },
@@ -128,7 +128,7 @@ const sameSandInference = {
       "print(found.level.value, found.level.standard_error, G.value, G.standard_error)"].join("\n");
   },
   cpp(known) {
-    return ["#include <cstdio>", "#include <span>", "", "#include <granum/contact/minerals.hpp>", "#include <granum/inverse/sand_inference.hpp>", "",
+    return ["#include <cstdio>", "#include <span>", "", "#include <granum/contact/grains.hpp>", "#include <granum/inverse/sand_inference.hpp>", "",
       ...cppSand(known, [known.pressure, known.pressure], []), `  const inverse::Observation measured{.quantity = inverse::Quantity::${measurable[known.quantity].cpp},`,
       `                                      .value = {${literal(known.value)}, ${literal(known.error)} * ${literal(known.value)}},`, "                                      .state = state};",
       "  const inverse::SandInference found = inverse::infer_sand(std::span(&measured, 1), question);", "  effective::State there = state;",

@@ -9,11 +9,10 @@
 #include <vector>
 
 #include <granum/analysis/measure.hpp>
-#include <granum/contact/friction.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/statistics.hpp>
-#include <granum/fabric/anisotropy_estimate.hpp>
+#include <granum/fabric/estimates.hpp>
 #include <granum/fabric/orientation.hpp>
-#include <granum/fabric/rose.hpp>
 
 #include "experiment.hpp"
 #include "studies/verify/seed_mean.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <granum/contact/minerals.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/contact/power_law.hpp>
 #include <granum/core/error.hpp>
 #include <granum/estimate/answer.hpp>

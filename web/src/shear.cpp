@@ -3,8 +3,7 @@
 #include <memory>
 
 #include <granum/core/error.hpp>
-#include <granum/stress/axial_stress.hpp>
-#include <granum/stress/shear_path.hpp>
+#include <granum/stress/stress.hpp>
 
 #include "experiment.hpp"
 

@@ -9,7 +9,7 @@
 #include <granum/analysis/measurement.hpp>
 #include <granum/packing/assembly.hpp>
 #include <granum/packing/stiffness.hpp>
-#include <granum/stress/axial_stress.hpp>
+#include <granum/stress/stress.hpp>
 
 /// The one way from a packing to its numbers.
 /// Checked by tests/analysis/test_measure.cpp, tests/studies/test_measured_frame.cpp

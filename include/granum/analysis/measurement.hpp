@@ -11,14 +11,10 @@
 #include <granum/analysis/law_check.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
-#include <granum/elastic/christoffel.hpp>
-#include <granum/elastic/engineering_moduli.hpp>
 #include <granum/elastic/isotropic.hpp>
-#include <granum/elastic/symmetry.hpp>
-#include <granum/fabric/anisotropy_estimate.hpp>
-#include <granum/fabric/goodness_of_fit.hpp>
-#include <granum/fabric/likelihood_estimate.hpp>
-#include <granum/fabric/rose.hpp>
+#include <granum/elastic/stiffness.hpp>
+#include <granum/elastic/waves.hpp>
+#include <granum/fabric/estimates.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/coordination.hpp>
 #include <granum/packing/force_distribution.hpp>

@@ -56,7 +56,7 @@ struct Walls {
   bool operator==(const Walls&) const = default;
 };
 
-/// Complete state of a simulation of spheres. Contacts of unequal grains: contact/pair.hpp.
+/// Complete state of a simulation of spheres. Contacts of unequal grains: contact/grains.hpp.
 struct Specimen {
   Mat3 cell;                ///< columns are the edge vectors [m]
   double radius = 0;        ///< of a grain of size 1 [m]

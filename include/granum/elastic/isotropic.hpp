@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <granum/core/vec3.hpp>
 #include <granum/elastic/stiffness.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 
@@ -48,5 +49,78 @@ class Isotropic {
 /// The full Voigt matrix [Pa].
 /// \throws   InvalidArgument for the incompressible limit
 [[nodiscard]] VoigtStiffness voigt(const Isotropic& solid);
+
+// Isotropic averages of an anisotropic material over all its orientations, as in a polycrystal of it.
+// Checked by tests/elastic/test_averages.cpp
+
+/// Voigt averages the stiffness (equal strain, an upper bound of K and of G), Reuss the compliance (equal
+/// stress, a lower bound), Hill is the mean of the two moduli.                                    [Hill1952]
+/// Both moduli are in the order voigt >= hill >= reuss: where the material is isotropic to the last digits,
+/// rounding is kept from turning it.
+struct IsotropicAverages {
+  Isotropic voigt;
+  Isotropic hill;
+  Isotropic reuss;
+};
+
+/// Averages of a full stiffness.
+/// \throws   InvalidArgument unless the stiffness is finite, symmetric (mandel.hpp) and positive definite
+///           (smallest eigenvalue above 1e-12 of the largest)
+/// Accuracy  voigt 4 ulp of the largest entry, reuss 8 ulp times the condition number.
+[[nodiscard]] IsotropicAverages isotropic_averages(const VoigtStiffness& stiffness);
+
+/// Averages of a transversely isotropic stiffness, in closed form.
+/// \throws   InvalidArgument unless the stiffness is finite and positive definite
+/// Accuracy  voigt 4 ulp of the largest entry, reuss 8 ulp times the condition number.
+[[nodiscard]] IsotropicAverages isotropic_averages(const TransverselyIsotropic& stiffness);
+
+// The moduli of a full stiffness along the axes and in their planes, whatever its symmetry.
+// Checked by tests/elastic/test_engineering_moduli.cpp
+
+/// Seven moduli that a test on a cube with its edges along the axes would find [Pa]. Nothing is averaged over
+/// directions: a stiffness that is not symmetric about axis 3 shows it.
+struct EngineeringModuli {
+  double bulk_modulus = 0; ///< K: mean stress over volumetric strain when all three axes are strained alike
+  double E_1 = 0;          ///< axial stress over axial strain along axis 1, no other stress changing
+  double E_2 = 0;
+  double E_3 = 0;
+  double C44 = 0; ///< shear stress over engineering shear in the plane 23, no other strain changing
+  double C55 = 0; ///< in the plane 13
+  double C66 = 0; ///< in the plane 12
+};
+
+/// Assumes   a positive semidefinite matrix, but for rounding.
+/// \return   E = 0 along an axis where the packing gives way without stress
+/// \throws   InvalidArgument for a stiffness that is not symmetric (mandel.hpp) or not finite
+/// Accuracy  1e-14 of the largest entry, E times the condition number of the matrix.
+[[nodiscard]] EngineeringModuli engineering_moduli(const VoigtStiffness& stiffness);
+
+// The symmetric material nearest to a given stiffness: its average over the rotations of the symmetry, which
+// is also the orthogonal projection in the Mandel norm. [Moakher2006]
+// A stiffness that is not symmetric (mandel.hpp) or not finite is refused with InvalidArgument.
+// Accuracy  4 ulp of the largest entry.  Checked by tests/elastic/test_projection.cpp
+
+/// Average over all rotations: K = (sum of the normal 3 x 3 block)/9,
+/// G = (C44+C55+C66)/5 + (C11+C22+C33-C12-C13-C23)/15.
+/// \throws   InvalidArgument unless both come out positive and finite
+[[nodiscard]] Isotropic isotropic_projection(const VoigtStiffness& stiffness);
+
+/// G of the nearest isotropic stiffness [Pa], as above; of any sign.
+[[nodiscard]] double projected_shear_modulus(const TransverselyIsotropic& stiffness);
+
+/// Average over the rotations about axis 3.
+[[nodiscard]] TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness);
+
+/// Average over the rotations about any axis; index 3 of the result is that axis.
+/// \param    axis   any vector but zero; its length and sense do not matter
+/// \throws   InvalidArgument for a zero vector or one that is not finite
+/// Accuracy  8 ulp of the largest entry.
+[[nodiscard]] TransverselyIsotropic transversely_isotropic_projection(const VoigtStiffness& stiffness,
+                                                                      const Vec3& axis);
+
+/// Full Voigt matrix [Pa] of a material whose axis of symmetry, index 3 of `stiffness`, points along `axis`.
+/// \throws   InvalidArgument for a zero vector or one that is not finite
+/// Accuracy  8 ulp of the largest entry.
+[[nodiscard]] VoigtStiffness voigt(const TransverselyIsotropic& stiffness, const Vec3& axis);
 
 } // namespace granum::elastic

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include <granum/contact/minerals.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/estimate/inputs.hpp>
 #include <granum/sands/known_sands.hpp>
 #include <granum/sizes/distribution.hpp>
-#include <granum/stress/axial_stress.hpp>
+#include <granum/stress/stress.hpp>
 
 /// The one way from what is known of a packing to a question: options, rows of tables and keywords of Python
 /// give values to inputs, `completed` adds what these imply, and `question_of` makes the question.

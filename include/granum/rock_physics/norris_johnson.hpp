@@ -2,7 +2,7 @@
 #pragma once
 
 #include <granum/effective/uniform_field.hpp>
-#include <granum/stress/axial_stress.hpp>
+#include <granum/stress/stress.hpp>
 
 namespace granum::rock_physics {
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// How large the grains of a packing are: distributions, their moments and sieve curves.
@@ -160,5 +162,38 @@ struct Gradation {
 /// \throws   InvalidArgument unless d50 > 0
 /// Checked by tests/sizes/test_distribution.cpp
 [[nodiscard]] double mean_radius_of(const Distribution& sizes, double d50);
+
+/// The distribution that a text names, as command lines and scenes write it; Distribution::text() writes it
+/// back.
+///   equal
+///   bidisperse:RATIO[:SHARE]          large over small radius, share of large grains by number (0.5)
+///   uniform:SMALLEST:LARGEST          radii, in any unit, by number
+///   lognormal:SIGMA[:SIZE_RATIO]      of ln r, by number
+///   power-law:EXPONENT:SIZE_RATIO     density r^-EXPONENT by number
+///   uniformity:C_U[:SIZE_RATIO]       lognormal by mass with d60/d10 = C_U
+///   sieve:D=PASSING:D=PASSING...      d with its unit, passing 0 to 1 or with %
+/// \throws   InvalidArgument for another text, listing these forms, and as the maker of the distribution
+/// Checked by tests/sizes/test_distribution_text.cpp
+[[nodiscard]] Distribution parse_distribution(std::string_view text);
+
+/// The forms that parse_distribution knows, ", " between them, for messages and help.
+[[nodiscard]] std::string distribution_forms();
+
+/// How radii are drawn.
+enum class Drawing {
+  stratified, ///< one of each of N classes of equal number, shuffled: moments as near as N grains can be
+  plain       ///< independently; a longer sample begins with the shorter
+};
+
+/// Radii x = r/<r> of grains, in no order. Random bits by Boost, then the quantile function: the same seed
+/// gives the same bits on every machine for equal, bidisperse and uniform grains, elsewhere up to the last
+/// digit of the C library's exp and log.
+/// \param    count   number of grains, 0 allowed
+/// \param    seed    any number; one seed, one sample
+/// Accuracy  of moments: plain, the standard error of independent draws; stratified, far better for size
+///           ratios up to 10. Beyond, few large grains have most of the mass: <x^3> of 20,000 grains of
+///           uniformity:4 is 2 % off. Checked by tests/sizes/test_sampling.cpp
+[[nodiscard]] std::vector<double> sample_radii(const Distribution& sizes, std::size_t count,
+                                               std::uint64_t seed, Drawing drawing = Drawing::stratified);
 
 } // namespace granum::sizes

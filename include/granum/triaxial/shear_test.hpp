@@ -8,7 +8,7 @@
 #include <granum/core/stop.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
-#include <granum/stress/shear_path.hpp>
+#include <granum/stress/stress.hpp>
 
 /// Triaxial shearing of a specimen from an isotropic state to past its peak.
 namespace granum::triaxial {

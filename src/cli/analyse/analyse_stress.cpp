@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 #include <granum/io/csv/table.hpp>
 
 #include "analyse_options.hpp"

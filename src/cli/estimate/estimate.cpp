@@ -7,7 +7,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/elastic/isotropic.hpp>
-#include <granum/elastic/wave_speeds.hpp>
+#include <granum/elastic/waves.hpp>
 #include <granum/estimate/ladder.hpp>
 #include <granum/rock_physics/contact_cement.hpp>
 #include <granum/rock_physics/sand_bounds.hpp>

@@ -8,7 +8,7 @@
 #include <granum/core/stop.hpp>
 #include <granum/io/lammps/deck.hpp>
 #include <granum/io/output_file.hpp>
-#include <granum/stress/shear_path.hpp>
+#include <granum/stress/stress.hpp>
 #include <granum/triaxial/scatter.hpp>
 
 #include "cli/frame/frame.hpp"

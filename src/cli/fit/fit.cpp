@@ -6,7 +6,7 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <granum/contact/minerals.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/effective/transition_pressure.hpp>

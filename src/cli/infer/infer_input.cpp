@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/elastic/saturation.hpp>
+#include <granum/elastic/waves.hpp>
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/notes.hpp>
 #include <granum/inverse/shared_inputs.hpp>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/stress/ground.hpp>
+#include <granum/stress/stress.hpp>
 
 #include "sweep.hpp"
 

@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/elastic/wave_speeds.hpp>
+#include <granum/elastic/waves.hpp>
 
 #include "depth.hpp"
 

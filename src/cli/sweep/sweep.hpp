@@ -12,7 +12,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
 #include <granum/effective/rungs.hpp>
-#include <granum/elastic/saturation.hpp>
+#include <granum/elastic/waves.hpp>
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 

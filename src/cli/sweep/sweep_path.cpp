@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/stress/shear_path.hpp>
+#include <granum/stress/stress.hpp>
 
 #include "cli/frame/json_members.hpp"
 #include "cli/options/likely_mistakes.hpp"

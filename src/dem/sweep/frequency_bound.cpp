@@ -7,7 +7,7 @@
 #include <limits>
 #include <variant>
 
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/dem/neighbours.hpp>
 
 namespace granum::dem {

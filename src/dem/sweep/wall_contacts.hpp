@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
+#include <granum/contact/grains.hpp>
 #include <granum/contact/normal_law.hpp>
-#include <granum/contact/pair.hpp>
 #include <granum/core/bytes.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/dem/walls.hpp>

@@ -11,7 +11,7 @@
 #include <Eigen/SparseCore>
 
 #include <granum/core/stop.hpp>
-#include <granum/elastic/eigen_system.hpp>
+#include <granum/elastic/stiffness.hpp>
 
 #include "core/vector/level.hpp"
 

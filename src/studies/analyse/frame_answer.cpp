@@ -8,7 +8,7 @@
 #include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 #include <granum/effective/relaxation.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 
 namespace granum::studies {
 

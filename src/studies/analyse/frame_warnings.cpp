@@ -8,7 +8,7 @@
 
 #include <granum/core/stop.hpp>
 #include <granum/core/text.hpp>
-#include <granum/elastic/eigen_system.hpp>
+#include <granum/elastic/stiffness.hpp>
 
 #include "mistakes.hpp"
 

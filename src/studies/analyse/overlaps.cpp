@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/stop.hpp>
 #include <granum/dem/neighbours.hpp>
 #include <granum/io/own_image.hpp>

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include <granum/contact/laws.hpp>
-#include <granum/stress/shear_path.hpp>
+#include <granum/stress/stress.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 namespace granum::studies {

@@ -10,7 +10,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/io/output_file.hpp>
-#include <granum/stress/shear_path.hpp>
+#include <granum/stress/stress.hpp>
 
 #include "path_run.hpp"
 

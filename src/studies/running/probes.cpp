@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "probes.hpp"
 
-#include <granum/contact/pair.hpp>
+#include <granum/contact/grains.hpp>
 
 namespace granum::studies {
 

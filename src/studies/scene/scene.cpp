@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "studies/scene/scene_keys.hpp"
-#include <granum/contact/friction.hpp>
+#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/core/units.hpp>

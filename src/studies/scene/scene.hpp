@@ -10,7 +10,7 @@
 
 #include <granum/contact/laws.hpp>
 #include <granum/sizes/distribution.hpp>
-#include <granum/stress/shear_path.hpp>
+#include <granum/stress/stress.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 /// Input of `granum verify`, `reproduce`, `trade`, `plan` and `export`. The defaults are the paper's grains

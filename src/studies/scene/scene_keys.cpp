@@ -9,7 +9,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 
 namespace granum::studies {
 

@@ -24,7 +24,7 @@
 #include <granum/packing/coordination.hpp>
 #include <granum/packing/stiffness.hpp>
 #include <granum/packing/stress.hpp>
-#include <granum/sizes/distribution_text.hpp>
+#include <granum/sizes/distribution.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <granum/fabric/estimates.hpp>
 #include <granum/fabric/orientation.hpp>
-#include <granum/fabric/rose.hpp>
 
 #include "figure_parts.hpp"
 #include "studies/paper/paper.hpp"

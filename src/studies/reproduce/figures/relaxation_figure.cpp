@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include <granum/core/error.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/elastic/isotropic.hpp>
 
 #include "figure_parts.hpp"
 #include "studies/report/compression.hpp"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/contact/minerals.hpp>
+#include <granum/contact/grains.hpp>
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -47,5 +49,37 @@ double bulk_modulus(const GrainMaterial& grain) {
   return nu < 0.5 ? 2 * grain.shear_modulus * (1 + nu) / (3 * (1 - 2 * nu))
                   : std::numeric_limits<double>::max();
 }
+
+NormalLaw of_sizes(const NormalLaw& law, double i, double j) {
+  require_positive("size of a grain", i);
+  require_positive("size of a grain", j);
+  return law.of_pair_radius(pair_radius(i, j));
+}
+
+GrainMaterial pair_material(const GrainMaterial& i, const GrainMaterial& j) {
+  for (const GrainMaterial& grain : {i, j}) {
+    require_positive("grain_shear_modulus", grain.shear_modulus, "Pa");
+    require_poisson_ratio("grain_poisson_ratio", grain.poisson_ratio);
+  }
+  if (i.shear_modulus == j.shear_modulus && i.poisson_ratio == j.poisson_ratio)
+    return i;
+  // Both conditions are linear in the compliance s = 1/G and in nu s: s - nu s and 2 s - nu s are the means
+  // of the two grains'.
+  const double share = j.shear_modulus / (i.shear_modulus + j.shear_modulus); // of 1/G_i in the sum of both
+  return {.shear_modulus = harmonic_mean(i.shear_modulus, j.shear_modulus),
+          .poisson_ratio = share * i.poisson_ratio + (1 - share) * j.poisson_ratio};
+}
+
+Friction Friction::from_coefficient(double coefficient) {
+  return Friction(require_non_negative("friction_coefficient", coefficient));
+}
+
+Friction Friction::from_angle(double angle) {
+  if (!(angle >= 0 && angle < std::numbers::pi / 2))
+    throw InvalidArgument("friction_angle", angle, "rad", "[0, pi/2)");
+  return Friction(std::tan(angle));
+}
+
+double Friction::angle() const { return std::atan(coefficient_); }
 
 } // namespace granum::contact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Notation: n unit direction; s, c sine and cosine of its angle with axis 3; s2, c2 their squares. g11, g13,
 // g33 Christoffel matrix in the plane of n and axis 3, p and sv its eigenvalues, sh the third.
-#include <granum/elastic/christoffel.hpp>
+#include <granum/elastic/waves.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -10,12 +10,44 @@
 #include <cstdio>
 
 #include <granum/core/error.hpp>
-#include <granum/elastic/mandel.hpp>
+#include <granum/core/text.hpp>
+#include <granum/elastic/stiffness.hpp>
 
 #include "core/compiled_once.hpp"
-#include "direction.hpp"
+#include "parts.hpp"
 
 namespace granum::elastic {
+
+double bulk_density(const GrainsAndPores& packing) {
+  const double grains = require_positive("grain_density", packing.grain_density, "kg/m3");
+  const double e = require_non_negative("void_ratio", packing.void_ratio);
+  const double pores = require_non_negative("pore_density", packing.pore_density, "kg/m3");
+  return (grains + e * pores) / (1 + e);
+}
+
+WaveSpeeds wave_speeds(const Isotropic& solid, double bulk_density) {
+  require_positive("bulk_density", bulk_density, "kg/m3");
+  if (std::isinf(solid.bulk_modulus()))
+    throw InvalidArgument("an incompressible solid (Poisson's ratio 0.5) has no finite P-wave speed");
+  const double axial = solid.bulk_modulus() + 4 * solid.shear_modulus() / 3;
+  return {.p = std::sqrt(axial / bulk_density), .s = std::sqrt(solid.shear_modulus() / bulk_density)};
+}
+
+double shear_modulus_from_speed(double shear_wave_speed, double bulk_density) {
+  require_non_negative("shear_wave_speed", shear_wave_speed, "m/s");
+  require_positive("bulk_density", bulk_density, "kg/m3");
+  return bulk_density * (shear_wave_speed * shear_wave_speed);
+}
+
+Isotropic isotropic_from_speeds(const WaveSpeeds& speeds, double bulk_density) {
+  const double V_s = require_positive("shear_wave_speed", speeds.s, "m/s");
+  const double V_p = require_positive("compression_wave_speed", speeds.p, "m/s");
+  const double shear_modulus = shear_modulus_from_speed(V_s, bulk_density);
+  const double bulk_modulus = bulk_density * ((V_p - V_s) * (V_p + V_s) - V_s * V_s / 3);
+  if (!(bulk_modulus > 0))
+    throw InvalidArgument("compression_wave_speed", V_p, "m/s", "(sqrt(4/3) shear_wave_speed, inf)");
+  return Isotropic::from_bulk_and_shear(bulk_modulus, shear_modulus);
+}
 
 namespace {
 
@@ -161,6 +193,118 @@ Vec3 group_velocity(const VoigtStiffness& stiffness, double bulk_density, const 
   const Eigen::Vector3d flux = contraction(wave.polarisation) * (symmetric_part(stiffness) * strain);
   const double f = 1 / (bulk_density * wave.speed);
   return {f * flux[0], f * flux[1], f * flux[2]};
+}
+
+namespace {
+
+/// a + b + c with the rounding of both additions put back: exact but for the last place, even where the sum
+/// is a small remainder of its terms.
+double compensated_sum(double a, double b, double c) {
+  const auto rounding = [](double x, double y, double sum) {
+    const double x_in_sum = sum - y;
+    return (x - x_in_sum) + (y - (sum - x_in_sum));
+  };
+  const double ab = a + b;
+  const double abc = ab + c;
+  return abc + (rounding(a, b, ab) + rounding(ab, c, abc));
+}
+
+void require_positive_definite(const TransverselyIsotropic& c) {
+  if (!c.positive_definite())
+    throw InvalidArgument("Thomsen parameters need a finite and positive definite stiffness");
+}
+
+/// C13 less its isotropic value C33 - 2 C44.
+double excess(const TransverselyIsotropic& c) { return compensated_sum(c.C13, 2 * c.C44, -c.C33); }
+
+ThomsenParameters with_delta(const TransverselyIsotropic& c, double delta) {
+  return {.epsilon = (c.C11 - c.C33) / (2 * c.C33),
+          .delta = delta,
+          .gamma = compensated_sum(c.C11, -c.C12, -2 * c.C44) / (4 * c.C44)};
+}
+
+} // namespace
+
+ThomsenParameters thomsen_parameters(const TransverselyIsotropic& c) {
+  require_positive_definite(c);
+  if (!(c.C33 > c.C44))
+    throw InvalidArgument("C33", c.C33, "Pa", "(C44, inf): Thomsen's delta needs V_p0 > V_s0");
+  // (C13+C44)^2 - (C33-C44)^2 = (C13 + 2 C44 - C33)(C13 + C33)
+  return with_delta(c, excess(c) / (2 * c.C33) * ((c.C13 + c.C33) / (c.C33 - c.C44)));
+}
+
+ThomsenParameters weak_thomsen_parameters(const TransverselyIsotropic& c) {
+  require_positive_definite(c);
+  return with_delta(c, excess(c) / c.C33);
+}
+
+ThomsenSolid thomsen_solid(const TransverselyIsotropic& c, double bulk_density) {
+  require_positive("bulk_density", bulk_density, "kg/m3");
+  const ThomsenParameters parameters = thomsen_parameters(c);
+  return {.bulk_density = bulk_density,
+          .vertical_p_speed = std::sqrt(c.C33 / bulk_density),
+          .vertical_s_speed = std::sqrt(c.C44 / bulk_density),
+          .anisotropy = parameters};
+}
+
+TransverselyIsotropic transversely_isotropic(const ThomsenSolid& solid) {
+  const double density = require_positive("bulk_density", solid.bulk_density, "kg/m3");
+  const double V_s = require_positive("vertical_s_speed", solid.vertical_s_speed, "m/s");
+  const double V_p = require_positive("vertical_p_speed", solid.vertical_p_speed, "m/s");
+  if (!(V_p > V_s))
+    throw InvalidArgument("vertical_p_speed", V_p, "m/s", "(vertical_s_speed, inf)");
+  const double epsilon = require_finite("epsilon", solid.anisotropy.epsilon);
+  const double delta = require_finite("delta", solid.anisotropy.delta);
+  const double gamma = require_finite("gamma", solid.anisotropy.gamma);
+
+  const double C33 = density * V_p * V_p, C44 = density * V_s * V_s;
+  const double difference = density * (V_p - V_s) * (V_p + V_s); // C33 - C44
+  const double square = difference * (difference + 2 * delta * C33);
+  if (!(square >= 0))
+    throw InvalidArgument("delta", delta, "", "[-(1 - V_s0^2/V_p0^2)/2, inf)");
+  TransverselyIsotropic c{.C11 = C33 * (1 + 2 * epsilon), .C33 = C33, .C12 = 0, .C13 = 0, .C44 = C44};
+  c.C12 = c.C11 - 2 * C44 * (1 + 2 * gamma);
+  // sqrt(square) - C44, as a quotient without cancellation
+  c.C13 = C33 * ((difference - C44) + 2 * delta * difference) / (std::sqrt(square) + C44);
+  if (!c.positive_definite())
+    throw InvalidArgument("no positive definite stiffness has these Thomsen parameters");
+  return c;
+}
+
+namespace {
+
+constexpr double water = 2.18e9, air = 0.142e6; // [Pa]
+
+} // namespace
+
+double water_and_air_bulk_modulus(double saturation) {
+  require_closed("saturation", saturation, 0, 1);
+  return 1 / (saturation / water + (1 - saturation) / air);
+}
+
+double saturation_of_bulk_density(double bulk_density, double grain_density, double void_ratio) {
+  const double rho = require_positive("bulk_density", bulk_density, "kg/m3");
+  const double rho_s = require_positive("grain_density", grain_density, "kg/m3");
+  const double e = require_positive("void_ratio", void_ratio);
+  return ((1 + e) * rho - rho_s) / (e * water_density);
+}
+
+TransverselyIsotropic saturated(const TransverselyIsotropic& c, const SaturatedPores& pores) {
+  const double K_s = require_positive("grain_bulk_modulus", pores.grain_bulk_modulus, "Pa");
+  const double K_f = require_positive("fluid_bulk_modulus", pores.fluid_bulk_modulus, "Pa");
+  const double n = require_positive("void_ratio", pores.void_ratio) / (1 + pores.void_ratio);
+  if (!(c.bulk_modulus() <= K_s))
+    throw InvalidArgument("grain_bulk_modulus", K_s, "Pa",
+                          "[" + short_text(c.bulk_modulus()) +
+                              ", inf): no skeleton is stiffer than its grains");
+  const double a_h = 1 - (c.C11 + c.C12 + c.C13) / (3 * K_s);
+  const double a_v = 1 - (2 * c.C13 + c.C33) / (3 * K_s);
+  const double M = 1 / ((1 - c.bulk_modulus() / K_s - n) / K_s + n / K_f);
+  return {.C11 = c.C11 + a_h * a_h * M,
+          .C33 = c.C33 + a_v * a_v * M,
+          .C12 = c.C12 + a_h * a_h * M,
+          .C13 = c.C13 + a_h * a_v * M,
+          .C44 = c.C44};
 }
 
 } // namespace granum::elastic
