@@ -17,7 +17,7 @@
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/rock_physics/hertz_mindlin.hpp>
+#include <granum/rock_physics/sphere_packs.hpp>
 
 #include "machine_limits.hpp"
 

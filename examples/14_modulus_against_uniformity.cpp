@@ -20,7 +20,7 @@
 
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/sands/measured_sands.hpp>
+#include <granum/sands/known_sands.hpp>
 #include <granum/sizes/contact_means.hpp>
 
 using namespace granum;

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include <granum/effective/batch.hpp>
-#include <granum/effective/kinematic_field.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/uniform_field.hpp>
@@ -171,7 +170,7 @@ py::object ask(const effective::Rung& rung, const StateArguments& arguments) {
 }
 
 constexpr const char *of_field = "effective/uniform_field.hpp",
-                     *of_kinematic_field = "effective/kinematic_field.hpp",
+                     *of_kinematic_field = "effective/uniform_field.hpp",
                      *refused = "For impossible numbers; with arrays only under strict.";
 
 void bind_fields(py::module_& module) {

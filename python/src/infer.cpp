@@ -8,8 +8,8 @@
 
 #include <granum/core/error.hpp>
 #include <granum/elastic/waves.hpp>
+#include <granum/inverse/inference.hpp>
 #include <granum/inverse/sand_inference.hpp>
-#include <granum/inverse/shared_inputs.hpp>
 
 #include "inverse.hpp"
 #include "question.hpp"

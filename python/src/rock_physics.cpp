@@ -5,14 +5,8 @@
 #include <cstddef>
 
 #include <granum/core/error.hpp>
-#include <granum/rock_physics/contact_cement.hpp>
-#include <granum/rock_physics/coordination_relations.hpp>
-#include <granum/rock_physics/digby.hpp>
-#include <granum/rock_physics/hertz_mindlin.hpp>
-#include <granum/rock_physics/jenkins.hpp>
-#include <granum/rock_physics/norris_johnson.hpp>
-#include <granum/rock_physics/sand_bounds.hpp>
-#include <granum/rock_physics/walton_uniaxial.hpp>
+#include <granum/rock_physics/cement.hpp>
+#include <granum/rock_physics/sphere_packs.hpp>
 
 #include "bindings.hpp"
 #include "estimate.hpp"
@@ -173,7 +167,7 @@ void bind_coordination(py::module_& module) {
           "For the first porosity out of range, or another relation.",
           "The relations do not depend on the preparation and do not replace a measured number. [Murphy1982] "
           "[Zimmer2007]",
-          "rock_physics::coordination_number", "rock_physics/coordination_relations.hpp"},
+          "rock_physics::coordination_number", "rock_physics/sphere_packs.hpp"},
          [](const Arguments& a) {
            return numbers_of_rows(a, [relation = a.choice(1, relations)](const double* x) {
              return rock_physics::coordination_number(x[0], relation);
@@ -232,7 +226,7 @@ void bind_walton(py::module_& module) {
   const char *const remarks =
                         "The limit of norris_johnson without hydrostatic strain. An often reprinted C44 "
                         "differs from Walton's: it is not the average over the contacts. [Walton1987]",
-                    *const header = "rock_physics/walton_uniaxial.hpp";
+                    *const header = "rock_physics/sphere_packs.hpp";
   define_of_solid(module, "walton_uniaxial", strained_spheres({}),
                   {"Stiffness of equal spheres after uniaxial compression (Walton 1987).", "Estimate",
                    refused_numbers, remarks, "rock_physics::walton_uniaxial", header},
@@ -258,7 +252,7 @@ void bind_norris_johnson(py::module_& module) {
       {"simultaneous", StrainPath::simultaneous}};
   const char *const remarks = "Contacts follow the mean strain. The stresses depend on the order of the "
                               "strains, the stiffness does not. [NorrisJohnson1997] [Walton1987]",
-                    *const header = "rock_physics/norris_johnson.hpp";
+                    *const header = "rock_physics/sphere_packs.hpp";
   const std::vector<Keyword> keywords = strained_spheres(
       {column("hydrostatic_strain", "e0 in all directions, in [0, 1), compression positive [1].")});
   define_of_solid(module, "norris_johnson", keywords,

@@ -6,7 +6,6 @@
 
 #include <granum/hardin/fit.hpp>
 #include <granum/sands/known_sands.hpp>
-#include <granum/sands/measured_sands.hpp>
 
 #include "bindings.hpp"
 #include "members.hpp"
@@ -67,7 +66,7 @@ void bind_measured_laws(py::module_& module) {
        "dict of MeasuredLaw\n    By their keys.", "",
        "[HardinRichart1963] [Kokusho1980] [Jamiolkowski1991] [Menq2003] [WichtmannTriantafyllidis2009] "
        "[OztoprakBolton2013] [WangStokoe2022]",
-       "sands::measured_laws", "sands/measured_sands.hpp"});
+       "sands::measured_laws", "sands/known_sands.hpp"});
   define(module, "sand_shear_modulus",
          {required("law", "str", "A key of measured_laws()."), of_input(estimate::Input::void_ratio),
           of_input(estimate::Input::pressure).called("mean_stress"),
@@ -79,7 +78,7 @@ void bind_measured_laws(py::module_& module) {
           "is NaN: the laws have none.",
           "For another law, a number out of range, or a void ratio beyond the law's zero.",
           "Under isotropic stress, clean sands. Sources: measured_laws().", "sands::shear_modulus",
-          "sands/measured_sands.hpp"},
+          "sands/known_sands.hpp"},
          [](const Arguments& a) {
            const MeasuredLaw& law = sands::measured_law(a.text(0));
            return rows_of(a, ModuliRow{}, [&law](const double* x, Notes& notes) {

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
-#include <granum/effective/model.hpp>
-#include <granum/effective/relaxed_exponents.hpp>
+#include <granum/effective/exponents.hpp>
 
 #include "stress_derivatives.hpp"
 

@@ -10,7 +10,7 @@
 #include <granum/core/quadrature.hpp>
 #include <granum/effective/relaxation.hpp>
 
-#include "checked_state.hpp"
+#include "kernels.hpp"
 
 namespace granum::effective {
 

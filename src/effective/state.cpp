@@ -8,7 +8,8 @@
 #include <granum/core/text.hpp>
 #include <granum/fabric/orientation.hpp>
 
-#include "checked_state.hpp"
+#include "core/root.hpp"
+#include "kernels.hpp"
 
 namespace granum::effective {
 
@@ -135,6 +136,34 @@ StaticForceField static_force_field(const State& state) {
   kernel::require_contacts(state);
   const double area = checked.geometry.force_area;
   return {.horizontal = area * checked.loads.horizontal, .vertical = area * checked.loads.vertical};
+}
+
+std::optional<double> transition_pressure(const State& state) {
+  const auto geometry = kernel::checked_geometry(state);
+  kernel::require_contacts(state);
+  const contact::RoughSphere* const law = state.law.rough_sphere();
+  if (law == nullptr)
+    return std::nullopt;
+  return law->transition_force() / (3 * geometry.force_area);
+}
+
+double transition_pressure_of(double exponent, double mean_stress) {
+  require_positive("mean_stress", mean_stress, "Pa");
+  const auto excess = [exponent](double log_X) {
+    return contact::rough_stiffness(std::exp(log_X)).exponent - exponent;
+  };
+  constexpr double widest = 30; // |ln X|: b is 1e-9 from an end there
+  if (!(excess(-widest) < 0 && excess(widest) > 0))
+    throw InvalidArgument("exponent", exponent, "", "(1/3, 1)");
+  const auto [left, right] = root_between(excess, -widest, widest, within_bits(45), 100);
+  return mean_stress * std::exp(0.75 * (left + right));
+}
+
+double roughness_of(State state, double transition) {
+  require_positive("transition_pressure", transition, "Pa");
+  const double some = std::min(state.radius, contact::RoughSphere::largest_roughness);
+  state.law = contact::RoughSphere(state.law.grain(), state.radius, some);
+  return some * std::pow(transition / *transition_pressure(state), 2.0 / 3);
 }
 
 } // namespace granum::effective

@@ -9,7 +9,6 @@
 
 #include <granum/core/error.hpp>
 #include <granum/effective/exponents.hpp>
-#include <granum/effective/model.hpp>
 
 #include "kernels.hpp"
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Contacts that have been loaded in proportion respond by f = alpha/(1+alpha) (k_n d_n n + k_t d_t), so that
+// stress = alpha/(1+alpha) C strain with the tangent stiffness C of the same contacts: the kernel of uniform
+// strain serves for both. The law is homogeneous, and the ratio of the strains, exp(t), is the one unknown.
 #include <granum/effective/uniform_field.hpp>
 
 #include <algorithm>
@@ -7,8 +10,10 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
+#include <granum/stress/stress.hpp>
 
-#include "checked_state.hpp"
+#include "core/root.hpp"
+#include "kernels.hpp"
 
 namespace granum::effective {
 
@@ -149,6 +154,139 @@ IsotropicModuli uniform_strain_moduli(const IsotropicPacking& packing) {
   const double scale =
       geometry.prefactor * kernel::contact_stiffness(packing.law, geometry.force_area, 3 * packing.pressure);
   return {.bulk_modulus = scale / 9, .shear_modulus = scale * (2 + 3 * r) / 30};
+}
+
+namespace {
+
+using kernel::AxialMoments;
+
+/// Strains exp(t/2) along the axis and exp(-t/2) across, t = ln(strain_v/strain_h).
+const double largest_t = std::log(1e4);
+
+/// The only unknown of a homogeneous law.
+const contact::PowerLaw& power_law(const State& s) {
+  return kernel::power_law_of(s, "the field of a uniform strain from no load");
+}
+
+/// Moments of (k_n/k_ref)^sign at such strains, k_ref that of an overlap of l times strain 1.
+AxialMoments<double> strain_moments(const State& s, double t, double sign) {
+  const double exponent = sign / power_law(s).alpha(); // k_n ~ d^(1/alpha)
+  if (exponent == 0 || t == 0)
+    return kernel::fabric_moments(s.fabric_anisotropy);
+  const double root = std::exp(-t / 2);
+  const auto power = [exponent](double d) { return kernel::power(d, exponent); };
+  return kernel::direction_moments(s.fabric_anisotropy, root, 1 / root, root, power,
+                                   kernel::rule_for(root * root));
+}
+
+/// Stresses over P/l c (l strain)^(1+1/alpha).
+stress::AxialStress stresses_at(const State& s, double t) {
+  const auto c = kernel::uniform_strain(1.0, s.tangential_ratio, strain_moments(s, t, 1), kernel::Spin::none);
+  const double v = std::exp(t / 2), h = std::exp(-t / 2);
+  return {.v = c.C33 * v + 2 * c.C13 * h, .h = (c.C11 + c.C12) * h + c.C13 * v};
+}
+
+[[noreturn]] void refuse(const State& s) {
+  const auto ratio = [&](double t) {
+    const stress::AxialStress stress = stresses_at(s, t);
+    return stress.v / stress.h;
+  };
+  const double low = ratio(-largest_t), high = ratio(largest_t);
+  const auto bound = [](double x) { return x > 0 ? std::to_string(x) : std::string("0"); };
+  throw InvalidArgument("stress_v/stress_h", s.stress_v / s.stress_h, "",
+                        "(" + bound(low) + ", " + (high > 0 ? std::to_string(high) : "inf") +
+                            "), beyond which a uniform strain opens contacts");
+}
+
+/// The ratio of strains whose stresses have the stress ratio of the state.
+double strain_ratio(const State& s) {
+  const double share = s.stress_v / (s.stress_v + s.stress_h);
+  const auto excess = [&](double t) { // grows with t, of order 1 where both stresses are positive
+    const stress::AxialStress stress = stresses_at(s, t);
+    return ((1 - share) * stress.v - share * stress.h) / (std::abs(stress.v) + std::abs(stress.h));
+  };
+  const double low = excess(-largest_t), high = excess(largest_t);
+  if (!(low < 0 && high > 0))
+    refuse(s);
+  return middle(root_between(excess, -largest_t, largest_t, low, high, within_bits(52)));
+}
+
+/// The strains exp(t/2) and exp(-t/2), scaled so that a contact reaches the force force_area load.
+struct Solution {
+  double t = 0;
+  double load = 0; ///< [Pa]
+};
+
+Solution solve(const State& s) {
+  if (s.stress_v == 0)
+    return {};
+  const double t = strain_ratio(s);
+  const stress::AxialStress stress = stresses_at(s, t);
+  return {.t = t, .load = (s.stress_v + 2 * s.stress_h) / (stress.v + 2 * stress.h)};
+}
+
+struct Field {
+  kernel::CheckedState checked;
+  Solution solution;
+  double stiffness = 0; ///< k_ref
+};
+
+/// l for which the stress of the field (forces independent of branch length) agrees with its stiffness:
+/// N_c <l> f(l strain)/V = alpha/(1+alpha) N_c <l^2>/V k_n strain.
+double branch_length(const State& s) { return 2 * s.radius * (s.contacts.branch_square / s.contacts.branch); }
+
+Field field(const State& s) {
+  Field field{.checked = kernel::checked(s), .solution = {}};
+  if (s.coordination_number == 0)
+    return field;
+  field.solution = solve(s);
+  field.stiffness = kernel::contact_stiffness(s.law, field.checked.geometry.force_area, field.solution.load);
+  return field;
+}
+
+Estimate estimate(Field&& field, const kernel::Constants<double>& c) {
+  return {.stiffness = {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44},
+          .validity = std::move(field.checked.validity)};
+}
+
+} // namespace
+
+double KinematicForceField::overlap(double n3) const {
+  return branch_length * (strain_h * (1 - n3) * (1 + n3) + strain_v * n3 * n3);
+}
+
+double KinematicForceField::tangential_force(double n3) const {
+  const double slide = branch_length * (strain_h - strain_v) * n3 * std::sqrt((1 - n3) * (1 + n3));
+  return tangential_ratio * law.stiffness_at_overlap(overlap(n3)) / law.force_exponent() * slide;
+}
+
+KinematicForceField kinematic_force_field(const State& s) {
+  const auto checked = kernel::checked(s);
+  kernel::require_contacts(s);
+  const Solution solution = solve(s);
+  const double length = branch_length(s);
+  const double strain = s.law.overlap(checked.geometry.force_area * solution.load) / length;
+  return {.law = power_law(s),
+          .tangential_ratio = s.tangential_ratio,
+          .branch_length = length,
+          .strain_v = strain * std::exp(solution.t / 2),
+          .strain_h = strain * std::exp(-solution.t / 2)};
+}
+
+Estimate uniform_strain_kinematic(const State& s) {
+  Field f = field(s);
+  const auto moments = strain_moments(s, f.solution.t, 1);
+  const double scale = f.checked.geometry.prefactor * f.stiffness;
+  return estimate(std::move(f),
+                  kernel::uniform_strain(scale, s.tangential_ratio, moments, kernel::Spin::none));
+}
+
+Estimate uniform_stress_kinematic(const State& s) {
+  Field f = field(s);
+  const auto moments = strain_moments(s, f.solution.t, -1);
+  const auto fabric = kernel::fabric_moments(s.fabric_anisotropy);
+  const double scale = f.checked.geometry.static_prefactor * f.stiffness;
+  return estimate(std::move(f), kernel::uniform_stress(scale, s.tangential_ratio, fabric, moments));
 }
 
 } // namespace granum::effective

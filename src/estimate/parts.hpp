@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
-#include <granum/effective/relaxed_exponents.hpp>
+#include <granum/effective/exponents.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/input_values.hpp>

@@ -5,7 +5,7 @@
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/slip.hpp>
-#include <granum/sands/strain.hpp>
+#include <granum/sands/pooled_law.hpp>
 
 #include "core/root.hpp"
 #include "parts.hpp"

@@ -13,7 +13,7 @@
 #include <granum/core/stop.hpp>
 #include <granum/core/text.hpp>
 
-#include "eigen_gsl.hpp"
+#include "gsl.hpp"
 #include "nonlinear_fit.hpp"
 
 namespace granum::hardin {

@@ -8,7 +8,7 @@
 
 #include <gsl/gsl_multifit_nlinear.h>
 
-#include "eigen_gsl.hpp"
+#include "gsl.hpp"
 
 namespace granum::hardin {
 

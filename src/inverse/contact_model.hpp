@@ -2,11 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <granum/effective/contact_prior.hpp>
 #include <granum/inverse/inference.hpp>
 
-/// The model of infer(): measured values as functions of a vector of parameters.
 namespace granum::inverse::detail {
+
+// The model of infer(): measured values as functions of a vector of parameters.
 
 /// Measurements at one state, whose errors share the scatter of rung 3 there.
 struct StateGroup {
@@ -97,5 +99,19 @@ Eigen::MatrixXd slopes(const Function& function, const Eigen::VectorXd& theta) {
   }
   return matrix;
 }
+
+/// Refuses measurements at one state that no stable solid has together: a compression wave whose modulus is
+/// smaller than 4/3 of a shear modulus or than a bulk modulus, by more than three standard errors.
+/// Assumes   dry or drained, as require_measured checks before
+/// \param    grain_density   to compare speeds with moduli [kg/m3]
+/// \throws   InvalidArgument naming the compression wave
+/// Checked by tests/inverse/test_inference.cpp, test_sand_inference.cpp
+void require_possible_together(std::span<const Observation> all, std::optional<double> grain_density);
+
+/// Refuses a fitted exponent of growth with stress that the measurements do not determine, or that is outside
+/// of [0, 1] by more than two standard errors: a forecast by it would be no forecast.
+/// \param    limit   largest standard error
+/// \throws   InvalidArgument
+void require_determined_growth(const Measured& exponent, double limit);
 
 } // namespace granum::inverse::detail

@@ -13,7 +13,6 @@
 #include <granum/estimate/answer.hpp>
 
 #include "contact_model.hpp"
-#include "possible.hpp"
 
 namespace granum::inverse {
 
@@ -192,6 +191,160 @@ InferenceAnswer infer(std::span<const Observation> measurements, const Inference
   answer.validity.keep_each_once();
   note_contradiction(*answer.together, measurements, answer.validity);
   return answer;
+}
+
+} // namespace granum::inverse
+
+namespace granum::inverse::detail {
+
+namespace {
+
+using effective::Modulus;
+
+bool at_one_state(const Observation& a, const Observation& b) {
+  return a.state.stress_v == b.state.stress_v && a.state.stress_h == b.state.stress_h &&
+         a.state.void_ratio == b.state.void_ratio;
+}
+
+/// Of a wave that travels by compression, over that of another measurement; 0: they are independent.
+double least_ratio(Modulus compression, Modulus other) {
+  if (compression != Modulus::C33 && compression != Modulus::C11)
+    return 0;
+  return other == Modulus::G_vh || other == Modulus::G_hh ? 4.0 / 3 : other == Modulus::K ? 1 : 0;
+}
+
+} // namespace
+
+void require_possible_together(std::span<const Observation> all, std::optional<double> grain_density) {
+  // Two speeds are compared without the density, which cancels.
+  const auto modulus = [&](const Observation& m) {
+    if (!row_of(m.quantity).speed)
+      return m.value.value;
+    return m.value.value * m.value.value *
+           elastic::bulk_density(
+               {.grain_density = grain_density.value_or(1), .void_ratio = m.state.void_ratio});
+  };
+  const auto error = [](const Observation& m) {
+    return (row_of(m.quantity).speed ? 2 : 1) * m.value.standard_error / m.value.value;
+  };
+  for (const Observation& wave : all)
+    for (const Observation& other : all) {
+      const double least = least_ratio(row_of(wave.quantity).modulus, row_of(other.quantity).modulus);
+      if (least == 0 || !at_one_state(wave, other) || !(row_of(other.quantity).speed || grain_density))
+        continue;
+      const double ratio = modulus(wave) / modulus(other);
+      if (ratio * std::exp(3 * std::hypot(error(wave), error(other))) >= least)
+        continue;
+      const QuantityRow &of_wave = row_of(wave.quantity), &of_other = row_of(other.quantity);
+      throw InvalidArgument(of_wave.key, wave.value.value, "m/s",
+                            "[" + short_text(wave.value.value * std::sqrt(least / ratio)) +
+                                ", inf): beside the measured " + of_other.key + " no stable solid has less");
+    }
+}
+
+void require_determined_growth(const Measured& exponent, double limit) {
+  const double room = 2 * exponent.standard_error;
+  const bool determined = exponent.standard_error <= limit;
+  if (determined && exponent.value >= -room && exponent.value <= 1 + room)
+    return;
+  throw InvalidArgument("growth fitted: the exponent of stress would be " + short_text(exponent.value, 2) +
+                        " +- " + short_text(exponent.standard_error, 2) +
+                        (determined
+                             ? ", and no packing has one outside of 0 to 1: the measurements contradict "
+                               "each other"
+                             : ": the measurements do not determine it; their stresses are too close, or "
+                               "their errors too large"));
+}
+
+} // namespace granum::inverse::detail
+
+namespace granum::inverse {
+
+namespace {
+
+using effective::State;
+using estimate::Input;
+using estimate::InputRow;
+using estimate::InputValues;
+
+bool is_shared(const InputRow& row) {
+  switch (row.input) {
+  case Input::grain_shear_modulus:
+  case Input::grain_poisson_ratio:
+  case Input::grain_bulk_modulus:
+  case Input::radius:
+  case Input::d50:
+  case Input::tangential_ratio:
+  case Input::void_ratio:
+  case Input::porosity:
+  case Input::solid_fraction:
+  case Input::fabric:
+  case Input::grain_density:
+    return true;
+  default:
+    return row.law != nullptr;
+  }
+}
+
+/// An input that may be changed, and its standard deviation.
+struct Uncertain {
+  Input input;
+  double deviation = 0;
+};
+
+double moved(const InputValues& values, const Uncertain& one, double deviations) {
+  const double value = values.number(one.input);
+  const bool positive = value > 0 && one.input != Input::fabric && one.input != Input::grain_poisson_ratio;
+  return positive ? value * std::exp(one.deviation / value * deviations) : value + one.deviation * deviations;
+}
+
+State state_at_any_stress(const InputValues& values) {
+  constexpr double any_stress = 1e5; // neither law nor density depends on it
+  return state_of(values, {any_stress, any_stress});
+}
+
+void move_all(const InputValues& before, const std::vector<Uncertain>& uncertain,
+              std::span<const double> deviations, State& state, double& density) {
+  InputValues after = before;
+  for (std::size_t k = 0; k < uncertain.size(); ++k)
+    if (uncertain[k].input == Input::grain_density)
+      density *= std::exp(uncertain[k].deviation / density * deviations[k]);
+    else
+      after.set(uncertain[k].input, moved(after, uncertain[k], deviations[k]));
+  const State from = state_at_any_stress(before), to = state_at_any_stress(after);
+  state.law = to.law;
+  state.tangential_ratio = to.tangential_ratio;
+  state.radius = to.radius;
+  state.contacts = to.contacts;
+  state.fabric_anisotropy += to.fabric_anisotropy - from.fabric_anisotropy;
+  state.void_ratio *= to.void_ratio / from.void_ratio;
+}
+
+} // namespace
+
+std::vector<const InputRow*> shared_rows(const InputValues& completed) {
+  std::vector<const InputRow*> rows;
+  for (const InputRow* const row : estimate::uncertain_rows())
+    if (is_shared(*row) && in_use(completed, *row) &&
+        !(completed.law && (row->input == Input::radius || row->input == Input::d50))) // sizes are the law's
+      rows.push_back(row);
+  return rows;
+}
+
+SharedInputs shared_inputs(const InputValues& completed, std::span<const estimate::UncertainInput> inputs) {
+  SharedInputs out;
+  std::vector<Uncertain> uncertain;
+  for (const estimate::UncertainInput& one : inputs) {
+    const InputRow& row = estimate::uncertain_row(one.input);
+    if (!is_shared(row))
+      continue;
+    out.keys.push_back(one.input);
+    uncertain.push_back({row.input, one.deviation});
+  }
+  out.move = [completed, uncertain](State& state, double& density, std::span<const double> deviations) {
+    move_all(completed, uncertain, deviations, state, density);
+  };
+  return out;
 }
 
 } // namespace granum::inverse

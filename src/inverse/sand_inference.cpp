@@ -12,8 +12,8 @@
 #include <granum/core/stop.hpp>
 #include <granum/core/text.hpp>
 
+#include "contact_model.hpp"
 #include "core/compiled_once.hpp"
-#include "possible.hpp"
 
 namespace granum::inverse {
 

@@ -2,6 +2,7 @@
 #include <granum/sands/known_sands.hpp>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -101,6 +102,167 @@ double void_ratio_of_relative_density(double relative_density, double least, dou
   require_closed("relative_density", relative_density, 0, 1.2);
   require_void_ratio_limits(least, largest);
   return require_positive("void_ratio", largest - relative_density * (largest - least));
+}
+
+namespace {
+
+/// coefficient (zero - e)^2/(1 + e) (p/kPa)^1/2, in kPa.
+double by_root(double coefficient, double void_ratio_factor, const SandState& s) {
+  return kPa * coefficient * void_ratio_factor * std::sqrt(s.mean_stress / kPa);
+}
+
+double hardin_richart_round(const SandState& s) {
+  return by_root(6908, hardin_richart_factor(2.17, s.void_ratio), s);
+}
+
+double hardin_richart_angular(const SandState& s) {
+  return by_root(3230, hardin_richart_factor(2.97, s.void_ratio), s);
+}
+
+double kokusho(const SandState& s) { return by_root(8400, hardin_richart_factor(2.17, s.void_ratio), s); }
+
+double jamiolkowski(const SandState& s) {
+  return kPa * 600 * std::pow(s.void_ratio, -1.3) * std::sqrt(s.mean_stress / kPa * (reference_stress / kPa));
+}
+
+double wichtmann_triantafyllidis(const SandState& s) {
+  const double A = 1563 + 3.13 * std::pow(s.uniformity, 2.98);
+  const double zero = 1.94 * std::exp(-0.066 * s.uniformity);
+  const double n = 0.40 * std::pow(s.uniformity, 0.18);
+  return A * hardin_richart_factor(zero, s.void_ratio) * reference_stress *
+         std::pow(s.mean_stress / reference_stress, n);
+}
+
+double oztoprak_bolton(const SandState& s) {
+  return 5760 * reference_stress * std::pow(1 + s.void_ratio, -3) *
+         std::pow(s.mean_stress / reference_stress, 0.49);
+}
+
+double menq(const SandState& s) {
+  const double x = -1 - std::pow(s.d50 / (20 * mm), 0.75);
+  return 67.1 * MPa * std::pow(s.uniformity, -0.2) * std::pow(s.void_ratio, x) *
+         std::pow(s.mean_stress / standard_atmosphere, 0.48 * std::pow(s.uniformity, 0.09));
+}
+
+double wang_stokoe_by_void_ratio(const SandState& s) {
+  return 67.5 * MPa * std::pow(s.void_ratio, -0.86) * std::sqrt(s.mean_stress / standard_atmosphere);
+}
+
+double wang_stokoe_by_grading(const SandState& s) {
+  return 64.3 * MPa * std::pow(s.uniformity, -0.21) *
+         std::pow(s.void_ratio, -1.08 - std::pow(0.09 * s.d50 / mm, 0.51)) *
+         std::pow(s.mean_stress / standard_atmosphere, 0.47 * std::pow(s.uniformity, 0.06));
+}
+
+const std::array<MeasuredLaw, 9> laws{{
+    {"hardin-richart-round",
+     "round-grained sands (Ottawa)",
+     "HardinRichart1963",
+     "6908 (2.17-e)^2/(1+e) p^0.5",
+     {0.35, 0.80, 20 * kPa, 500 * kPa},
+     {0.90, 0.089},
+     hardin_richart_round},
+    {"hardin-richart-angular",
+     "angular-grained sands (crushed quartz)",
+     "HardinRichart1963",
+     "3230 (2.97-e)^2/(1+e) p^0.5",
+     {0.60, 1.30, 20 * kPa, 500 * kPa},
+     {0.98, 0.067},
+     hardin_richart_angular},
+    {"kokusho",
+     "Toyoura sand",
+     "Kokusho1980",
+     "8400 (2.17-e)^2/(1+e) p^0.5",
+     {0.64, 0.90, 20 * kPa, 300 * kPa},
+     {1.09, 0.085},
+     kokusho},
+    {"jamiolkowski",
+     "natural soils",
+     "Jamiolkowski1991",
+     "600 e^-1.3 (p p_a)^0.5",
+     {0.40, 1.50, 20 * kPa, 500 * kPa},
+     {0.99, 0.081},
+     jamiolkowski},
+    {"menq",
+     "sands and gravels by their grading",
+     "Menq2003",
+     "67.1 MPa C_u^-0.2 e^x (p/atm)^(0.48 C_u^0.09), x = -1-(d50/20 mm)^0.75",
+     {0.40, 1.00, 20 * kPa, 1000 * kPa, 15},
+     {0.89, 0.074},
+     menq},
+    {"wichtmann-triantafyllidis",
+     "quartz sand of 25 gradings",
+     "WichtmannTriantafyllidis2009",
+     "(1563 + 3.13 C_u^2.98) (a-e)^2/(1+e) p^n p_a^(1-n), a = 1.94 exp(-0.066 C_u), n = 0.40 C_u^0.18",
+     {0.40, 0.90, 50 * kPa, 400 * kPa, 8},
+     {0.97, 0.058},
+     wichtmann_triantafyllidis},
+    {"oztoprak-bolton",
+     "sands of a database of 454 tests",
+     "OztoprakBolton2013",
+     "5760 p_a (1+e)^-3 (p/p_a)^0.49",
+     {0.30, 1.20, 10 * kPa, 1000 * kPa},
+     {1.20, 0.107},
+     oztoprak_bolton},
+    {"wang-stokoe-1",
+     "clean sands by void ratio",
+     "WangStokoe2022",
+     "67.5 MPa e^-0.86 (p/atm)^0.5",
+     {0.40, 1.00, 20 * kPa, 1000 * kPa},
+     {0.92, 0.077},
+     wang_stokoe_by_void_ratio},
+    {"wang-stokoe-3",
+     "clean sands by grading",
+     "WangStokoe2022",
+     "64.3 MPa C_u^-0.21 e^(-1.08-(0.09 d50/mm)^0.51) (p/atm)^(0.47 C_u^0.06)",
+     {0.40, 1.00, 20 * kPa, 1000 * kPa, 8},
+     {0.93, 0.068},
+     wang_stokoe_by_grading},
+}};
+
+void note_outside(const char* what, double value, double low, double high, const char* unit,
+                  Validity& validity) {
+  if (value < low || value > high)
+    validity.add(std::string(what) + " of " +
+                 detail::refused_text(value, detail::closed_range(low, high, value), 4) + unit +
+                 " is outside of the range of the tests, " + short_text(low) + " to " + short_text(high) +
+                 unit);
+}
+
+} // namespace
+
+std::span<const MeasuredLaw> measured_laws() { return laws; }
+
+const MeasuredLaw& measured_law(std::string_view key) {
+  std::string known;
+  for (const MeasuredLaw& law : laws) {
+    if (key == law.key)
+      return law;
+    known += (known.empty() ? "" : ", ") + std::string(law.key);
+  }
+  throw InvalidArgument("law of measured sands '" + std::string(key) + "' is unknown; known are " + known);
+}
+
+double hardin_richart_factor(double zero, double e) {
+  require_open("void_ratio", e, 0, zero);
+  return (zero - e) * (zero - e) / (1 + e);
+}
+
+SandModulus shear_modulus(const MeasuredLaw& law, const SandState& sand) {
+  require_positive("void_ratio", sand.void_ratio);
+  require_positive("mean_stress", sand.mean_stress, "Pa");
+  require_closed("uniformity", sand.uniformity, 1, 1e3);
+  constexpr double largest_boulder = 1; // [m]; powers of d50 overflow far beyond
+  require_open("d50", sand.d50, 0, largest_boulder, "m");
+  SandModulus answer{.shear_modulus = law.modulus(sand), .validity = {}};
+  const TestedRange& tested = law.tested;
+  note_outside("void ratio", sand.void_ratio, tested.void_ratio_low, tested.void_ratio_high, "",
+               answer.validity);
+  note_outside("mean stress", sand.mean_stress / kPa, tested.stress_low / kPa, tested.stress_high / kPa,
+               " kPa", answer.validity);
+  if (tested.uniformity_high > 0)
+    note_outside("C_u", sand.uniformity, 1, tested.uniformity_high, "", answer.validity);
+  return answer;
 }
 
 } // namespace granum::sands

@@ -12,14 +12,8 @@
 #include <granum/contact/power_law.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/quadrature.hpp>
-#include <granum/rock_physics/contact_cement.hpp>
-#include <granum/rock_physics/coordination_relations.hpp>
-#include <granum/rock_physics/digby.hpp>
-#include <granum/rock_physics/hertz_mindlin.hpp>
-#include <granum/rock_physics/jenkins.hpp>
-#include <granum/rock_physics/norris_johnson.hpp>
-#include <granum/rock_physics/sand_bounds.hpp>
-#include <granum/rock_physics/walton_uniaxial.hpp>
+#include <granum/rock_physics/cement.hpp>
+#include <granum/rock_physics/sphere_packs.hpp>
 
 #include "relative.hpp"
 

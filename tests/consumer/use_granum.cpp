@@ -6,7 +6,7 @@
 #include <granum/contact/power_law.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/version.hpp>
-#include <granum/hardin/void_ratio_function.hpp>
+#include <granum/hardin/equation.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/packing/assembly.hpp>
 

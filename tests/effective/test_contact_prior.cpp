@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 #include <granum/contact/rough_sphere.hpp>
 #include <granum/core/error.hpp>
-#include <granum/effective/implied_coordination.hpp>
 #include <granum/effective/relaxation.hpp>
 
 #include "support.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/effective/implied_coordination.hpp>
+#include <granum/effective/contact_prior.hpp>
 
 #include <cmath>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/effective/contact_prior.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "relative.hpp"

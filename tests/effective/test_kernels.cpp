@@ -8,7 +8,6 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 
-#include "effective/checked_state.hpp"
 #include "effective/stress_derivatives.hpp"
 #include "relative.hpp"
 #include "support.hpp"

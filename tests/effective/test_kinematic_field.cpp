@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/effective/kinematic_field.hpp>
+#include <granum/effective/uniform_field.hpp>
 
 #include <cmath>
 #include <tuple>

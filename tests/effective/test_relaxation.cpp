@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/effective/relaxed_exponents.hpp>
+#include <granum/effective/exponents.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/stiffness.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/effective/relaxed_exponents.hpp>
+#include <granum/effective/exponents.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/effective/transition_pressure.hpp>
+#include <granum/effective/state.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -11,9 +11,8 @@
 #include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/batch.hpp>
-#include <granum/effective/kinematic_field.hpp>
+#include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>
-#include <granum/effective/relaxed_exponents.hpp>
 #include <granum/sizes/distribution.hpp>
 
 #include <relative.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/estimate/fields.hpp>
+#include <granum/estimate/answer.hpp>
 
 #include <set>
 #include <string>

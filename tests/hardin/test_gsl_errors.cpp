@@ -7,8 +7,8 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/hardin/equation.hpp>
 #include <granum/hardin/fit.hpp>
-#include <granum/hardin/polynomial.hpp>
 #include <gsl/gsl_errno.h>
 
 using namespace granum;

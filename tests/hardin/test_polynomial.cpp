@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/hardin/polynomial.hpp>
+#include <granum/hardin/equation.hpp>
 
 #include <cmath>
 #include <vector>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/inverse/growth.hpp>
 #include <granum/inverse/quantity.hpp>
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/rock_physics/contact_cement.hpp>
+#include <granum/rock_physics/cement.hpp>
 
 #include <algorithm>
 #include <cmath>

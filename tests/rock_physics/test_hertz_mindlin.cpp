@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/rock_physics/hertz_mindlin.hpp>
+#include <granum/rock_physics/sphere_packs.hpp>
 
 #include <cmath>
 #include <limits>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/rock_physics/jenkins.hpp>
+#include <granum/rock_physics/sphere_packs.hpp>
 
 #include <cmath>
 #include <limits>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/rock_physics/hertz_mindlin.hpp>
 
 #include "relative.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/rock_physics/norris_johnson.hpp>
+#include <granum/rock_physics/sphere_packs.hpp>
 
 #include <array>
 #include <cmath>
@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/core/quadrature.hpp>
-#include <granum/rock_physics/hertz_mindlin.hpp>
 
 #include "effective/support.hpp"
 #include "relative.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/rock_physics/sand_bounds.hpp>
+#include <granum/rock_physics/cement.hpp>
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/rock_physics/hertz_mindlin.hpp>
+#include <granum/rock_physics/sphere_packs.hpp>
 
 #include "relative.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/rock_physics/walton_uniaxial.hpp>
+#include <granum/rock_physics/sphere_packs.hpp>
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/sands/measured_sands.hpp>
+#include <granum/sands/known_sands.hpp>
 
 #include <cmath>
 

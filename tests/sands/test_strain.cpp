@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/sands/strain.hpp>
+#include <granum/sands/pooled_law.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
-#include <granum/effective/transition_pressure.hpp>
+#include <granum/effective/state.hpp>
 
 #include "relative.hpp"
 #include "synthetic_study.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strains are drawn, the stresses they need worked out and rounded, and the strains put right for what the
 // rounding moved by one step of Newton's rule, whose error is the square of that.
-#include <granum/effective/kinematic_field.hpp>
+#include <granum/effective/uniform_field.hpp>
 
 #include "packing.hpp"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <granum/effective/exponents.hpp>
-#include <granum/effective/model.hpp>
 #include <granum/effective/state.hpp>
 
 #include "moments.hpp"

@@ -2,10 +2,8 @@
 // Further models of sphere packings as their sources print them, and the batch.
 #include <granum/effective/batch.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/rock_physics/contact_cement.hpp>
-#include <granum/rock_physics/coordination_relations.hpp>
-#include <granum/rock_physics/jenkins.hpp>
-#include <granum/rock_physics/walton_uniaxial.hpp>
+#include <granum/rock_physics/cement.hpp>
+#include <granum/rock_physics/sphere_packs.hpp>
 
 #include "harness.hpp"
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Models of rock physics as their sources print them.
-#include <granum/rock_physics/digby.hpp>
-#include <granum/rock_physics/hertz_mindlin.hpp>
-#include <granum/rock_physics/norris_johnson.hpp>
-#include <granum/rock_physics/sand_bounds.hpp>
+#include <granum/rock_physics/cement.hpp>
+#include <granum/rock_physics/sphere_packs.hpp>
 
 #include "harness.hpp"
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include <granum/plot/chart.hpp>
-#include <granum/sands/measured_sands.hpp>
+#include <granum/sands/known_sands.hpp>
 
 #include "../claims.hpp"
 #include "curves.hpp"

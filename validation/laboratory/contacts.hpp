@@ -12,7 +12,7 @@
 #include <granum/elastic/waves.hpp>
 #include <granum/inverse/inference.hpp>
 #include <granum/plot/chart.hpp>
-#include <granum/sands/measured_sands.hpp>
+#include <granum/sands/known_sands.hpp>
 #include <granum/sands/pooled_law.hpp>
 
 #include "specimens.hpp"

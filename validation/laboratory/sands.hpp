@@ -9,10 +9,9 @@
 #include <limits>
 
 #include <granum/effective/contact_prior.hpp>
-#include <granum/effective/implied_coordination.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/plot/chart.hpp>
-#include <granum/sands/measured_sands.hpp>
+#include <granum/sands/known_sands.hpp>
 
 #include "specimens.hpp"
 

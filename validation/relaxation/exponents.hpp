@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <granum/effective/relaxed_exponents.hpp>
+#include <granum/effective/exponents.hpp>
 #include <granum/hardin/fit.hpp>
 
 #include "packings.hpp"

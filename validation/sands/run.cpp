@@ -18,7 +18,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
-#include <granum/sands/measured_sands.hpp>
+#include <granum/sands/known_sands.hpp>
 #include <granum/sands/pooled_law.hpp>
 
 namespace {

@@ -14,7 +14,6 @@
 #include <granum/estimate/answer.hpp>
 #include <granum/inverse/sand_inference.hpp>
 #include <granum/sands/known_sands.hpp>
-#include <granum/sands/measured_sands.hpp>
 
 #include "answers.hpp"
 #include "exports.hpp"

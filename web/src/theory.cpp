@@ -11,7 +11,7 @@
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/rungs.hpp>
-#include <granum/effective/transition_pressure.hpp>
+#include <granum/effective/state.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/fabric/orientation.hpp>
 #include <granum/sands/pooled_law.hpp>

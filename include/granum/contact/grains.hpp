@@ -8,7 +8,7 @@
 #include <granum/contact/power_law.hpp>
 #include <granum/core/statistics.hpp>
 
-/// Minerals of grains.
+/// Minerals of grains, pairs of unequal grains, and the friction between them.
 namespace granum::contact {
 
 /// A solid that grains are often made of.

@@ -11,17 +11,18 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/statistics.hpp>
-#include <granum/effective/implied_coordination.hpp>
+#include <granum/effective/contact_prior.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
+#include <granum/estimate/input_values.hpp>
 #include <granum/inverse/contacts.hpp>
-#include <granum/inverse/growth.hpp>
 #include <granum/inverse/quantity.hpp>
 
-/// Calibrate once, predict elsewhere: infers the coordination number from measured moduli or wave speeds by
-/// rung 3, with its standard error, and predicts quantities at another stress, void ratio or direction.
-/// Checked by tests/inverse/test_inference.cpp, validation/infer
 namespace granum::inverse {
+
+// Calibrate once, predict elsewhere: infers the coordination number from measured moduli or wave speeds by
+// rung 3, with its standard error, and predicts quantities at another stress, void ratio or direction.
+// Checked by tests/inverse/test_inference.cpp, validation/infer
 
 /// A measured value and its state; the coordination number of the state is not used.
 struct Observation {
@@ -155,5 +156,18 @@ struct InferenceAnswer {
 /// Checked by tests/inverse/test_inference.cpp; own packings: validation/infer
 [[nodiscard]] InferenceAnswer infer(std::span<const Observation> measurements,
                                     const InferenceOptions& options);
+
+// Uncertain inputs that all measurements of a packing have in common: its material, size and density,
+// but neither stresses nor contacts.
+
+/// The rows that all measurements share and that the packing depends on.
+[[nodiscard]] std::vector<const estimate::InputRow*> shared_rows(const estimate::InputValues& completed);
+
+/// The shared ones of uncertain inputs, as an inference takes them. Changes of positive numbers keep their
+/// sign; all are changed together, because two may belong to the same contact law.
+/// \param    uncertain   of uncertain_inputs(completed, ...)
+/// Checked by tests/inverse/test_inference.cpp
+[[nodiscard]] SharedInputs shared_inputs(const estimate::InputValues& completed,
+                                         std::span<const estimate::UncertainInput> uncertain);
 
 } // namespace granum::inverse

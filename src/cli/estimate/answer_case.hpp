@@ -7,7 +7,7 @@
 
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/notes.hpp>
-#include <granum/sands/measured_sands.hpp>
+#include <granum/sands/known_sands.hpp>
 #include <granum/stress/stress.hpp>
 
 #include "cli/options/input_options.hpp"

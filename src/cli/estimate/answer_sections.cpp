@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 #include <granum/core/text.hpp>
-#include <granum/sands/strain.hpp>
+#include <granum/sands/pooled_law.hpp>
 
 namespace granum::cli {
 

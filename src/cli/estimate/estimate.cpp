@@ -9,9 +9,8 @@
 #include <granum/elastic/isotropic.hpp>
 #include <granum/elastic/waves.hpp>
 #include <granum/estimate/ladder.hpp>
-#include <granum/rock_physics/contact_cement.hpp>
-#include <granum/rock_physics/sand_bounds.hpp>
-#include <granum/sands/strain.hpp>
+#include <granum/rock_physics/cement.hpp>
+#include <granum/sands/pooled_law.hpp>
 
 #include "answer_sections.hpp"
 #include "cli/options/likely_mistakes.hpp"

@@ -9,7 +9,7 @@
 #include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/effective/transition_pressure.hpp>
+#include <granum/effective/state.hpp>
 #include <granum/plot/svg_text.hpp>
 
 #include "cli/document/document.hpp"

@@ -8,7 +8,7 @@
 #include <granum/elastic/waves.hpp>
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/notes.hpp>
-#include <granum/inverse/shared_inputs.hpp>
+#include <granum/inverse/inference.hpp>
 
 #include "cli/options/likely_mistakes.hpp"
 #include "infer.hpp"

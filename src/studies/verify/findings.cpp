@@ -8,8 +8,8 @@
 
 #include "studies/paper/paper.hpp"
 #include <granum/core/text.hpp>
+#include <granum/hardin/equation.hpp>
 #include <granum/hardin/fit.hpp>
-#include <granum/hardin/polynomial.hpp>
 
 #include "seed_mean.hpp"
 #include "studies/running/fitted_exponent.hpp"

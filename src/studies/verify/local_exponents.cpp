@@ -5,7 +5,7 @@
 #include <string>
 
 #include <granum/effective/rungs.hpp>
-#include <granum/effective/transition_pressure.hpp>
+#include <granum/effective/state.hpp>
 
 namespace granum::studies {
 

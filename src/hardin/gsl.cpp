@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gsl_errors.hpp"
+#include "gsl.hpp"
 
 #include <mutex>
 

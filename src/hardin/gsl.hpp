@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include <Eigen/Core>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_multifit.h>
@@ -12,8 +13,9 @@
 
 #include <granum/core/error.hpp>
 
-/// Calls of GSL whose errors become exceptions: GSL's own error handler would abort the program.
 namespace granum::hardin {
+
+// Calls of GSL whose errors become exceptions: GSL's own error handler would abort the program.
 
 /// GSL has one error handler for the whole program. While at least one object of this class exists, in any
 /// thread, that handler is off, so that functions of GSL return their error; the last object puts back the
@@ -44,5 +46,32 @@ Handle required(Handle handle, std::size_t rows) {
 [[nodiscard]] GslVector allocated_vector(std::size_t size);
 [[nodiscard]] GslMatrix allocated_matrix(std::size_t rows, std::size_t columns);
 [[nodiscard]] LinearWorkspace allocated_linear_workspace(std::size_t rows, std::size_t parameters);
+
+// Vectors and matrices of Eigen as those of GSL, and back.
+
+inline Eigen::VectorXd vector_of(const gsl_vector* v) {
+  Eigen::VectorXd copy(static_cast<Eigen::Index>(v->size));
+  for (std::size_t k = 0; k < v->size; ++k)
+    copy[static_cast<Eigen::Index>(k)] = gsl_vector_get(v, k);
+  return copy;
+}
+
+inline void copy_to(const Eigen::VectorXd& from, gsl_vector* to) {
+  for (std::size_t k = 0; k < to->size; ++k)
+    gsl_vector_set(to, k, from[static_cast<Eigen::Index>(k)]);
+}
+
+inline void copy_to(const Eigen::MatrixXd& from, gsl_matrix* to) {
+  for (std::size_t i = 0; i < to->size1; ++i)
+    for (std::size_t j = 0; j < to->size2; ++j)
+      gsl_matrix_set(to, i, j, from(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+}
+
+inline GslMatrix gsl_matrix_of(const Eigen::MatrixXd& from) {
+  GslMatrix to =
+      allocated_matrix(static_cast<std::size_t>(from.rows()), static_cast<std::size_t>(from.cols()));
+  copy_to(from, to.get());
+  return to;
+}
 
 } // namespace granum::hardin
