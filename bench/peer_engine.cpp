@@ -22,7 +22,7 @@
 #include <granum/dem/engine.hpp>
 #include <granum/io/lammps/data.hpp>
 #include <granum/io/output_file.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "stored_packing.hpp"

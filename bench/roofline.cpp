@@ -15,7 +15,7 @@
 #include <granum/dem/engine.hpp>
 
 #include "dem/sweep/contact_sweep.hpp"
-#include "dem/sweep/grain_order.hpp"
+#include "dem/sweep/grain_rows.hpp"
 #include "dem/sweep/verlet_list.hpp"
 #include "machine_limits.hpp"
 #include "specimens.hpp"

@@ -20,7 +20,7 @@
 
 #include "studies/analyse/measured_frame.hpp"
 #include <granum/contact/power_law.hpp>
-#include <granum/io/yade/text.hpp>
+#include <granum/io/yade/files.hpp>
 #include <granum/packing/stiffness.hpp>
 
 using namespace granum;

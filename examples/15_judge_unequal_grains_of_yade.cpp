@@ -17,7 +17,7 @@
 #include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
-#include <granum/io/yade/text.hpp>
+#include <granum/io/yade/files.hpp>
 
 using namespace granum;
 

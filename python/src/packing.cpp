@@ -11,7 +11,7 @@
 #include <granum/io/arrays/packing.hpp>
 #include <granum/io/lammps/arrays.hpp>
 #include <granum/io/packing_files.hpp>
-#include <granum/packing/density.hpp>
+#include <granum/packing/assembly.hpp>
 
 #include "bindings.hpp"
 #include "errors.hpp"
@@ -407,7 +407,7 @@ void bind_io(py::module_& module) {
   define(module, "formats", {},
          {"Formats of packings that can be read.",
           "dict of str\n    By the name of a format: how its files are recognised.", "", "",
-          "io::packing_formats", "io/packing_format.hpp"},
+          "io::packing_formats", "io/packing_files.hpp"},
          [] {
            py::dict out;
            for (const io::PackingFormat* format : io::packing_formats)

@@ -11,7 +11,7 @@
 #include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/stop.hpp>
-#include <granum/packing/force_distribution.hpp>
+#include <granum/packing/forces.hpp>
 
 namespace granum::analysis {
 

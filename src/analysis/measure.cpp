@@ -5,15 +5,14 @@
 #include <cmath>
 #include <numeric>
 
-#include <granum/analysis/counted_part.hpp>
+#include <granum/analysis/parts.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
 #include <granum/elastic/waves.hpp>
-#include <granum/packing/bodies.hpp>
-#include <granum/packing/cell_work.hpp>
-#include <granum/packing/density.hpp>
-#include <granum/packing/fabric_tensor.hpp>
+#include <granum/packing/assembly.hpp>
+#include <granum/packing/coordination.hpp>
+#include <granum/packing/forces.hpp>
 
 namespace granum::analysis {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <granum/core/bytes.hpp>
-#include <granum/dem/specimen_bytes.hpp>
+#include <granum/dem/specimen.hpp>
 
 #include "engine_data.hpp"
 

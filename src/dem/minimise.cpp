@@ -15,7 +15,7 @@
 #include "dem/sweep/contact_sweep.hpp"
 #include "dem/sweep/fire_mixing.hpp"
 #include "dem/sweep/grain_motion.hpp"
-#include "dem/sweep/grain_order.hpp"
+#include "dem/sweep/grain_rows.hpp"
 #include "dem/sweep/verlet_list.hpp"
 #include "dem/sweep/wall_contacts.hpp"
 

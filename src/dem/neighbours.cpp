@@ -13,7 +13,7 @@
 #include <granum/core/stop.hpp>
 #include <granum/packing/assembly.hpp>
 
-#include "dem/sweep/pair_reach.hpp"
+#include "dem/sweep/verlet_list.hpp"
 
 namespace granum::dem {
 

@@ -10,7 +10,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/stop.hpp>
 #include <granum/core/text.hpp>
-#include <granum/io/own_image.hpp>
+#include <granum/io/imported_packing.hpp>
 
 #include "io/text/row.hpp"
 

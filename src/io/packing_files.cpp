@@ -10,12 +10,17 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/io/text/file_names.hpp>
-#include <granum/io/vtk/collection.hpp>
+#include <granum/io/text/source.hpp>
+#include <granum/io/vtk/xml.hpp>
 
 #include "io/text/row.hpp"
 
 namespace granum::io {
+
+PackingFrames one_frame(ImportedPacking packing) {
+  return {
+      .next = [packing = std::optional(std::move(packing))]() mutable { return std::exchange(packing, {}); }};
+}
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/stop.hpp>
-#include <granum/packing/bodies.hpp>
+#include <granum/packing/assembly.hpp>
 #include <granum/packing/coordination.hpp>
 
 namespace granum::network {

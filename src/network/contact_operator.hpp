@@ -9,7 +9,6 @@
 
 #include "backbone.hpp"
 #include "lanes.hpp"
-#include "workers.hpp"
 
 namespace granum::network {
 

@@ -14,9 +14,8 @@
 
 #include "block_cg.hpp"
 #include "contact_operator.hpp"
-#include "network/factor/factor_rule.hpp"
+#include "network/factor/elimination.hpp"
 #include "network/factor/incomplete_factor.hpp"
-#include "preconditioner.hpp"
 
 namespace granum::network {
 

@@ -9,10 +9,8 @@
 #include <granum/core/text.hpp>
 #include <granum/plot/svg_text.hpp>
 
-#include "coinciding.hpp"
 #include "look.hpp"
 #include "picture.hpp"
-#include "ticks.hpp"
 
 namespace granum::plot {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/analysis/counted_part.hpp>
+#include <granum/analysis/parts.hpp>
 
 #include <doctest/doctest.h>
 #include <granum/analysis/measure.hpp>

@@ -20,7 +20,6 @@
 #include <granum/fabric/estimates.hpp>
 #include <granum/fabric/orientation.hpp>
 #include <granum/packing/coordination.hpp>
-#include <granum/packing/fabric_tensor.hpp>
 #include <relative.hpp>
 
 using namespace granum;

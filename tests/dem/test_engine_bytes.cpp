@@ -9,7 +9,7 @@
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/minimise.hpp>
-#include <granum/dem/specimen_bytes.hpp>
+#include <granum/dem/specimen.hpp>
 
 #include "lattice_state.hpp"
 

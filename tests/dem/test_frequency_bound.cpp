@@ -13,7 +13,7 @@
 #include <granum/contact/grains.hpp>
 #include <granum/contact/laws.hpp>
 #include <granum/dem/minimise.hpp>
-#include <granum/dem/walls.hpp>
+#include <granum/dem/specimen.hpp>
 
 #include "dem/sweep/verlet_list.hpp"
 #include "lattice_state.hpp"

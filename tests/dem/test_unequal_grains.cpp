@@ -11,8 +11,8 @@
 #include <granum/dem/engine.hpp>
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/quasistatic.hpp>
-#include <granum/dem/specimen_bytes.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/dem/specimen.hpp>
+#include <granum/packing/forces.hpp>
 
 #include "lattice_state.hpp"
 #include "relative.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/dem/walls.hpp>
+#include <granum/dem/specimen.hpp>
 
 #include <cmath>
 #include <limits>
@@ -11,8 +11,7 @@
 #include <granum/dem/engine.hpp>
 #include <granum/dem/minimise.hpp>
 #include <granum/dem/quasistatic.hpp>
-#include <granum/packing/cell_work.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 
 #include "lattice_state.hpp"
 #include "relative.hpp"

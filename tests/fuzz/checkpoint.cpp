@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #include <granum/core/bytes.hpp>
-#include <granum/dem/specimen_bytes.hpp>
+#include <granum/dem/specimen.hpp>
 #include <granum/io/checkpoint/checkpoint.hpp>
 #include <granum/triaxial/shear_test.hpp>
 

@@ -2,7 +2,7 @@
 // Series of VTK files: read in the order of their times, and equal when written and read again.
 #include <cmath>
 
-#include <granum/io/vtk/collection.hpp>
+#include <granum/io/vtk/xml.hpp>
 
 #include "input.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/yade/vtk.hpp>
+#include <granum/io/yade/files.hpp>
 
 #include "input.hpp"
 

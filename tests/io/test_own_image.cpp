@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/own_image.hpp>
+#include <granum/io/imported_packing.hpp>
 
 #include <array>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <granum/io/arrays/packing.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/coordination.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 
 #include "io/import_support.hpp"
 

@@ -6,7 +6,6 @@
 
 #include "large_networks.hpp"
 #include "network/coarse/correction.hpp"
-#include "network/coarse/grid.hpp"
 #include "network/contact_operator.hpp"
 
 using namespace granum;

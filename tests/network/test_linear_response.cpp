@@ -8,8 +8,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/packing/coordination.hpp>
-#include <granum/packing/force_moments.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 
 #include "dense_twin.hpp"
 #include "packing/sample_packings.hpp"

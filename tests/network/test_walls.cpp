@@ -5,7 +5,6 @@
 #include <Eigen/Cholesky>
 #include <doctest/doctest.h>
 #include <granum/dem/specimen.hpp>
-#include <granum/dem/walls.hpp>
 
 #include "dem/lattice_state.hpp"
 #include "dense_twin.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "network/numbering/weakly_supported.hpp"
+#include "network/numbering/numbering.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/packing/bodies.hpp>
+#include <granum/packing/assembly.hpp>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/packing/coordination.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 
 using namespace granum;
 using packing::Assembly;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/packing/cell_work.hpp>
+#include <granum/packing/forces.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <doctest/doctest.h>
-#include <granum/packing/stress.hpp>
 
 #include "dem/lattice_state.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/packing/force_distribution.hpp>
+#include <granum/packing/forces.hpp>
 
 #include <cmath>
 #include <limits>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/packing/force_moments.hpp>
+#include <granum/packing/forces.hpp>
 
 #include <limits>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/packing/assembly.hpp>
 #include <granum/packing/coordination.hpp>
-#include <granum/packing/density.hpp>
-#include <granum/packing/stress.hpp>
 
 #include "sample_packings.hpp"
 #include "sphere_chain.hpp"

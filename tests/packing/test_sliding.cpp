@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/packing/sliding.hpp>
+#include <granum/packing/coordination.hpp>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 
 #include <doctest/doctest.h>
 

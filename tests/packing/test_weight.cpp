@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/packing/weight.hpp>
+#include <granum/packing/assembly.hpp>
 
 #include <numbers>
 

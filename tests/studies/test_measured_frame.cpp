@@ -13,8 +13,8 @@
 #include <granum/elastic/isotropic.hpp>
 #include <granum/fabric/orientation.hpp>
 #include <granum/io/packing_files.hpp>
-#include <granum/packing/density.hpp>
-#include <granum/packing/fabric_tensor.hpp>
+#include <granum/packing/assembly.hpp>
+#include <granum/packing/coordination.hpp>
 
 #include "read_specimen.hpp"
 #include "relative.hpp"

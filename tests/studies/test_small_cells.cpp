@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
 #include <granum/network/linear_response.hpp>
-#include <granum/packing/density.hpp>
+#include <granum/packing/assembly.hpp>
 
 #include "relative.hpp"
 #include "studies/analyse/measured_frame.hpp"

@@ -10,7 +10,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/network/linear_response.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 #include <granum/sizes/distribution.hpp>
 #include <granum/triaxial/specimen.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/triaxial/scatter.hpp>
+#include <granum/triaxial/probe.hpp>
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 #include <granum/sizes/distribution.hpp>
 
 #include "dem/lattice_state.hpp"

@@ -5,9 +5,9 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/dem/walls.hpp>
+#include <granum/dem/specimen.hpp>
 #include <granum/network/linear_response.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
 #include <granum/triaxial/specimen.hpp>

@@ -18,7 +18,7 @@
 #include <granum/contact/grains.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/io/lammps/dump.hpp>
-#include <granum/io/yade/text.hpp>
+#include <granum/io/yade/files.hpp>
 #include <granum/packing/stiffness.hpp>
 
 #include "reading.hpp"

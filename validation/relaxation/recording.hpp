@@ -14,14 +14,13 @@
 #include <string>
 #include <vector>
 
-#include <granum/analysis/counted_part.hpp>
 #include <granum/analysis/measure.hpp>
+#include <granum/analysis/parts.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/network/linear_response.hpp>
-#include <granum/packing/cell_work.hpp>
 #include <granum/packing/coordination.hpp>
-#include <granum/packing/force_moments.hpp>
+#include <granum/packing/forces.hpp>
 
 #include "contact_counts.hpp"
 

@@ -16,7 +16,7 @@
 #include <granum/dem/quasistatic.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/io/output_file.hpp>
-#include <granum/packing/sliding.hpp>
+#include <granum/packing/coordination.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 

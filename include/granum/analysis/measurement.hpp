@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <granum/analysis/interior_measures.hpp>
 #include <granum/analysis/law_check.hpp>
+#include <granum/analysis/parts.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/elastic/isotropic.hpp>
@@ -16,12 +16,9 @@
 #include <granum/elastic/waves.hpp>
 #include <granum/fabric/estimates.hpp>
 #include <granum/network/linear_response.hpp>
+#include <granum/packing/assembly.hpp>
 #include <granum/packing/coordination.hpp>
-#include <granum/packing/force_distribution.hpp>
-#include <granum/packing/force_moments.hpp>
-#include <granum/packing/sliding.hpp>
-#include <granum/packing/stress.hpp>
-#include <granum/packing/weight.hpp>
+#include <granum/packing/forces.hpp>
 #include <granum/sizes/contact_means.hpp>
 #include <granum/sizes/distribution.hpp>
 

@@ -7,7 +7,6 @@
 #include <granum/core/bytes.hpp>
 #include <granum/core/vec3.hpp>
 #include <granum/dem/specimen.hpp>
-#include <granum/dem/walls.hpp>
 
 namespace granum::dem {
 

@@ -8,6 +8,7 @@
 #include <granum/core/stop.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/specimen.hpp>
+#include <granum/triaxial/specimen.hpp>
 
 namespace granum::triaxial {
 
@@ -138,5 +139,14 @@ ProbeResult probe(const dem::Specimen& state, const dem::Material& material, She
 /// Checked by tests/triaxial/test_probe.cpp
 std::array<ProbeResult, 3> probe_all(const dem::Specimen& state, const dem::Material& material,
                                      const ProbeOptions& options = {});
+
+/// Grains of a recipe thrown into a cube one after the other, at random places where they touch none that is
+/// there: a start for codes that make the packing themselves, of any number of grains.
+/// Same recipe, same bits.
+/// \param    solid_fraction   of the cube, in (0, 0.3]; beyond 0.38 no place is found any more [1]
+/// \throws   InvalidArgument (recipe, solid fraction)
+/// Cost      O(grains)
+/// Checked by tests/triaxial/test_scatter.cpp
+[[nodiscard]] dem::Specimen scattered_specimen(const SpecimenRecipe& recipe, double solid_fraction = 0.2);
 
 } // namespace granum::triaxial

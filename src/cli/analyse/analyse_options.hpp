@@ -10,7 +10,7 @@
 #include "studies/analyse/materials.hpp"
 #include "studies/analyse/measured_frame.hpp"
 #include "studies/analyse/window.hpp"
-#include <granum/io/packing_format.hpp>
+#include <granum/io/packing_files.hpp>
 
 #include "analyse.hpp"
 #include "cli/options/input_options.hpp"

@@ -9,7 +9,7 @@
 #include <granum/io/lammps/deck.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/stress/stress.hpp>
-#include <granum/triaxial/scatter.hpp>
+#include <granum/triaxial/probe.hpp>
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"

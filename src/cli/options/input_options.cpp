@@ -6,7 +6,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/io/csv/sieve.hpp>
+#include <granum/io/csv/table.hpp>
 
 namespace granum::cli {
 

@@ -2,9 +2,12 @@
 // Private to src/dem. Data of a grain that the sweep reads, and that it writes, in one cache line each. A
 // pair reads whole rows of its two grains; four rows at a time are transposed into columns. Angular velocity
 // and torque are in the same positions of their rows, which vectors of three leave free in rows of four.
+// Private to src/dem. Order of the grains in an engine: neighbours are near in memory, for the caches. An
+// order gives the new index of each grain.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -142,5 +145,15 @@ inline void add_torque(LoadRow& load, const Vec3& t) {
   load.push[3] += t.x;
   load.turn += Four{t.y, 0, 0, t.z};
 }
+
+/// Along a space-filling curve through the cell.
+[[nodiscard]] std::vector<std::uint32_t> near_order(const Specimen& state);
+[[nodiscard]] std::vector<std::uint32_t> inverse_order(const std::vector<std::uint32_t>& order);
+/// Whether this is a permutation of `count` grains.
+[[nodiscard]] bool is_order(const std::vector<std::uint32_t>& order, std::size_t count);
+
+/// The same state with its grains in another order; contact memories are reversed where i and j are
+/// exchanged.
+[[nodiscard]] Specimen reordered(const Specimen& state, const std::vector<std::uint32_t>& order);
 
 } // namespace granum::dem

@@ -9,8 +9,6 @@
 
 #include <granum/packing/assembly.hpp>
 
-#include "pair_reach.hpp"
-
 namespace granum::dem {
 
 namespace {

@@ -8,7 +8,6 @@
 #include <granum/contact/normal_law.hpp>
 #include <granum/core/bytes.hpp>
 #include <granum/dem/specimen.hpp>
-#include <granum/dem/walls.hpp>
 
 #include "contact_sweep.hpp"
 

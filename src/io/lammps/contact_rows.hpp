@@ -5,12 +5,11 @@
 #include <vector>
 
 #include <granum/core/vec3.hpp>
-#include <granum/io/lammps/column_map.hpp>
+#include <granum/io/lammps/arrays.hpp>
 
 #include "contact_layout.hpp"
 #include "dump_file.hpp"
 #include "io/packing_builder.hpp"
-#include "layout_by_values.hpp"
 
 namespace granum::io {
 

@@ -6,7 +6,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/io/packing_format.hpp>
+#include <granum/io/packing_files.hpp>
 
 #include "io/packing_builder.hpp"
 #include "io/text/row.hpp"

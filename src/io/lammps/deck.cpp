@@ -12,7 +12,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/io/lammps/data.hpp>
-#include <granum/packing/density.hpp>
+#include <granum/packing/assembly.hpp>
 
 namespace granum::io {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <granum/io/packing_format.hpp>
+#include <granum/io/packing_files.hpp>
 
 #include "contact_rows.hpp"
 #include "dump_file.hpp"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "layout_by_values.hpp"
+#include "contact_layout.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "io/packing_builder.hpp"
-#include "liggghts_by_values.hpp"
 
 namespace granum::io {
 

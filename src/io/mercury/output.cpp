@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <granum/core/text.hpp>
-#include <granum/io/packing_format.hpp>
+#include <granum/io/packing_files.hpp>
 
 #include "io/packing_builder.hpp"
 #include "io/text/row.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/yade/text.hpp>
+#include <granum/io/yade/files.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
 #include <granum/core/text.hpp>
-#include <granum/io/packing_format.hpp>
+#include <granum/io/packing_files.hpp>
 
 #include "io/lammps/dump_file.hpp"
 #include "io/packing_builder.hpp"

@@ -9,7 +9,6 @@
 #include <granum/elastic/stiffness.hpp>
 
 #include "network/lanes.hpp"
-#include "network/workers.hpp"
 
 namespace granum::network {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "factor_rule.hpp"
+#include "elimination.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -11,10 +11,8 @@
 #include <granum/packing/assembly.hpp>
 
 #include "elimination.hpp"
-#include "factor_rule.hpp"
 #include "network/backbone.hpp"
 #include "network/lanes.hpp"
-#include "network/workers.hpp"
 
 namespace granum::network {
 

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
 #include <tuple>
 #include <utility>
 
 #include <granum/core/stop.hpp>
-
-#include "weakly_supported.hpp"
 
 namespace granum::network {
 
@@ -177,6 +176,44 @@ Numbering number_grains(const packing::Assembly& assembly, const std::vector<boo
     if (!rattler[g])
       grains.push_back(g);
   return Counter(adjacency(assembly, rattler), position, soft).run(std::move(grains));
+}
+
+namespace {
+
+bool is_bar(const std::vector<std::uint32_t>& neighbours) { return neighbours.size() <= 2; }
+
+bool is_weakly_supported(const Neighbours& neighbours, std::uint32_t g) {
+  if (is_bar(neighbours[g]))
+    return true;
+  const auto bars = std::count_if(neighbours[g].begin(), neighbours[g].end(),
+                                  [&](std::uint32_t h) { return is_bar(neighbours[h]); });
+  return 3 * static_cast<std::ptrdiff_t>(neighbours[g].size()) - 2 * bars <= 7;
+}
+
+} // namespace
+
+WeaklySupported::WeaklySupported(const Neighbours& neighbours, const std::vector<bool>& soft)
+    : first_(neighbours.size(), none) {
+  std::vector<bool> waits(neighbours.size());
+  for (std::uint32_t g = 0; g < neighbours.size(); ++g)
+    waits[g] = is_weakly_supported(neighbours, g) || (!soft.empty() && soft[g]);
+  std::vector<std::uint32_t> reached;
+  const auto reach = [&](std::uint32_t g, std::uint32_t first) {
+    if (!waits[g])
+      return;
+    waits[g] = false;
+    first_[g] = first;
+    reached.push_back(g);
+  };
+  for (std::uint32_t first = 0; first < neighbours.size(); ++first) {
+    reach(first, first);
+    while (!reached.empty()) {
+      const std::uint32_t g = reached.back();
+      reached.pop_back();
+      for (const std::uint32_t h : neighbours[g])
+        reach(h, first);
+    }
+  }
 }
 
 } // namespace granum::network

@@ -10,7 +10,7 @@
 #include <granum/contact/grains.hpp>
 #include <granum/core/stop.hpp>
 #include <granum/dem/neighbours.hpp>
-#include <granum/io/own_image.hpp>
+#include <granum/io/imported_packing.hpp>
 
 namespace granum::studies {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <granum/io/text/file_names.hpp>
+#include <granum/io/text/source.hpp>
 
 namespace granum::studies {
 

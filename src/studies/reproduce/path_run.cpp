@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <granum/core/error.hpp>
-#include <granum/dem/specimen_bytes.hpp>
+#include <granum/dem/specimen.hpp>
 #include <granum/io/checkpoint/checkpoint.hpp>
 #include <granum/triaxial/specimen.hpp>
 

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 
 using namespace granum;
 

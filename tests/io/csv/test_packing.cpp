@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/csv/packing.hpp>
 
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 
 #include "io/import_support.hpp"
 

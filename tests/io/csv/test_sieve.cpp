@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/csv/sieve.hpp>
+#include <granum/io/csv/table.hpp>
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/lammps/column_map.hpp>
+#include <granum/io/lammps/arrays.hpp>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>

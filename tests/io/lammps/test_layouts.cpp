@@ -9,7 +9,7 @@
 
 #include <granum/core/text.hpp>
 #include <granum/io/lammps/dump.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 
 #include "io/import_support.hpp"
 

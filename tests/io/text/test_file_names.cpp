@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/text/file_names.hpp>
+#include <granum/io/text/source.hpp>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/vtk/collection.hpp>
+#include <granum/io/vtk/xml.hpp>
 
 #include "io/import_support.hpp"
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include <granum/core/error.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 
 #include <relative.hpp>
 

@@ -2,7 +2,7 @@
 #include <granum/io/vtk/xml.hpp>
 
 #include <granum/io/vtk/paraview.hpp>
-#include <granum/packing/stress.hpp>
+#include <granum/packing/forces.hpp>
 
 #include "io/import_support.hpp"
 

@@ -22,8 +22,8 @@
 #include <granum/io/lammps/dump.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/coordination.hpp>
+#include <granum/packing/forces.hpp>
 #include <granum/packing/stiffness.hpp>
-#include <granum/packing/stress.hpp>
 #include <granum/sizes/distribution.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>

@@ -11,15 +11,17 @@
 #include <vector>
 
 #include <granum/core/units.hpp>
+#include <granum/sizes/distribution.hpp>
 
-/// Comma-separated values after RFC 4180: quoted fields, one heading line, units in the headings
-/// (sigma_v_kPa). Where semicolons separate the headings they separate all fields, and numbers may have a
-/// decimal comma; so do tabs if the headings are not separated by commas or semicolons. A text that a
-/// spreadsheet would read as a formula, because it begins with = + - or @ and is not a number, is written
-/// after an apostrophe, which is dropped again when it is read. A byte order mark, lines that begin with '#'
-/// and blank lines are skipped. Lines end with LF, CR LF, or all with CR.
-/// Checked by tests/io/csv/test_table.cpp
 namespace granum::io {
+
+// Comma-separated values after RFC 4180: quoted fields, one heading line, units in the headings
+// (sigma_v_kPa). Where semicolons separate the headings they separate all fields, and numbers may have a
+// decimal comma; so do tabs if the headings are not separated by commas or semicolons. A text that a
+// spreadsheet would read as a formula, because it begins with = + - or @ and is not a number, is written
+// after an apostrophe, which is dropped again when it is read. A byte order mark, lines that begin with '#'
+// and blank lines are skipped. Lines end with LF, CR LF, or all with CR.
+// Checked by tests/io/csv/test_table.cpp
 
 /// Separator of the fields and decimal sign of the numbers.
 struct CsvManner {
@@ -107,5 +109,17 @@ struct CsvContent {
 /// The text of the file; CsvTable reads every finite number back to the same bits.
 /// \throws   InvalidArgument if a row has another number of cells than there are headings
 [[nodiscard]] std::string csv_text(const CsvContent& content);
+
+/// The sieve curve in a table: a column d with its unit (d_mm) and one of the passing mass, as passing_%
+/// or, from 0 to 1, as passing. Rows ascend in d or descend, from or to 0 % and 100 %. Further columns are
+/// left alone.
+/// \return   points of ascending d, without a fault of sizes::find_fault
+/// \throws   FileError naming the line of the point that is at fault, or as CsvTable
+/// Checked by tests/io/csv/test_sieve.cpp, tests/fuzz/sieve.cpp
+[[nodiscard]] std::vector<sizes::SievePoint> sieve_curve(const CsvTable& table);
+
+/// The same of a file.
+/// \throws   FileError also if it cannot be read
+[[nodiscard]] std::vector<sizes::SievePoint> read_sieve_curve(const std::filesystem::path& path);
 
 } // namespace granum::io

@@ -2,17 +2,38 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <granum/io/imported_packing.hpp>
-#include <granum/io/lammps/column_map.hpp>
 
-/// Packings from the memory of LAMMPS, from a linked program or a script.
-/// Checked by tests/io/lammps/test_arrays.cpp and, with LAMMPS itself, by tests/peer/lammps/hand_over.py
 namespace granum::io {
+
+/// Columns of quantities in a dump: quantity -> name of the column. Quantities of grains:
+///   id, radius or diameter, x y z (wrapped or not), xs ys zs (fractions of the box)
+/// of contacts between grain 1 and grain 2, forces those on grain 1:
+///   id1 id2            required
+///   dx dy dz           centre of 1 minus centre of 2
+///   delta              overlap
+///   force              normal force, repulsion positive
+///   fnx fny fnz        normal force vector
+///   ftx fty ftz        tangential force vector
+///   fx fy fz           whole force vector
+using ColumnMap = std::map<std::string, std::string, std::less<>>;
+
+/// Reads "id1=c_cl[1],id2=c_cl[2],...", blanks around names allowed.
+/// \throws   InvalidArgument for a quantity that is not one of the above, one given twice, or text that is no
+///           list of quantity=column
+/// Checked by tests/io/lammps/test_column_map.cpp
+[[nodiscard]] ColumnMap parse_column_map(std::string_view text);
+
+// Packings from the memory of LAMMPS, from a linked program or a script.
+// Checked by tests/io/lammps/test_arrays.cpp and, with LAMMPS itself, by tests/peer/lammps/hand_over.py
 
 /// Local values of computes, one row a contact, as `dump local` would write them.
 struct LammpsLocals {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include <granum/io/imported_packing.hpp>
-#include <granum/io/lammps/column_map.hpp>
+#include <granum/io/lammps/arrays.hpp>
 #include <granum/io/text/source.hpp>
 
 namespace granum::io {

@@ -79,4 +79,16 @@ class TextSource {
 [[nodiscard]] std::string file_content(const std::filesystem::path& path,
                                        std::size_t most = std::numeric_limits<std::size_t>::max());
 
+// States of a series from the names of files.
+// Checked by tests/io/text/test_file_names.cpp
+
+/// Whether one name comes before another as people count: numbers in them by their value, p50 before p100.
+[[nodiscard]] bool natural_less(std::string_view a, std::string_view b);
+
+/// Which of some files belong together: those whose names, folders included, differ in numbers alone, as
+/// dense_p50 and dense_p100 do, or dense/state.10 and dense/state.20.
+/// \return   for each file the name of its series, the part that distinguishes it from others: "dense",
+///           "loose"; where there is one series, the name of the first file without its folder
+[[nodiscard]] std::vector<std::string> series_by_name(const std::vector<std::string>& files);
+
 } // namespace granum::io

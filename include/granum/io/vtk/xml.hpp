@@ -2,15 +2,18 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <granum/io/imported_packing.hpp>
 #include <granum/io/text/source.hpp>
+#include <granum/io/vtk/paraview.hpp>
 
-/// Packings out of VTK's XML files (.vtu, .vtp), as granum writes them itself (paraview.hpp), YADE's
-/// VTKRecorder and many programs. Arrays may be text, base64 or appended, compressed by zlib
-/// or not, in either byte order; names may be in small or capital letters; others are skipped.
-/// Checked by tests/io/vtk/test_xml.cpp, with files that VTK 9.1 wrote
 namespace granum::io {
+
+// Packings out of VTK's XML files (.vtu, .vtp), as granum writes them itself (paraview.hpp), YADE's
+// VTKRecorder and many programs. Arrays may be text, base64 or appended, compressed by zlib
+// or not, in either byte order; names may be in small or capital letters; others are skipped.
+// Checked by tests/io/vtk/test_xml.cpp, with files that VTK 9.1 wrote
 
 /// The grains: Points; point data "radius" or "radii"; their ids from point data "id", else they are
 /// numbered from 0; their types from point data "type", "materialId" or "material"; the cell from field data
@@ -34,5 +37,18 @@ namespace granum::io {
 /// \throws   FileError also for a line of other than two points, a line that ends at no grain, an unknown
 ///           grain, and as read_yade for contacts
 [[nodiscard]] ImportedPacking read_vtk_xml(TextSource grains, std::optional<TextSource> contacts = {});
+
+// Series of VTK files (.pvd), as granum, ParaView and many programs write them: the list of their names.
+// Checked by tests/io/vtk/test_collection.cpp
+
+/// Whether a file looks like a series. The source is then somewhere in its first lines.
+/// \throws   FileError if reading fails
+[[nodiscard]] bool is_collection(TextSource& source);
+
+/// The files of a series in the order of their times; names as in the file, relative to its folder.
+/// \throws   FileError with path and line for text that is not XML or not a series, a data set without a file
+///           or with a time that is no finite number, two data sets of one time (parts are not put together),
+///           and none at all
+[[nodiscard]] std::vector<SeriesEntry> read_collection(TextSource source);
 
 } // namespace granum::io

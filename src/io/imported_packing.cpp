@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/own_image.hpp>
+#include <granum/io/imported_packing.hpp>
 
 #include <algorithm>
 #include <cmath>
