@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contacts that have been loaded in proportion respond by f = alpha/(1+alpha) (k_n d_n n + k_t d_t), so that
-// stress = alpha/(1+alpha) C strain with the tangent stiffness C of the same contacts: the kernel of uniform
-// strain serves for both. The law is homogeneous, and the ratio of the strains, exp(t), is the one unknown.
 #include <granum/effective/uniform_field.hpp>
 
 #include <algorithm>
@@ -155,6 +152,10 @@ IsotropicModuli uniform_strain_moduli(const IsotropicPacking& packing) {
       geometry.prefactor * kernel::contact_stiffness(packing.law, geometry.force_area, 3 * packing.pressure);
   return {.bulk_modulus = scale / 9, .shear_modulus = scale * (2 + 3 * r) / 30};
 }
+
+// Contacts that have been loaded in proportion respond by f = alpha/(1+alpha) (k_n d_n n + k_t d_t), so that
+// stress = alpha/(1+alpha) C strain with the tangent stiffness C of the same contacts: the kernel of uniform
+// strain serves for both. The law is homogeneous, and the ratio of the strains, exp(t), is the one unknown.
 
 namespace {
 

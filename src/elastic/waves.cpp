@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: n unit direction; s, c sine and cosine of its angle with axis 3; s2, c2 their squares. g11, g13,
-// g33 Christoffel matrix in the plane of n and axis 3, p and sv its eigenvalues, sh the third.
 #include <granum/elastic/waves.hpp>
 
 #include <algorithm>
@@ -48,6 +46,9 @@ Isotropic isotropic_from_speeds(const WaveSpeeds& speeds, double bulk_density) {
     throw InvalidArgument("compression_wave_speed", V_p, "m/s", "(sqrt(4/3) shear_wave_speed, inf)");
   return Isotropic::from_bulk_and_shear(bulk_modulus, shear_modulus);
 }
+
+// Notation: n unit direction; s, c sine and cosine of its angle with axis 3; s2, c2 their squares. g11, g13,
+// g33 Christoffel matrix in the plane of n and axis 3, p and sv its eigenvalues, sh the third.
 
 namespace {
 

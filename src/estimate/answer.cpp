@@ -149,7 +149,7 @@ using effective::ContactCounts;
 using effective::RelaxedEstimate;
 using elastic::TransverselyIsotropic;
 
-/// Accuracy of s of rung 3 against s fitted to contact networks (relaxed_exponents.hpp).
+/// Accuracy of s of rung 3 against s fitted to contact networks (effective/exponents.hpp).
 constexpr double exponent_error = 0.03;
 
 } // namespace

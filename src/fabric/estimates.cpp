@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: a_c coefficient of P2 in the density (1 + a_c P2)/(4 pi), in [-1, 2] for a in [-1, 1]; x values
-// of P2 on the sample.
 #include <granum/fabric/estimates.hpp>
 
 #include <algorithm>
@@ -72,6 +70,9 @@ double isotropic_standard_error(std::size_t contacts) {
     throw InvalidArgument("number of contacts", 0, "", "[1, inf)");
   return std::sqrt(45.0 / 16 / static_cast<double>(contacts));
 }
+
+// Notation: a_c coefficient of P2 in the density (1 + a_c P2)/(4 pi), in [-1, 2] for a in [-1, 1]; x values
+// of P2 on the sample.
 
 namespace {
 

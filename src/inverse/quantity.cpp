@@ -21,6 +21,18 @@ constexpr QuantityRow table[] = {
     {Quantity::V_p, "V_p", Modulus::C33, true, "compression wave, vertical"},
     {Quantity::V_p_h, "V_p_h", Modulus::C11, true, "compression wave, horizontal"}};
 
+/// The one of that name among all of them.
+template <class Values, class Name>
+const auto& named(const char* what, const Values& all, const Name& name_of, std::string_view text) {
+  std::string names;
+  for (const auto& value : all) {
+    if (name_of(value) == text)
+      return value;
+    names += (names.empty() ? "" : ", ") + std::string(name_of(value));
+  }
+  throw InvalidArgument(std::string(what) + " is one of " + names + ", not " + std::string(text));
+}
+
 } // namespace
 
 std::span<const QuantityRow> quantities() { return table; }
@@ -34,13 +46,8 @@ const QuantityRow& row_of(Quantity quantity) {
 }
 
 Quantity quantity_of(std::string_view key) {
-  std::string keys;
-  for (const QuantityRow& row : table) {
-    if (key == row.key)
-      return row.quantity;
-    keys += (keys.empty() ? "" : ", ") + std::string(row.key);
-  }
-  throw InvalidArgument("quantity is one of " + keys + ", not " + std::string(key));
+  const auto key_of = [](const QuantityRow& row) { return std::string_view(row.key); };
+  return named("quantity", table, key_of, key).quantity;
 }
 
 void require_measured(const QuantityRow& row, const Measured& value) {
@@ -49,22 +56,6 @@ void require_measured(const QuantityRow& row, const Measured& value) {
   require_open(row.key, value.value, row.speed ? 0.01 : 1, row.speed ? 1e5 : 1e14, unit);
   require_closed(std::string(row.key) + " error", value.standard_error, 0, value.value, unit);
 }
-
-namespace {
-
-/// The value of that name among all of them.
-template <class Values>
-typename Values::value_type named_value(const char* what, const Values& all, std::string_view text) {
-  std::string names;
-  for (const auto value : all) {
-    if (name(value) == text)
-      return value;
-    names += (names.empty() ? "" : ", ") + std::string(name(value));
-  }
-  throw InvalidArgument(std::string(what) + " is one of " + names + ", not " + std::string(text));
-}
-
-} // namespace
 
 std::string_view name(GrowthRule growth) {
   switch (growth) {
@@ -88,10 +79,14 @@ std::string_view name(AskedPacking specimen) {
   throw InvalidArgument("specimen is not one of the known ones");
 }
 
-GrowthRule growth_rule_of(std::string_view text) { return named_value("growth", all_growth_rules, text); }
+GrowthRule growth_rule_of(std::string_view text) {
+  return named(
+      "growth", all_growth_rules, [](GrowthRule rule) { return name(rule); }, text);
+}
 
 AskedPacking asked_packing_of(std::string_view text) {
-  return named_value("specimen", all_asked_packings, text);
+  return named(
+      "specimen", all_asked_packings, [](AskedPacking asked) { return name(asked); }, text);
 }
 
 } // namespace granum::inverse

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Private to src/network. Storage of the six load cases side by side, so that one pass over the contacts
-// serves all.
-// Private to src/network.
+// serves all; and the threads that share a pass.
 #pragma once
 
 #include <algorithm>

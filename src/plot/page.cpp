@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the head of every page.
 #include <granum/plot/page.hpp>
 
 #include <algorithm>
@@ -10,8 +9,9 @@
 
 namespace granum::plot {
 
-[[nodiscard]] const char* page_style();
-[[nodiscard]] const char* page_script();
+namespace {
+
+// What stands in the head of every page.
 
 const char* page_style() {
   return R"(
@@ -286,8 +286,6 @@ for (const figure of document.querySelectorAll("figure")) {
 }
 )js";
 }
-
-namespace {
 
 constexpr std::string_view missing = "-";
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Range, ticks and labels of one axis of a chart.
-// What charts on straight axes and roses share.
+// What charts on straight axes and roses share: range, ticks and labels of an axis, its frame.
 #pragma once
 
 #include <cmath>

@@ -3,6 +3,7 @@
 // types: all have shear_modulus, poisson_ratio, porosity and coordination_number.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -57,6 +58,12 @@ inline double no_slip_ratio(double poisson_ratio) { return 2 * (1 - poisson_rati
 template <class Packing>
 double mean_tangential_ratio(const Packing& s) {
   return s.no_slip_fraction * no_slip_ratio(s.poisson_ratio);
+}
+
+/// P k_n of a contact under the strain e along its normal [Pa], where contacts follow the mean strain.
+template <class Packing>
+double contact_modulus(const Packing& s, double strain) {
+  return 9 * stiffness_density(s) * s.shear_modulus * std::sqrt(strain);
 }
 
 } // namespace granum::rock_physics::sphere

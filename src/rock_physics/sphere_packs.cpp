@@ -1,13 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The coefficients of the source as polynomials in k, with its own letters: the pair's response to the mean
-// strain (omega, alpha), the contribution of its neighbours (gamma, rho), and their products (kappa, eta) in
-// the second and third order of 3/k.
-// Sphere contacts that follow the mean strain.
-// Under the strain e0 + e3 x^2 along the normal, x = n3, and with e = e0 + e3, c = e0/e, s = e3/e, the
-// stiffness of a contact is proportional to u = sqrt(c + s x^2), its normal force to u^3.
-// The textbook integrals of x^k sqrt(a^2 + x^2), a^2 = e0/e3, cancel as a grows: the fourth power is lost at
-// a = 1e4. Here they are used for a < 1 only, where they cost a bit or two. Beyond, a Gauss-Legendre rule
-// of 24 points on [-1, 1] errs by less than (1 + sqrt 2)^-48 = 4e-19: its branch points are at a >= 1.
 #include <granum/rock_physics/sphere_packs.hpp>
 
 #include <algorithm>
@@ -171,6 +162,10 @@ IsotropicEstimate digby(const BondedPacking& packing) {
   return estimate;
 }
 
+// The coefficients of the source as polynomials in k, with its own letters: the pair's response to the mean
+// strain (omega, alpha), the contribution of its neighbours (gamma, rho), and their products (kappa, eta) in
+// the second and third order of 3/k.
+
 namespace {
 
 /// [c0 (k-2)(k-4) + c1 k(k-2) + c2 k(k-4) + c3 k^2]/(16 pi): neighbours of two or of one of a pair's spheres.
@@ -212,19 +207,11 @@ double jenkins_shear_modulus(const SpherePacking& packing) {
   return jenkins_shear_factor(packing.coordination_number) * hertz_mindlin(packing).shear_modulus;
 }
 
-} // namespace granum::rock_physics
-
-namespace granum::rock_physics::sphere {
-
-/// P k_n of a contact under the strain e along its normal [Pa].
-template <class Packing>
-double contact_modulus(const Packing& s, double strain) {
-  return 9 * stiffness_density(s) * s.shear_modulus * std::sqrt(strain);
-}
-
-} // namespace granum::rock_physics::sphere
-
-namespace granum::rock_physics {
+// Under the strain e0 + e3 x^2 along the normal, x = n3, and with e = e0 + e3, c = e0/e, s = e3/e, the
+// stiffness of a contact is proportional to u = sqrt(c + s x^2), its normal force to u^3.
+// The textbook integrals of x^k sqrt(a^2 + x^2), a^2 = e0/e3, cancel as a grows: the fourth power is lost at
+// a = 1e4. Here they are used for a < 1 only, where they cost a bit or two. Beyond, a Gauss-Legendre rule
+// of 24 points on [-1, 1] errs by less than (1 + sqrt 2)^-48 = 4e-19: its branch points are at a >= 1.
 
 namespace {
 
@@ -354,13 +341,13 @@ stress::AxialStress norris_johnson_stress(const StrainedPacking& packing, Strain
 namespace {
 
 Validity checked(const UniaxialPacking& p) {
-  sphere::require_grain(p);
-  sphere::require_strain("uniaxial_strain", p.uniaxial_strain);
-  require_closed("no_slip_fraction", p.no_slip_fraction, 0, 1);
-  Validity validity;
-  sphere::note_coordination(p, validity);
-  sphere::note_contact_radius(std::sqrt(p.uniaxial_strain), validity);
-  return validity;
+  return checked(StrainedPacking{.shear_modulus = p.shear_modulus,
+                                 .poisson_ratio = p.poisson_ratio,
+                                 .porosity = p.porosity,
+                                 .coordination_number = p.coordination_number,
+                                 .hydrostatic_strain = 0,
+                                 .uniaxial_strain = p.uniaxial_strain,
+                                 .no_slip_fraction = p.no_slip_fraction});
 }
 
 } // namespace

@@ -139,7 +139,7 @@ class NormalLaw {
   [[nodiscard]] bool depends_on_size() const {
     return visit([](const auto& law) { return law.depends_on_size(); });
   }
-  /// The law of a pair whose pair_radius is so many times that of this law's pair (pair.hpp).
+  /// The law of a pair whose pair_radius is so many times that of this law's pair (grains.hpp).
   /// \throws   InvalidArgument if the ratio is not positive and finite
   [[nodiscard]] NormalLaw of_pair_radius(double ratio) const {
     return visit([=](const auto& law) { return NormalLaw(law.of_pair_radius(ratio)); });

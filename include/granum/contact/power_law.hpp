@@ -104,10 +104,10 @@ class PowerLaw {
   /// Whether the law of a pair depends on the sizes of its grains: alpha = 2. Any other profile is one of the
   /// surface, A_alpha being given in absolute terms: all pairs have the law of two equal grains.
   [[nodiscard]] bool depends_on_size() const { return alpha_ == 2; }
-  /// The law of a pair whose pair_radius is so many times that of this law's pair (pair.hpp).
+  /// The law of a pair whose pair_radius is so many times that of this law's pair (grains.hpp).
   /// \throws   InvalidArgument if the ratio is not positive and finite
   [[nodiscard]] PowerLaw of_pair_radius(double ratio) const;
-  /// The law of another coefficient, c times a factor; pairs of grains of different sizes: pair.hpp.
+  /// The law of another coefficient, c times a factor; pairs of grains of different sizes: grains.hpp.
   /// \throws   InvalidArgument if the factor is not positive and finite
   /// Accuracy  1 ulp.  Checked by tests/contact/test_pair.cpp
   [[nodiscard]] PowerLaw times(double factor) const;

@@ -98,7 +98,7 @@ class RoughSphere {
   /// \throws   InvalidArgument if one is out of range
   [[nodiscard]] RoughSphere of(const GrainMaterial& grain, double radius) const;
   [[nodiscard]] static bool depends_on_size() { return true; }
-  /// The law of a pair whose pair_radius is so many times that of this law's pair (pair.hpp).
+  /// The law of a pair whose pair_radius is so many times that of this law's pair (grains.hpp).
   /// \throws   InvalidArgument if the ratio is not positive and finite
   [[nodiscard]] RoughSphere of_pair_radius(double ratio) const;
 

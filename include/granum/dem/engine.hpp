@@ -32,7 +32,7 @@ inline constexpr double default_time_step_fraction = 0.8;
 inline constexpr double mass_exponent = 1;
 
 /// Explicit dynamics of spheres of equal or unequal size in a cell that deforms with a given velocity
-/// gradient. The cell is periodic, or a box with rigid walls if the state has walls (walls.hpp). Wall
+/// gradient. The cell is periodic, or a box with rigid walls if the state has walls (specimen.hpp). Wall
 /// contacts enter the contact stress with the branch from the centre to the wall; at rest between smooth
 /// walls, the contact stress then equals the wall stress.
 ///

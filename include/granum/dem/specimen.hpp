@@ -51,7 +51,7 @@ struct WallHistory {
   bool operator==(const WallHistory&) const = default;
 };
 
-/// Six rigid plane walls, the faces of the cell (walls.hpp).
+/// Six rigid plane walls, the faces of the cell.
 struct Walls {
   double friction_coefficient = 0;  ///< mu >= 0 between grain and wall; 0: smooth, infinity: no slip [1]
   std::vector<WallHistory> history; ///< sorted by (grain, wall)

@@ -64,7 +64,7 @@ struct IsotropicAverages {
 };
 
 /// Averages of a full stiffness.
-/// \throws   InvalidArgument unless the stiffness is finite, symmetric (mandel.hpp) and positive definite
+/// \throws   InvalidArgument unless the stiffness is finite, symmetric (stiffness.hpp) and positive definite
 ///           (smallest eigenvalue above 1e-12 of the largest)
 /// Accuracy  voigt 4 ulp of the largest entry, reuss 8 ulp times the condition number.
 [[nodiscard]] IsotropicAverages isotropic_averages(const VoigtStiffness& stiffness);
@@ -91,13 +91,13 @@ struct EngineeringModuli {
 
 /// Assumes   a positive semidefinite matrix, but for rounding.
 /// \return   E = 0 along an axis where the packing gives way without stress
-/// \throws   InvalidArgument for a stiffness that is not symmetric (mandel.hpp) or not finite
+/// \throws   InvalidArgument for a stiffness that is not symmetric (stiffness.hpp) or not finite
 /// Accuracy  1e-14 of the largest entry, E times the condition number of the matrix.
 [[nodiscard]] EngineeringModuli engineering_moduli(const VoigtStiffness& stiffness);
 
 // The symmetric material nearest to a given stiffness: its average over the rotations of the symmetry, which
 // is also the orthogonal projection in the Mandel norm. [Moakher2006]
-// A stiffness that is not symmetric (mandel.hpp) or not finite is refused with InvalidArgument.
+// A stiffness that is not symmetric (stiffness.hpp) or not finite is refused with InvalidArgument.
 // Accuracy  4 ulp of the largest entry.  Checked by tests/elastic/test_projection.cpp
 
 /// Average over all rotations: K = (sum of the normal 3 x 3 block)/9,

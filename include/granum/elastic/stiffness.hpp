@@ -86,7 +86,7 @@ struct SymmetryDistances {
   double orthotropic = 0;            ///< planes of symmetry across the coordinate axes
 };
 
-/// \throws   InvalidArgument if the stiffness is zero, not symmetric (mandel.hpp) or not finite
+/// \throws   InvalidArgument if the stiffness is zero, not symmetric or not finite
 /// Accuracy  1e-15 absolute.
 [[nodiscard]] SymmetryDistances symmetry_distances(const VoigtStiffness& stiffness);
 

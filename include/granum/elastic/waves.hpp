@@ -81,7 +81,7 @@ struct TransverselyIsotropicWaves {
 /// \param    bulk_density   mass per volume of the packing [kg/m3], > 0
 /// \param    direction      of propagation
 /// \throws   InvalidArgument for another density or direction, or unless the stiffness is finite, symmetric
-///           (mandel.hpp) and positive semidefinite (smallest eigenvalue above -1e-12 of the largest)
+///           (stiffness.hpp) and positive semidefinite (smallest eigenvalue above -1e-12 of the largest)
 /// Accuracy  v^2 to 1e-14 of the largest v^2, polarisations orthonormal to 4e-15.
 [[nodiscard]] PlaneWaves plane_waves(const VoigtStiffness& stiffness, double bulk_density,
                                      const Vec3& direction);

@@ -48,7 +48,7 @@ struct LikelihoodEstimate {
 /// a that makes the sample most likely. In terms of a_c = 4a/(3-a) the log-likelihood, the sum of
 /// ln(1 + a_c P2(cos gamma)), is concave: there is one maximum, found by Newton's rule within a bracket.
 /// Scatters less than the moment estimate (estimate_anisotropy) the further a is from 0, but leans on
-/// E(gamma; a) being the density: test_density of goodness_of_fit.hpp.
+/// E(gamma; a) being the density: test_density.
 /// Assumes   axis 3 is the axis of symmetry, contacts drawn independently. Contacts of a packing exclude one
 ///           another on a grain, so that they scatter less: the error is on the safe side.
 /// \param    normals   one unit vector a contact, either sense; at least 2

@@ -2,8 +2,6 @@
 // Private to src/dem. Data of a grain that the sweep reads, and that it writes, in one cache line each. A
 // pair reads whole rows of its two grains; four rows at a time are transposed into columns. Angular velocity
 // and torque are in the same positions of their rows, which vectors of three leave free in rows of four.
-// Private to src/dem. Order of the grains in an engine: neighbours are near in memory, for the caches. An
-// order gives the new index of each grain.
 #pragma once
 
 #include <cstddef>
@@ -145,6 +143,9 @@ inline void add_torque(LoadRow& load, const Vec3& t) {
   load.push[3] += t.x;
   load.turn += Four{t.y, 0, 0, t.z};
 }
+
+// Order of the grains in an engine: neighbours are near in memory, for the caches. An order gives the new
+// index of each grain.
 
 /// Along a space-filling curve through the cell.
 [[nodiscard]] std::vector<std::uint32_t> near_order(const Specimen& state);

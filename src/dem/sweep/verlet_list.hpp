@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/dem. Shared by the search for pairs and the list made from another list, so that both find
-// exactly the same pairs: images, wrapping into the cell, and the test of distance.
 // Private to src/dem.
 #pragma once
 
@@ -18,6 +16,9 @@
 #include <granum/dem/specimen.hpp>
 
 namespace granum::dem {
+
+// Shared by the search for pairs and the list made from another list, so that both find exactly the same
+// pairs: images, wrapping into the cell, and the test of distance.
 
 /// Index in shift_vectors() of the translation by k cell vectors, each -1, 0 or 1.
 constexpr int image_index(int kx, int ky, int kz) { return (kx + 1) * 9 + (ky + 1) * 3 + (kz + 1); }

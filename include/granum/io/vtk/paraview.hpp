@@ -30,7 +30,7 @@ namespace granum::io {
 /// normal_stiffness and tangential_stiffness [N/m], 0 where they are not known; sliding, 0 or 1;
 /// through_face, 1 if the line leaves the periodic cell; grains, the two indices or values of `id`, twice
 /// that of i at a wall; wall, its number, or -1 between grains. A tube of a radius by normal_force shows the
-/// force chains. read_vtk_xml (vtk_xml.hpp) reads both files back.
+/// force chains. read_vtk_xml (xml.hpp) reads both files back.
 /// \throws   as grains_vtu
 [[nodiscard]] std::string contacts_vtp(const packing::Assembly& assembly, std::span<const long> id = {});
 
