@@ -153,7 +153,7 @@ std::string with_hidden(std::string_view text, const Escaped& escaped) {
   return shown;
 }
 
-constexpr const char* digits = "0123456789abcdef";
+constexpr const char* hex_digits = "0123456789abcdef";
 
 } // namespace
 
@@ -162,7 +162,7 @@ std::string printable(std::string_view text) {
     std::string bytes;
     for (const char c : character) {
       const auto value = static_cast<unsigned char>(c);
-      bytes += {'\\', 'x', digits[value / 16], digits[value % 16]};
+      bytes += {'\\', 'x', hex_digits[value / 16], hex_digits[value % 16]};
     }
     return bytes;
   });
@@ -172,8 +172,12 @@ std::string printable_json(std::string_view json) {
   return with_hidden(json, [](std::string_view character) {
     const char32_t code = code_point(character);
     const auto unit = [](char32_t of) {
-      return std::string{'\\',           'u', digits[of >> 12], digits[of >> 8 & 15], digits[of >> 4 & 15],
-                         digits[of & 15]};
+      return std::string{'\\',
+                         'u',
+                         hex_digits[of >> 12],
+                         hex_digits[of >> 8 & 15],
+                         hex_digits[of >> 4 & 15],
+                         hex_digits[of & 15]};
     };
     return code < 0x10000 ? unit(code)
                           : unit(0xD7C0 + (code >> 10)) + unit(0xDC00 + (code & 0x3FF)); // a pair of UTF-16

@@ -55,10 +55,6 @@ void require_one_packing(const std::vector<PackingFile>& files) {
                             ", which does not go with " + std::string(description(*first)));
 }
 
-} // namespace
-
-namespace {
-
 /// A file of a name, and its position in it.
 struct NamedFile {
   PackingFile file;
