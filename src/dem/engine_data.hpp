@@ -11,7 +11,6 @@
 
 #include "core/team.hpp"
 #include "dem/sweep/contact_sweep.hpp"
-#include "dem/sweep/fire_mixing.hpp"
 #include "dem/sweep/frequency_bound.hpp"
 #include "dem/sweep/grain_motion.hpp"
 #include "dem/sweep/grain_rows.hpp"

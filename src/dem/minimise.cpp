@@ -13,7 +13,6 @@
 #include <granum/core/text.hpp>
 
 #include "dem/sweep/contact_sweep.hpp"
-#include "dem/sweep/fire_mixing.hpp"
 #include "dem/sweep/grain_motion.hpp"
 #include "dem/sweep/grain_rows.hpp"
 #include "dem/sweep/verlet_list.hpp"

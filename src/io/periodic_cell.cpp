@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "periodic_cell.hpp"
+#include "packing_builder.hpp"
 
 #include <algorithm>
 #include <cmath>

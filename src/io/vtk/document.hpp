@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,24 @@
 #include "io/packing_builder.hpp"
 
 namespace granum::io {
+
+/// Finds the grain whose centre is the very point that a contact ends at: files of YADE name no grains.
+class CentreIndex {
+ public:
+  explicit CentreIndex(const std::vector<Vec3>& centres);
+
+  /// \return   empty if there is no centre
+  /// \throws   FileError if several are
+  [[nodiscard]] std::optional<std::uint32_t> look_up(const Vec3& point, const PackingBuilder& builder,
+                                                     std::size_t line) const;
+  /// \throws   FileError also if no centre is there
+  [[nodiscard]] std::uint32_t find(const Vec3& point, const PackingBuilder& builder, std::size_t line) const;
+
+ private:
+  using Key = std::tuple<double, double, double>;
+  static constexpr std::uint32_t several = 0xffffffff; ///< centres at one point
+  std::map<Key, std::uint32_t> index_;
+};
 
 /// How the arrays of a file are packed where they are not text, from its first element.
 struct VtkEncoding {

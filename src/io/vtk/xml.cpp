@@ -15,7 +15,6 @@
 #include <granum/core/text.hpp>
 #include <granum/io/packing_files.hpp>
 
-#include "centre_index.hpp"
 #include "document.hpp"
 #include "io/packing_builder.hpp"
 #include "io/text/row.hpp"

@@ -10,7 +10,7 @@
 
 #include "io/packing_builder.hpp"
 #include "io/text/row.hpp"
-#include "io/vtk/centre_index.hpp"
+#include "io/vtk/document.hpp"
 
 namespace granum::io {
 
