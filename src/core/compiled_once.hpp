@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src. Compiled once, because Boost's gamma functions and Eigen's solver of each size take seconds.
+// Private to src. Compiled once: Boost's gamma functions and Eigen's solver of each size take seconds.
 #pragma once
 
 #include <cstddef>

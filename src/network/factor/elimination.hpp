@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to src/network. What an incomplete factor keeps, and how it treats soft pivots; and its elimination.
+// Private to src/network. What an incomplete factor keeps, how it treats soft pivots, and its elimination.
 #pragma once
 
 #include <cstddef>
