@@ -8,6 +8,7 @@
 #include <granum/packing/coordination.hpp>
 #include <granum/packing/interior.hpp>
 
+/// Parts of a packing that are measured by themselves.
 namespace granum::analysis {
 
 /// The part of a packing whose contacts are counted in closed forms, in C_n, z* and the mean force. All

@@ -35,7 +35,8 @@ struct Mineral {
 /// Accuracy  4 ulp over 1 - 2 nu_g.  Checked by tests/contact/test_minerals.cpp
 [[nodiscard]] double bulk_modulus(const GrainMaterial& grain);
 
-// Two grains that differ, as two that are equal: every law of this module is one of equal grains.
+/// \file
+/// Two grains that differ, as two that are equal: every law of this module is one of equal grains.
 
 /// Radius of the two equal spheres that touch as a pair of unequal ones does, 2 R* with 1/R* = 1/R_i + 1/R_j:
 /// their contact has the same law, PowerLaw::sphere of this radius. [Hertz1882]

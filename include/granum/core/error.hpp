@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+/// What the library throws, the checks of arguments that throw it, and notes on values that it returns.
 namespace granum {
 
 /// Root of every exception that the library throws. A NUL in its text would end what(), and is escaped there.
@@ -69,11 +70,12 @@ class Stopped : public Error {
   Stopped() : Error("stopped on request") {}
 };
 
-// Range checks of public functions. Each returns its value, so that a check can be written where the value
-// is used.
-// Assumes   name and unit as the user knows them; unit "" for a pure number.
-// Throws    InvalidArgument with name, value, unit and the allowed range; NaN and infinity never pass.
-// Checked by tests/core/test_check.cpp
+/// \file
+/// Range checks of public functions. Each returns its value, so that a check can be written where the value
+/// is used.
+/// Assumes   name and unit as the user knows them; unit "" for a pure number.
+/// \throws   InvalidArgument with name, value, unit and the allowed range; NaN and infinity never pass.
+/// Checked by tests/core/test_check.cpp
 
 /// Common part of the checks: cold, so that a passed check costs one comparison.
 namespace detail {

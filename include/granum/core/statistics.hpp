@@ -3,6 +3,7 @@
 
 #include <span>
 
+/// A number with its standard error, means, and the line of least squares.
 namespace granum {
 
 /// 2 a b/(a + b) of two positive numbers, not checked; exactly a where b is a, and without overflow.

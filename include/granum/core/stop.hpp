@@ -23,9 +23,10 @@ inline void throw_if_stopped(const StopRequest& stop_requested) {
     throw Stopped();
 }
 
-// A stop request for functions that have no argument for one: readers of files, measurements on packings,
-// samples, fits.
-// Checked by tests/core/test_stop_scope.cpp
+/// \file
+/// A stop request for functions that have no argument for one: readers of files, measurements on packings,
+/// samples, fits.
+/// Checked by tests/core/test_stop_scope.cpp
 
 /// While it lives, long work of this thread ends with the exception Stopped once the request is true. An
 /// inner scope replaces an outer one until it ends. Threads that this one starts have none.

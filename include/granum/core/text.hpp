@@ -39,8 +39,9 @@ namespace detail {
 [[nodiscard, gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 } // namespace detail
 
-// Text of unknown origin: names and headings of files may contain any bytes.
-// Checked by tests/core/test_utf8.cpp
+/// \file
+/// Text of unknown origin: names and headings of files may contain any bytes.
+/// Checked by tests/core/test_utf8.cpp
 
 /// Bytes of the character that `text` begins with, 1 to 4; 0 if they are no UTF-8, are U+FFFE or U+FFFF, or
 /// there are none.
@@ -56,7 +57,8 @@ namespace detail {
 /// Assumes   valid UTF-8, with control characters below U+0020 escaped already
 [[nodiscard]] std::string printable_json(std::string_view json);
 
-// Which known word was meant by one that is not known. Checked by tests/core/test_near_miss.cpp
+/// \file
+/// Which known word was meant by one that is not known. Checked by tests/core/test_near_miss.cpp
 
 /// How many letters are wrong, missing, too many, or two neighbours the wrong way round: the least number of
 /// such slips that make `a` of `b` (optimal string alignment).

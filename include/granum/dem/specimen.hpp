@@ -98,12 +98,13 @@ void require_valid_sizes(const Specimen& state);
 /// Smooth walls have no tangential stiffness.
 [[nodiscard]] packing::Assembly contact_network(const Specimen& state, const Material& material);
 
-// Six rigid plane walls, the faces of the cell, in place of periodicity. A wall moves with the centre of its
-// face and rotates with it, as a rigid plate; shear of the cell tilts a pair of opposite walls. A contact
-// with a rigid plane equals, by symmetry, half of the contact of a grain with its mirror image. With the
-// pair law f = F(d), a grain whose centre is R - d_w from the wall has f = F(2 d_w), k_n = 2 F'(2 d_w).
-// k_t/k_n is that of the grains. Rough walls carry a part of each other's stress by friction.
-// Checked by tests/dem/test_walls.cpp
+/// \file
+/// Six rigid plane walls, the faces of the cell, in place of periodicity. A wall moves with the centre of its
+/// face and rotates with it, as a rigid plate; shear of the cell tilts a pair of opposite walls. A contact
+/// with a rigid plane equals, by symmetry, half of the contact of a grain with its mirror image. With the
+/// pair law f = F(d), a grain whose centre is R - d_w from the wall has f = F(2 d_w), k_n = 2 F'(2 d_w).
+/// k_t/k_n is that of the grains. Rough walls carry a part of each other's stress by friction.
+/// Checked by tests/dem/test_walls.cpp
 
 /// One wall; wall 2k is the face through the cell's origin across edge k, 2k + 1 the opposite one.
 struct WallPlane {

@@ -9,11 +9,10 @@
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/state.hpp>
 
+/// The possible number of contacts of a packing if only void ratio and stress are known: from that of grains
+/// prepared with much friction to the largest that this void ratio allows. Calibrated on granum's own
+/// packings; for the fit and its errors see validation/contact_prior.
 namespace granum::effective {
-
-// The possible number of contacts of a packing if only void ratio and stress are known: from that of grains
-// prepared with much friction to the largest that this void ratio allows. Calibrated on granum's own
-// packings; for the fit and its errors see validation/contact_prior.
 
 /// The number of load-bearing contacts and the fraction of grains without load.
 struct ContactCounts {
@@ -115,7 +114,8 @@ struct CarriedContacts {
 [[nodiscard]] CarriedContacts carried_contacts(const State& known, const ContactCounts& counts,
                                                double pressure);
 
-// The inverse of rung 3: the number of contacts at which a packing has the measured stiffness.
+/// \file
+/// The inverse of rung 3: the number of contacts at which a packing has the measured stiffness.
 
 /// Fraction of rattlers, the grains that carry no force, in granum's own packings of the same z*.
 struct ExpectedRattlers {

@@ -46,7 +46,8 @@ struct StressExponents {
 ///            Checked by tests/effective/test_exponents.cpp
 [[nodiscard]] StressExponents uniform_stress_exponents(const State& state, Modulus which);
 
-// The uniform-field estimates by name: how the grains move, and which force sets the contact stiffness.
+/// \file
+/// The uniform-field estimates by name: how the grains move, and which force sets the contact stiffness.
 
 /// How the grains are assumed to move.
 enum class Hypothesis {
@@ -80,8 +81,9 @@ struct Model {
 /// Accuracy  1e-12 absolute.  Checked by tests/effective/test_rungs.cpp
 [[nodiscard]] StressExponents uniform_field_exponents(const State& state, const Model& model, Modulus which);
 
-// Exponents of relaxed moduli. G of loose packings grows faster with stress than the contacts stiffen,
-// because new contacts form and move the network away from the isostatic point.
+/// \file
+/// Exponents of relaxed moduli. G of loose packings grows faster with stress than the contacts stiffen,
+/// because new contacts form and move the network away from the isostatic point.
 
 /// Change of a packing along a path, per ln p.
 struct Growth {

@@ -8,9 +8,8 @@
 #include <granum/core/error.hpp>
 #include <granum/sizes/contact_means.hpp>
 
+/// Effective stiffness of a packing from the average over its contacts.
 namespace granum::effective {
-
-// Effective stiffness of a packing from the average over its contacts.
 
 /// The state of a packing of nearly spherical grains. By default the fabric has no preferred direction and
 /// the grains are equal. Contacts may be unknown: a closed form that needs them refuses a state without them.

@@ -103,7 +103,8 @@ struct IsotropicModuli {
 /// Accuracy  8 ulp.  Checked by tests/effective/test_uniform_field.cpp
 [[nodiscard]] IsotropicModuli uniform_strain_moduli(const IsotropicPacking& packing);
 
-// Contact forces of a uniform strain, the counterpart of the static hypothesis.
+/// \file
+/// Contact forces of a uniform strain, the counterpart of the static hypothesis.
 
 /// Forces of contacts that have followed a mean strain on a proportional path from zero, without spin and
 /// without slip: d = l (strain_h sin^2 gamma + strain_v cos^2 gamma), f_n = c d^(1+1/alpha), and since k_t

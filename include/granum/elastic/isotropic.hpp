@@ -50,8 +50,9 @@ class Isotropic {
 /// \throws   InvalidArgument for the incompressible limit
 [[nodiscard]] VoigtStiffness voigt(const Isotropic& solid);
 
-// Isotropic averages of an anisotropic material over all its orientations, as in a polycrystal of it.
-// Checked by tests/elastic/test_averages.cpp
+/// \file
+/// Isotropic averages of an anisotropic material over all its orientations, as in a polycrystal of it.
+/// Checked by tests/elastic/test_averages.cpp
 
 /// Voigt averages the stiffness (equal strain, an upper bound of K and of G), Reuss the compliance (equal
 /// stress, a lower bound), Hill is the mean of the two moduli.                                    [Hill1952]
@@ -74,8 +75,9 @@ struct IsotropicAverages {
 /// Accuracy  voigt 4 ulp of the largest entry, reuss 8 ulp times the condition number.
 [[nodiscard]] IsotropicAverages isotropic_averages(const TransverselyIsotropic& stiffness);
 
-// The moduli of a full stiffness along the axes and in their planes, whatever its symmetry.
-// Checked by tests/elastic/test_engineering_moduli.cpp
+/// \file
+/// The moduli of a full stiffness along the axes and in their planes, whatever its symmetry.
+/// Checked by tests/elastic/test_engineering_moduli.cpp
 
 /// Seven moduli that a test on a cube with its edges along the axes would find [Pa]. Nothing is averaged over
 /// directions: a stiffness that is not symmetric about axis 3 shows it.
@@ -95,10 +97,11 @@ struct EngineeringModuli {
 /// Accuracy  1e-14 of the largest entry, E times the condition number of the matrix.
 [[nodiscard]] EngineeringModuli engineering_moduli(const VoigtStiffness& stiffness);
 
-// The symmetric material nearest to a given stiffness: its average over the rotations of the symmetry, which
-// is also the orthogonal projection in the Mandel norm. [Moakher2006]
-// A stiffness that is not symmetric (stiffness.hpp) or not finite is refused with InvalidArgument.
-// Accuracy  4 ulp of the largest entry.  Checked by tests/elastic/test_projection.cpp
+/// \file
+/// The symmetric material nearest to a given stiffness: its average over the rotations of the symmetry, which
+/// is also the orthogonal projection in the Mandel norm. [Moakher2006]
+/// A stiffness that is not symmetric (stiffness.hpp) or not finite is refused with InvalidArgument.
+/// Accuracy  4 ulp of the largest entry.  Checked by tests/elastic/test_projection.cpp
 
 /// Average over all rotations: K = (sum of the normal 3 x 3 block)/9,
 /// G = (C44+C55+C66)/5 + (C11+C22+C33-C12-C13-C23)/15.

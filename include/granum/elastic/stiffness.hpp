@@ -22,8 +22,9 @@ struct MandelStiffness {
   Matrix6 matrix = Matrix6::Zero();
 };
 
-// Eigenvalues and eigenvectors of a symmetric 6 x 6 matrix.
-// Checked by tests/elastic/test_eigen_system.cpp
+/// \file
+/// Eigenvalues and eigenvectors of a symmetric 6 x 6 matrix.
+/// Checked by tests/elastic/test_eigen_system.cpp
 
 struct EigenSystem {
   Eigen::Matrix<double, 6, 1> values; ///< ascending
@@ -34,12 +35,13 @@ struct EigenSystem {
 /// Accuracy  1e-14 of the largest magnitude of an eigenvalue.
 [[nodiscard]] EigenSystem eigen_system(const Matrix6& symmetric);
 
-// Operations on the orthonormal (Mandel) basis: change of basis, rotation, definiteness, distance.
-// Functions of a full stiffness refuse one that is not symmetric: |C_ab - C_ba| above 1e-3 of the largest
-// entry. Solvers leave less than 1e-6, and two halves printed with four digits, each rounded by itself,
-// differ by 1e-3 at most; up to there the symmetric part is used. A matrix in which one half was
-// left out is far above.
-// Checked by tests/elastic/test_mandel.cpp
+/// \file
+/// Operations on the orthonormal (Mandel) basis: change of basis, rotation, definiteness, distance.
+/// Functions of a full stiffness refuse one that is not symmetric: |C_ab - C_ba| above 1e-3 of the largest
+/// entry. Solvers leave less than 1e-6, and two halves printed with four digits, each rounded by itself,
+/// differ by 1e-3 at most; up to there the symmetric part is used. A matrix in which one half was
+/// left out is far above.
+/// Checked by tests/elastic/test_mandel.cpp
 
 /// Voigt to Mandel: shear rows and columns times sqrt 2. [Mehrabadi1990]
 [[nodiscard]] MandelStiffness mandel(const VoigtStiffness& stiffness);
@@ -71,10 +73,11 @@ struct EigenSystem {
 /// \throws   InvalidArgument if a is zero and b is not
 [[nodiscard]] double relative_distance(const MandelStiffness& a, const MandelStiffness& b);
 
-// How far a stiffness is from the classes of symmetry: pure numbers, so that soil in Pa and quartz in GPa
-// are treated alike. The caller decides which distance still counts as symmetric: rounding is 1e-15, a
-// measured or simulated stiffness carries its own error.
-// Checked by tests/elastic/test_symmetry.cpp
+/// \file
+/// How far a stiffness is from the classes of symmetry: pure numbers, so that soil in Pa and quartz in GPa
+/// are treated alike. The caller decides which distance still counts as symmetric: rounding is 1e-15, a
+/// measured or simulated stiffness carries its own error.
+/// Checked by tests/elastic/test_symmetry.cpp
 
 /// |C - P(C)|/|C| in the Mandel norm, in [0, 1], with P(C) the nearest stiffness of the class. [Moakher2006]
 /// The classes lie within one another: isotropic >= transversely_isotropic >= orthotropic and isotropic >=

@@ -8,7 +8,7 @@
 #include <granum/elastic/stiffness.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 
-/// Density of a packing, and the speeds of plane waves in an isotropic one.
+/// Density of a packing, water in its pores, and the speeds of plane waves in an isotropic one.
 /// Checked by tests/elastic/test_wave_speeds.cpp
 namespace granum::elastic {
 
@@ -50,13 +50,14 @@ struct WaveSpeeds {
 /// Accuracy  4 ulp times V_p^2 density/K.
 [[nodiscard]] Isotropic isotropic_from_speeds(const WaveSpeeds& speeds, double bulk_density);
 
-// Plane waves: Gamma_ik = C_ijkl n_j n_l has density v^2 as eigenvalues and the directions in which the
-// material moves as eigenvectors.                                                           [Musgrave1970]
-// Assumes   small amplitude, wave length far above the grain size, stiffness of the undamped packing.
-// A direction is any vector but zero; its length does not matter. The three polarisations are orthonormal
-// for every direction, also where two or three speeds coincide (the axis of symmetry, isotropic solids), and
-// the fastest points along the direction rather than against it.
-// Checked by tests/elastic/test_christoffel.cpp
+/// \file
+/// Plane waves: Gamma_ik = C_ijkl n_j n_l has density v^2 as eigenvalues and the directions in which the
+/// material moves as eigenvectors.                                                           [Musgrave1970]
+/// Assumes   small amplitude, wave length far above the grain size, stiffness of the undamped packing.
+/// A direction is any vector but zero; its length does not matter. The three polarisations are orthonormal
+/// for every direction, also where two or three speeds coincide (the axis of symmetry, isotropic solids), and
+/// the fastest points along the direction rather than against it.
+/// Checked by tests/elastic/test_christoffel.cpp
 
 struct PlaneWave {
   double speed = 0; ///< phase speed v [m/s]
@@ -108,9 +109,10 @@ struct TransverselyIsotropicWaves {
 [[nodiscard]] Vec3 group_velocity(const VoigtStiffness& stiffness, double bulk_density, const Vec3& direction,
                                   const PlaneWave& wave);
 
-// Transverse isotropy in the seismologist's notation: two speeds along the axis and three pure numbers, all
-// zero for an isotropic solid.                                               [Thomsen1986, Eqs 8a, 8b, 17]
-// Checked by tests/elastic/test_thomsen.cpp
+/// \file
+/// Transverse isotropy in the seismologist's notation: two speeds along the axis and three pure numbers, all
+/// zero for an isotropic solid.                                               [Thomsen1986, Eqs 8a, 8b, 17]
+/// Checked by tests/elastic/test_thomsen.cpp
 
 struct ThomsenParameters {
   double epsilon = 0; ///< (C11-C33)/(2 C33)
@@ -153,8 +155,6 @@ struct ThomsenSolid {
 /// \throws   InvalidArgument for other speeds, or if no positive definite stiffness has these parameters
 /// Accuracy  8 ulp of C33.
 [[nodiscard]] TransverselyIsotropic transversely_isotropic(const ThomsenSolid& solid);
-
-// Effect of water in the pores on stiffness and mass.
 
 /// Of water of 20 degrees Celsius [kg/m3].                                                   [Mavko2009]
 inline constexpr double water_density = 998;

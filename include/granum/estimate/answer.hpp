@@ -13,10 +13,9 @@
 #include <granum/core/units.hpp>
 #include <granum/estimate/question.hpp>
 
+/// The numbers of an answer, one row each; screen, JSON, CSV, Python and the page are written from this
+/// table.
 namespace granum::estimate {
-
-// The numbers of an answer, one row each; screen, JSON, CSV, Python and the page are written from this
-// table.
 
 /// A number of an answer. Vertical quantities also represent isotropic packings.
 enum class Field : std::size_t {
@@ -84,8 +83,9 @@ struct FieldRow {
 /// Checked by tests/estimate/test_fields.cpp
 [[nodiscard]] const FieldRow& field_of(std::string_view key);
 
-// From the known properties of a packing to its stiffness: the one function that every command, Python and
-// the page use. The range of each number covers the unknown properties.
+/// \file
+/// From the known properties of a packing to its stiffness: the one function that every command, Python and
+/// the page use. The range of each number covers the unknown properties.
 
 /// A number and its range due to uncertain inputs.
 struct Range {

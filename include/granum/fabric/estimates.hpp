@@ -56,15 +56,16 @@ struct LikelihoodEstimate {
 /// Accuracy  the maximum to 1e-14.  Checked by tests/fabric/test_likelihood_estimate.cpp
 [[nodiscard]] LikelihoodEstimate estimate_anisotropy_by_likelihood(std::span<const Vec3> normals);
 
-// Tests of contact normals against three hypotheses: isotropy, E(gamma; a), and symmetry about axis 3. A
-// p-value is the probability of a statistic at least as large under the hypothesis; a small one (say below
-// 0.01) speaks against it.
-// Assumes   contacts drawn independently. Contacts of a packing exclude one another on a grain, so that
-//           they scatter less than independent ones: p-values are on the large side.
-// \param    normals   (of every function) one unit vector a contact, either sense
-// Throws   InvalidArgument for fewer normals than named, or one whose length differs from 1 by more than
-//           1e-6
-// Accuracy  statistics to 1e-13, p-values 1e-12.  Checked by tests/fabric/test_goodness_of_fit.cpp
+/// \file
+/// Tests of contact normals against three hypotheses: isotropy, E(gamma; a), and symmetry about axis 3. A
+/// p-value is the probability of a statistic at least as large under the hypothesis; a small one (say below
+/// 0.01) speaks against it.
+/// Assumes   contacts drawn independently. Contacts of a packing exclude one another on a grain, so that
+///           they scatter less than independent ones: p-values are on the large side.
+/// \param    normals   (of every function) one unit vector a contact, either sense
+/// \throws   InvalidArgument for fewer normals than named, or one whose length differs from 1 by more than
+///           1e-6
+/// Accuracy  statistics to 1e-13, p-values 1e-12.  Checked by tests/fabric/test_goodness_of_fit.cpp
 
 /// A statistic that follows the chi-square distribution under the hypothesis.
 struct ChiSquareTest {

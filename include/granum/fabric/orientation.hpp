@@ -56,9 +56,10 @@ struct FourthMoments {
 /// oriented than this family of densities can describe.
 [[nodiscard]] Validity anisotropy_validity(double anisotropy);
 
-// How contact normals of density E(gamma; a) are distributed over t = |n3|, the cosine of the acute angle
-// between normal and axis: P(t) = t (3(1-a) + 2 a t^2)/(3-a).
-// Checked by tests/fabric/test_polar_distribution.cpp
+/// \file
+/// How contact normals of density E(gamma; a) are distributed over t = |n3|, the cosine of the acute angle
+/// between normal and axis: P(t) = t (3(1-a) + 2 a t^2)/(3-a).
+/// Checked by tests/fabric/test_polar_distribution.cpp
 
 /// P(t), the share of contacts with |n3| <= t [1].
 /// \param    polar_cosine   t in [0, 1]
@@ -75,8 +76,9 @@ struct FourthMoments {
 /// Accuracy  P of the result is the probability to 1e-15 relative.
 [[nodiscard]] double polar_cosine_quantile(double probability, double anisotropy);
 
-// One axisymmetric fabric in the notations that are in use, each made from any other.
-// Checked by tests/fabric/test_measures.cpp
+/// \file
+/// One axisymmetric fabric in the notations that are in use, each made from any other.
+/// Checked by tests/fabric/test_measures.cpp
 
 /// Measures of one fabric. They are moments of second order and as such exist for every set of contacts;
 /// E(gamma; a) is a density only for |a| <= 1, that is F33 in [0.2, 0.6] and P2 coefficient in [-1, 2].

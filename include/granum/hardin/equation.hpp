@@ -32,8 +32,9 @@ enum class VoidRatioFunction {
 [[nodiscard]] VoidRatioFunction void_ratio_function(std::string_view name);
 [[nodiscard]] std::vector<VoidRatioFunction> all_void_ratio_functions();
 
-// The empirical small-strain shear modulus of soils.
-// Checked by tests/hardin/test_equation.cpp
+/// \file
+/// The empirical small-strain shear modulus of soils.
+/// Checked by tests/hardin/test_equation.cpp
 
 /// Where a modulus G_ij is wanted: the effective stresses along the direction i of propagation and j of
 /// polarisation.

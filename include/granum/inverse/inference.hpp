@@ -18,11 +18,10 @@
 #include <granum/inverse/contacts.hpp>
 #include <granum/inverse/quantity.hpp>
 
+/// Calibrate once, predict elsewhere: infers the coordination number from measured moduli or wave speeds by
+/// rung 3, with its standard error, and predicts quantities at another stress, void ratio or direction.
+/// Checked by tests/inverse/test_inference.cpp, validation/infer
 namespace granum::inverse {
-
-// Calibrate once, predict elsewhere: infers the coordination number from measured moduli or wave speeds by
-// rung 3, with its standard error, and predicts quantities at another stress, void ratio or direction.
-// Checked by tests/inverse/test_inference.cpp, validation/infer
 
 /// A measured value and its state; the coordination number of the state is not used.
 struct Observation {
@@ -157,8 +156,9 @@ struct InferenceAnswer {
 [[nodiscard]] InferenceAnswer infer(std::span<const Observation> measurements,
                                     const InferenceOptions& options);
 
-// Uncertain inputs that all measurements of a packing have in common: its material, size and density,
-// but neither stresses nor contacts.
+/// \file
+/// Uncertain inputs that all measurements of a packing have in common: its material, size and density,
+/// but neither stresses nor contacts.
 
 /// The rows that all measurements share and that the packing depends on.
 [[nodiscard]] std::vector<const estimate::InputRow*> shared_rows(const estimate::InputValues& completed);

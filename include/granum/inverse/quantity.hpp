@@ -43,8 +43,9 @@ struct QuantityRow {
 /// Checked by tests/inverse/test_inference.cpp
 void require_measured(const QuantityRow& row, const Measured& value);
 
-// Assumptions on the packing at states other than the measured ones, and their names in programs.
-// Checked by tests/inverse/test_growth.cpp
+/// \file
+/// Assumptions on the packing at states other than the measured ones, and their names in programs.
+/// Checked by tests/inverse/test_growth.cpp
 
 /// How z* depends on the mean stress p between states of one packing.
 enum class GrowthRule {

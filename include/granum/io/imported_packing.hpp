@@ -8,9 +8,8 @@
 
 #include <granum/packing/assembly.hpp>
 
+/// A packing read from the output of any DEM code.
 namespace granum::io {
-
-// A packing read from the output of any DEM code.
 
 /// Findings of an import that matter for the use of its numbers.
 enum class Finding {

@@ -15,11 +15,10 @@
 #include <granum/io/lammps/arrays.hpp>
 #include <granum/io/text/source.hpp>
 
+/// The formats of packings that granum reads, one row each. A new one is a source with its row and the two
+/// functions in it, its name at the end of this header, a line in CMakeLists.txt, and a test.
+/// Checked by tests/io/test_packing_files.cpp
 namespace granum::io {
-
-// The formats of packings that granum reads, one row each. A new one is a source with its row and the two
-// functions in it, its name at the end of this header, a line in CMakeLists.txt, and a test.
-// Checked by tests/io/test_packing_files.cpp
 
 /// Content of a file of a packing.
 enum class Holds { grains, contacts };
@@ -74,8 +73,9 @@ inline constexpr const PackingFormat* packing_formats[] = {
     &lammps_dump_format, &yade_vtk_format,    &vtk_xml_format, &yade_text_format,
     &mercury_format,     &lammps_data_format, &csv_format};
 
-// Packings from files of any format that granum reads, recognised by content.
-// Checked by tests/io/test_packing_files.cpp
+/// \file
+/// Packings from files of any format that granum reads, recognised by content.
+/// Checked by tests/io/test_packing_files.cpp
 
 /// Kind of a file: its format, and its role in the format.
 struct FileKind {

@@ -7,9 +7,8 @@
 
 #include <granum/core/vec3.hpp>
 
+/// The one neutral value type that specimens of the verifier and imported packings become.
 namespace granum::packing {
-
-// The one neutral value type that specimens of the verifier and imported packings become.
 
 /// One contact, i < j. Vectors point from grain i to grain j. A pair occurs once, but in cells
 /// narrower than two diameters, where it may touch through several periodic images, once for each of them.

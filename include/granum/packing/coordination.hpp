@@ -54,9 +54,10 @@ struct MechanicalCoordination {
 /// The same of normals alone.
 [[nodiscard]] Mat3 fabric_tensor(std::span<const Vec3> normals);
 
-// Which contacts are at the Coulomb limit, from their forces: files of DEM codes contain no such flag.
-// Contacts with small forces (f_n below 1e-3 of the mean) are left out: their forces are seldom at rest.
-// Checked by tests/packing/test_sliding.cpp
+/// \file
+/// Which contacts are at the Coulomb limit, from their forces: files of DEM codes contain no such flag.
+/// Contacts with small forces (f_n below 1e-3 of the mean) are left out: their forces are seldom at rest.
+/// Checked by tests/packing/test_sliding.cpp
 
 /// The Coulomb limit as the forces show it.
 struct FrictionEstimate {

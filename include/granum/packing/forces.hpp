@@ -8,6 +8,7 @@
 #include <granum/contact/normal_law.hpp>
 #include <granum/packing/assembly.hpp>
 
+/// What the contact forces of a packing say: its stress, their balance, distribution and moments, their work.
 namespace granum::packing {
 
 /// Mean stress tensor of an assembly, compression positive.

@@ -47,8 +47,9 @@ enum class CementScheme {
 ///           noted.  Checked by tests/rock_physics/test_contact_cement.cpp
 [[nodiscard]] IsotropicEstimate contact_cement(const CementedPacking& packing, CementScheme scheme);
 
-// Sands between a packing of clean spheres at its critical porosity and the solid mineral at porosity 0, by
-// modified Hashin-Shtrikman bounds: the packing has the volume fraction porosity/critical porosity.
+/// \file
+/// Sands between a packing of clean spheres at its critical porosity and the solid mineral at porosity 0, by
+/// modified Hashin-Shtrikman bounds: the packing has the volume fraction porosity/critical porosity.
 
 /// The lower bound: pore-filling fines, sorting. The packing surrounds the mineral.       [DvorkinNur1996]
 /// \param    packing    end member by hertz_mindlin; its porosity > 0 is the critical one

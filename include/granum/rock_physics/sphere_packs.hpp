@@ -7,10 +7,9 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/stress/stress.hpp>
 
+/// Common part of the classical closed forms: equal elastic spheres with Hertz contacts, and the moduli
+/// that come out.
 namespace granum::rock_physics {
-
-// Common part of the classical closed forms: equal elastic spheres with Hertz contacts, and the moduli
-// that come out.
 
 /// An isotropic packing of equal spheres under mean pressure, as the classical models see it. A number that
 /// is left out stays NaN and is refused by name.

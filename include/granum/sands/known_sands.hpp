@@ -8,9 +8,8 @@
 
 #include <granum/core/error.hpp>
 
+/// Sands that are often used in laboratories.
 namespace granum::sands {
-
-// Sands that are often used in laboratories.
 
 /// Fit to the tests of one sand: G = level F^power at 100 kPa, F = (2.17-e)^2/(1+e), and its exponent.
 struct SandTests {
@@ -58,8 +57,9 @@ void require_void_ratio_limits(double least, double largest);
 [[nodiscard]] double void_ratio_of_relative_density(double relative_density, double least_void_ratio,
                                                     double largest_void_ratio);
 
-// Published laws of the small-strain shear modulus of sands under isotropic stress, measured in
-// laboratories, for comparison with results for spheres.
+/// \file
+/// Published laws of the small-strain shear modulus of sands under isotropic stress, measured in
+/// laboratories, for comparison with results for spheres.
 
 /// The properties of a sand used by those laws.
 struct SandState {

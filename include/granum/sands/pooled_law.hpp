@@ -8,11 +8,10 @@
 #include <granum/core/error.hpp>
 #include <granum/sands/known_sands.hpp>
 
+/// Estimates for a sand from the measurements of many sands: G at small strain, its exponent of stress,
+/// Poisson's ratio, anisotropy, and the error of each. Fitted to 789 tests of 38 clean sands [Lo2021];
+/// validation/sands repeats the errors of the fits, including those for sands left out of the fit.
 namespace granum::sands {
-
-// Estimates for a sand from the measurements of many sands: G at small strain, its exponent of stress,
-// Poisson's ratio, anisotropy, and the error of each. Fitted to 789 tests of 38 clean sands [Lo2021];
-// validation/sands repeats the errors of the fits, including those for sands left out of the fit.
 
 /// C_u if none is given.
 inline constexpr double uniform_sand = 1.5;
@@ -138,7 +137,8 @@ inline constexpr double young_anisotropy = 1.0, young_anisotropy_deviation = 0.1
 inline constexpr double usual_least_void_ratio = 0.58, usual_largest_void_ratio = 0.91,
                         usual_void_ratio_deviation = 0.11;
 
-// Effect of shear strain on a sand: published laws of G over G at small strain.
+/// \file
+/// Effect of shear strain on a sand: published laws of G over G at small strain.
 
 /// A sand under shear.
 struct StrainedSand {

@@ -32,8 +32,9 @@ struct AxialStress {
 /// Horizontal over vertical stress that friction of 70 degrees holds, more than any soil or packing has.
 inline constexpr double least_stress_ratio = 0.031091204125576, largest_stress_ratio = 1 / least_stress_ratio;
 
-// The paths of triaxial tests as algebra.
-// Checked by tests/stress/test_shear_path.cpp
+/// \file
+/// The paths of triaxial tests as algebra.
+/// Checked by tests/stress/test_shear_path.cpp
 
 /// Tests that start from an isotropic stress and change one of the two stresses.            [Chung2014]
 enum class ShearPath {
@@ -66,8 +67,9 @@ inline constexpr std::array all_shear_paths{ShearPath::txc, ShearPath::rtxc, She
 /// Accuracy  8 ulp.  Checked by tests/stress/test_shear_path.cpp
 [[nodiscard]] double failure_ratio(ShearPath path, double friction_angle);
 
-// Stresses in level ground: total, pore pressure, and effective.
-// Checked by tests/stress/test_ground.cpp
+/// \file
+/// Stresses in level ground: total, pore pressure, and effective.
+/// Checked by tests/stress/test_ground.cpp
 
 /// Level ground with two unit weights, above and below the water table, and a load on it.
 struct Ground {

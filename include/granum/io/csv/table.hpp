@@ -13,15 +13,14 @@
 #include <granum/core/units.hpp>
 #include <granum/sizes/distribution.hpp>
 
+/// Comma-separated values after RFC 4180: quoted fields, one heading line, units in the headings
+/// (sigma_v_kPa). Where semicolons separate the headings they separate all fields, and numbers may have a
+/// decimal comma; so do tabs if the headings are not separated by commas or semicolons. A text that a
+/// spreadsheet would read as a formula, because it begins with = + - or @ and is not a number, is written
+/// after an apostrophe, which is dropped again when it is read. A byte order mark, lines that begin with '#'
+/// and blank lines are skipped. Lines end with LF, CR LF, or all with CR.
+/// Checked by tests/io/csv/test_table.cpp
 namespace granum::io {
-
-// Comma-separated values after RFC 4180: quoted fields, one heading line, units in the headings
-// (sigma_v_kPa). Where semicolons separate the headings they separate all fields, and numbers may have a
-// decimal comma; so do tabs if the headings are not separated by commas or semicolons. A text that a
-// spreadsheet would read as a formula, because it begins with = + - or @ and is not a number, is written
-// after an apostrophe, which is dropped again when it is read. A byte order mark, lines that begin with '#'
-// and blank lines are skipped. Lines end with LF, CR LF, or all with CR.
-// Checked by tests/io/csv/test_table.cpp
 
 /// Separator of the fields and decimal sign of the numbers.
 struct CsvManner {

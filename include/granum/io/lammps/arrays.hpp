@@ -32,8 +32,9 @@ using ColumnMap = std::map<std::string, std::string, std::less<>>;
 /// Checked by tests/io/lammps/test_column_map.cpp
 [[nodiscard]] ColumnMap parse_column_map(std::string_view text);
 
-// Packings from the memory of LAMMPS, from a linked program or a script.
-// Checked by tests/io/lammps/test_arrays.cpp and, with LAMMPS itself, by tests/peer/lammps/hand_over.py
+/// \file
+/// Packings from the memory of LAMMPS, from a linked program or a script.
+/// Checked by tests/io/lammps/test_arrays.cpp and, with LAMMPS itself, by tests/peer/lammps/hand_over.py
 
 /// Local values of computes, one row a contact, as `dump local` would write them.
 struct LammpsLocals {

@@ -79,8 +79,9 @@ class TextSource {
 [[nodiscard]] std::string file_content(const std::filesystem::path& path,
                                        std::size_t most = std::numeric_limits<std::size_t>::max());
 
-// States of a series from the names of files.
-// Checked by tests/io/text/test_file_names.cpp
+/// \file
+/// States of a series from the names of files.
+/// Checked by tests/io/text/test_file_names.cpp
 
 /// Whether one name comes before another as people count: numbers in them by their value, p50 before p100.
 [[nodiscard]] bool natural_less(std::string_view a, std::string_view b);

@@ -8,12 +8,11 @@
 #include <granum/io/text/source.hpp>
 #include <granum/io/vtk/paraview.hpp>
 
+/// Packings out of VTK's XML files (.vtu, .vtp), as granum writes them itself (paraview.hpp), YADE's
+/// VTKRecorder and many programs. Arrays may be text, base64 or appended, compressed by zlib
+/// or not, in either byte order; names may be in small or capital letters; others are skipped.
+/// Checked by tests/io/vtk/test_xml.cpp, with files that VTK 9.1 wrote
 namespace granum::io {
-
-// Packings out of VTK's XML files (.vtu, .vtp), as granum writes them itself (paraview.hpp), YADE's
-// VTKRecorder and many programs. Arrays may be text, base64 or appended, compressed by zlib
-// or not, in either byte order; names may be in small or capital letters; others are skipped.
-// Checked by tests/io/vtk/test_xml.cpp, with files that VTK 9.1 wrote
 
 /// The grains: Points; point data "radius" or "radii"; their ids from point data "id", else they are
 /// numbered from 0; their types from point data "type", "materialId" or "material"; the cell from field data
@@ -38,8 +37,9 @@ namespace granum::io {
 ///           grain, and as read_yade for contacts
 [[nodiscard]] ImportedPacking read_vtk_xml(TextSource grains, std::optional<TextSource> contacts = {});
 
-// Series of VTK files (.pvd), as granum, ParaView and many programs write them: the list of their names.
-// Checked by tests/io/vtk/test_collection.cpp
+/// \file
+/// Series of VTK files (.pvd), as granum, ParaView and many programs write them: the list of their names.
+/// Checked by tests/io/vtk/test_collection.cpp
 
 /// Whether a file looks like a series. The source is then somewhere in its first lines.
 /// \throws   FileError if reading fails

@@ -6,6 +6,7 @@
 #include <granum/io/imported_packing.hpp>
 #include <granum/io/text/source.hpp>
 
+/// Packings from YADE's files of text and for VTK.
 namespace granum::io {
 
 /// The grains of a packing of YADE, from one of
