@@ -23,15 +23,15 @@ namespace {
 const std::vector<Modulus> all_moduli{Modulus::K,   Modulus::G_hh, Modulus::G_vh, Modulus::E_v,
                                       Modulus::E_h, Modulus::C11,  Modulus::C33};
 
-struct Hypothesis {
+struct Estimator {
   effective::Estimate (*estimate)(const State&);
   StressExponents (*exponents)(const State&, Modulus);
 };
-const std::vector<Hypothesis> both{{effective::uniform_strain, effective::uniform_strain_exponents},
-                                   {effective::uniform_stress, effective::uniform_stress_exponents}};
+const std::vector<Estimator> both{{effective::uniform_strain, effective::uniform_strain_exponents},
+                                  {effective::uniform_stress, effective::uniform_stress_exponents}};
 
 /// d ln X/d ln stress by central differences of fourth order.
-double difference_quotient(const Hypothesis& h, const State& s, Modulus which, double State::*stress) {
+double difference_quotient(const Estimator& h, const State& s, Modulus which, double State::*stress) {
   const auto log_modulus = [&](double step) {
     State moved = s;
     moved.*stress *= std::exp(step);
@@ -48,7 +48,7 @@ TEST_CASE("exponents: their sum is 1/(1+alpha) for every modulus, fabric and str
     for (const double a : {-1.0, 0.0, 0.5, 1.0})
       for (const double nu : {-0.9, 0.15, 0.5})
         for (const double ratio : {0.1, 1.0, 10.0})
-          for (const Hypothesis& h : both)
+          for (const Estimator& h : both)
             for (const Modulus which : all_moduli) {
               const State s = state_of(alpha, a, nu, ratio * 1e5, 1e5);
               CHECK(std::abs(h.exponents(s, which).sum() - 1 / (1 + alpha)) < 1e-12);
@@ -59,7 +59,7 @@ TEST_CASE("exponents: derivatives of the estimates") {
   for (const double alpha : {1.0, 2.0, 3.3})
     for (const double a : {-0.6, 0.0, 0.8})
       for (const double ratio : {0.2, 1.0, 4.0})
-        for (const Hypothesis& h : both)
+        for (const Estimator& h : both)
           for (const Modulus which : all_moduli) {
             CAPTURE(int(which));
             const State s = state_of(alpha, a, 0.15, ratio * 1e5, 1e5);
@@ -92,7 +92,7 @@ TEST_CASE("exponents: closed split at the isotropic state") {
 }
 
 TEST_CASE("exponents: flat punches do not stiffen") {
-  for (const Hypothesis& h : both)
+  for (const Estimator& h : both)
     for (const Modulus which : all_moduli) {
       const StressExponents e = h.exponents(state_of(infinity, 0.3, 0.15, 3e5, 1e5), which);
       CHECK(e.stress_v == 0);
@@ -131,7 +131,7 @@ TEST_CASE("exponents: undefined ones are refused") {
   const State unloaded = state_of(2, 0, 0.15, 0, 0);
   State smooth = state_of(2, 0, 0.15, 1e5, 1e5);
   smooth.tangential_ratio = 0;
-  for (const Hypothesis& h : both)
+  for (const Estimator& h : both)
     CHECK_THROWS_AS((void)h.exponents(unloaded, Modulus::K), InvalidArgument);
   for (const Modulus which : {Modulus::G_hh, Modulus::G_vh, Modulus::E_v, Modulus::E_h})
     CHECK_THROWS_AS((void)effective::uniform_stress_exponents(smooth, which), InvalidArgument);

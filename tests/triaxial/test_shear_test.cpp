@@ -48,15 +48,15 @@ ShearOptions options_of(ShearPath path) {
   return options;
 }
 
-struct Point {
+struct Reached {
   PathPoint path;
   dem::Specimen state;
 };
 
 /// Start, snapshots and end of a test.
-std::vector<Point> run(const ShearOptions& options) {
+std::vector<Reached> run(const ShearOptions& options) {
   ShearTest test(specimen(), material, options);
-  std::vector<Point> points{{test.now(), test.engine().state()}};
+  std::vector<Reached> points{{test.now(), test.engine().state()}};
   ShearEvent event = ShearEvent::snapshot;
   while (event == ShearEvent::snapshot) {
     event = test.advance();
@@ -109,7 +109,7 @@ TEST_CASE("snapshots come at each multiple of eta, in order, before the peak") {
   ShearOptions options = options_of(ShearPath::rtxe);
   options.strain_step = 1;
   options.eta_step = 0.1;
-  const std::vector<Point> points = run(options);
+  const std::vector<Reached> points = run(options);
   REQUIRE(points.size() > 7);
   for (std::size_t k = 1; k < 7; ++k) {
     const double eta = points[k].path.stress.ratio();
@@ -123,11 +123,11 @@ TEST_CASE("snapshots come at each multiple of eta, in order, before the peak") {
 TEST_CASE("work: the work of the boundaries is stored or dissipated, and dissipation never decreases") {
   for (const ShearPath path : {ShearPath::txc, ShearPath::txe}) {
     CAPTURE(name(path));
-    const std::vector<Point> points = run(options_of(path));
+    const std::vector<Reached> points = run(options_of(path));
     const double volume = determinant(points.front().state.cell);
     const double at_start = stored_energy(points.front().state);
     double last = 0;
-    for (const Point& point : points) {
+    for (const Reached& point : points) {
       const double work = point.path.work * volume;
       const double dissipated = work - (stored_energy(point.state) - at_start);
       // f_t^2/(2 k_t) is the energy of a contact at constant k_t only: allow for 1 % of the work.
@@ -138,7 +138,7 @@ TEST_CASE("work: the work of the boundaries is stored or dissipated, and dissipa
     CHECK(last > 0.5 * work);
     CHECK(last < 1.02 * work);
     // The first tenth of eta is all but elastic.
-    const Point& first = points.at(2);
+    const Reached& first = points.at(2);
     CHECK(std::abs(first.path.stress.ratio()) < 0.11);
     CHECK(first.path.work * volume == relative(stored_energy(first.state) - at_start, 0.06));
   }
@@ -161,7 +161,7 @@ TEST_CASE("all four paths begin with the shear modulus of the frozen network") {
 }
 
 TEST_CASE("past the peak a dense specimen has lost contacts, dilates and is anisotropic") {
-  const std::vector<Point> points = run(options_of(ShearPath::txc));
+  const std::vector<Reached> points = run(options_of(ShearPath::txc));
   const analysis::Microstructure before = test::measured(points.front().state, material).microstructure();
   const analysis::Microstructure after = test::measured(points.back().state, material).microstructure();
   CHECK(before.coordination_number - after.coordination_number > 0.8);
@@ -173,12 +173,12 @@ TEST_CASE("past the peak a dense specimen has lost contacts, dilates and is anis
 }
 
 TEST_CASE("side by side or one after the other: the same bits") {
-  std::vector<Point> first, second;
+  std::vector<Reached> first, second;
   std::thread a([&] { first = run(options_of(ShearPath::txe)); });
   std::thread b([&] { second = run(options_of(ShearPath::txe)); });
   a.join();
   b.join();
-  const std::vector<Point> alone = run(options_of(ShearPath::txe));
+  const std::vector<Reached> alone = run(options_of(ShearPath::txe));
   REQUIRE(first.size() == alone.size());
   REQUIRE(second.size() == alone.size());
   for (std::size_t k = 0; k < alone.size(); ++k) {
