@@ -104,6 +104,11 @@ void bind_forces(py::module_& module) {
       .show("pressing", "Contacts with f_n > 0.", [](const Forces& f) { return f.distribution.pressing; })
       .show("in_tension", "Contacts with f_n < 0.", [](const Forces& f) { return f.distribution.in_tension; })
       .show("Z_2", "<f_n^2>/<f_n>^2 [1].", &Forces::Z_2)
+      .show(
+          "unevenness",
+          "Q, ln of K under uniform strain over that of equal forces, which rung 3 uses [1]; None where the "
+          "contact law is not known.",
+          &Forces::unevenness)
       .show("mean_tangential_over_normal", "[1]", &Forces::mean_tangential_over_normal)
       .show("friction_coefficient", "Estimated from the forces [1].", &Forces::friction,
             [](const auto& friction) { return friction.coefficient; })

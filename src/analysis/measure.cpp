@@ -315,6 +315,16 @@ class Measuring {
     return contact::mindlin_stiffness_ratio(nu);
   }
 
+  /// Q of the counted contacts; not of several materials, nor of bodies, nor where contacts pull.
+  [[nodiscard]] std::optional<double> unevenness() const {
+    const auto pulls = [](const packing::Contact& c) { return c.normal_force < 0; };
+    if (!forces_known_ || bodies_ || !given_.materials.empty() ||
+        std::ranges::any_of(assembly_.contacts, pulls))
+      return std::nullopt;
+    return force_unevenness(counted_part(assembly_, *out_.law), *out_.law,
+                            out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
+  }
+
   /// Input of the closed forms, or a note about missing data.
   void make_state() {
     if (!out_.law)
@@ -337,6 +347,11 @@ class Measuring {
                            .stress_v = load.v,
                            .stress_h = load.h,
                            .contacts = out_.sizes.contacts};
+    if (const std::optional<double> Q = unevenness()) {
+      state.unevenness = effective::Unevenness{.value = *Q};
+      if (out_.forces)
+        out_.forces->unevenness = Q;
+    }
     try {
       effective::require_valid(state);
       out_.state = state;

@@ -183,10 +183,16 @@ Preparation preparation_of(std::string_view text) {
     return {.kind = Preparation::Kind::dense};
   if (text == "loose")
     return {.kind = Preparation::Kind::loose};
-  constexpr std::string_view friction = "friction:";
+  constexpr std::string_view friction = "friction:", dense = "dense:";
+  if (text.starts_with(dense))
+    return {.kind = Preparation::Kind::dense,
+            .pressure = require_positive(
+                "pressure of preparation",
+                parse_quantity("pressure of preparation", text.substr(dense.size()), Dimension::pressure),
+                "Pa")};
   if (!text.starts_with(friction))
-    throw InvalidArgument(
-        unknown_word("preparation", text, std::vector<std::string>{"dense", "loose", "friction:0.3"}));
+    throw InvalidArgument(unknown_word(
+        "preparation", text, std::vector<std::string>{"dense", "dense:10kPa", "loose", "friction:0.3"}));
   const double coefficient =
       parse_quantity("friction_coefficient", text.substr(friction.size()), Dimension::dimensionless);
   return {.kind = Preparation::Kind::friction,

@@ -261,21 +261,30 @@ Dual growing_exponent(const State& s, const Growth& growth) {
   return {b, by_force * (1 - density_growth(s, growth)) * pressure_slopes(s)};
 }
 
-/// d ln d/d ln f of two grains.
-double overlap_exponent(const contact::NormalLaw& law, double force) {
-  if (const std::optional<double> b = law.constant_exponent())
-    return 1 - *b;
-  return force / (law.overlap(force) * law.stiffness_at_force(force));
-}
-
 /// kernel::shortened_branches with its derivatives by the stresses.
 Dual shortened_branches(const State& s, const Dual& b, const Growth& growth) {
   const double w = kernel::mean_overlap(s);
   if (w > kernel::longest_shortening)
     return kernel::shortened_branches(Dual(kernel::longest_shortening, Vector2d::Zero()), b);
   const double by_pressure =
-      w > 0 ? w * overlap_exponent(s.law, mean_contact_force(s)) * (1 - density_growth(s, growth)) : 0;
+      w > 0 ? w * kernel::overlap_exponent(s.law, mean_contact_force(s)) * (1 - density_growth(s, growth))
+            : 0;
   return kernel::shortened_branches(Dual(w, by_pressure * pressure_slopes(s)), b);
+}
+
+/// Multiplies both factors by what the unevenness of forces says, which changes with the forces.
+void add_unevenness(const State& s, const Dual& z, const Dual& b, const Growth& growth, Dual& shear,
+                    Dual& bulk) {
+  using std::exp;
+  const Dual share = kernel::share_of_unevenness(z), h = shear,
+             Q(s.unevenness->value,
+               s.unevenness->by_pressure * (1 - density_growth(s, growth)) * pressure_slopes(s));
+  for (const auto& [factor, c] :
+       {std::pair{&shear, &kernel::shear_gain}, std::pair{&bulk, &kernel::bulk_gain}}) {
+    const Dual gain = share * kernel::gain_by_unevenness(Q, h, b, z, kernel::branch_variance(s.contacts),
+                                                         kernel::constants<Dual>(*c));
+    *factor = Dual(*factor * exp(gain));
+  }
 }
 
 kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth& growth) {
@@ -286,11 +295,13 @@ kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth
   const Dual own =
       kernel::shear_relaxation(kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r,
                                effect.own, kernel::constants<Dual>(kernel::shear_coefficients));
-  const Dual shear = own * kernel::left_of_shear(own, effect);
+  Dual shear = own * kernel::left_of_shear(own, effect);
   const auto of_bulk = kernel::constants<Dual>(kernel::bulk_coefficients);
-  const Dual bulk = kernel::stiffened_bulk(z_star, r, effect, of_bulk) *
-                    kernel::size_bulk_share(z_star, effect, constant(kernel::size_loss),
-                                            kernel::branch_variance(s.contacts), of_bulk);
+  Dual bulk = kernel::stiffened_bulk(z_star, r, effect, of_bulk) *
+              kernel::size_bulk_share(z_star, effect, constant(kernel::size_loss),
+                                      kernel::branch_variance(s.contacts), of_bulk);
+  if (s.unevenness)
+    add_unevenness(s, z_star, b, growth, shear, bulk);
   const fabric::SecondMoments F = fabric::second_moments(s.fabric_anisotropy);
   const Dual log_stress(std::log(s.stress_v / s.stress_h), Vector2d(1, -1));
   const Dual stretch = kernel::log_stretch(shear, kernel::up_to_half(b), constant(std::log(F.F33 / F.F11)),
@@ -379,7 +390,8 @@ PredictedPacking predict_packing(const ClosingGapLaw& law, const State& state, d
   }
   const double x0 = rattlers(z);
   const double relative = 1 / z + law.rattler_decay * x0 / (1 - x0); // d ln C_n/dz
-  const double free = law.exponent * overlap_exponent(closing, load / (z * (1 - x0))) * (z - law.initial);
+  const double free =
+      law.exponent * kernel::overlap_exponent(closing, load / (z * (1 - x0))) * (z - law.initial);
   const double slope = free / (1 + free * relative);
   return {.coordination_number = z * (1 - x0),
           .mechanical_coordination_number = z,

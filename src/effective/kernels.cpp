@@ -51,6 +51,12 @@ double local_exponent(const State& state) {
   return state.law.exponent_at_force(state.coordination_number.value_or(0) > 0 ? force : 0);
 }
 
+double overlap_exponent(const contact::NormalLaw& law, double force) {
+  if (const std::optional<double> b = law.constant_exponent())
+    return 1 - *b;
+  return force / (law.overlap(force) * law.stiffness_at_force(force));
+}
+
 double mean_overlap(const State& state) {
   const double force = state.coordination_number.value_or(0) > 0 ? mean_contact_force(state) : 0;
   if (force == 0)

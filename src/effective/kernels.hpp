@@ -161,6 +161,8 @@ double local_exponent(const State& state);
 /// Overlap at the mean contact force over the mean branch; 0 without contacts. Power laws beyond b = 1/2 are
 /// given by k_n(f) alone: for them it is the overlap of b = 1/2 at the same stiffness, 2 f/k_n.
 double mean_overlap(const State& state);
+/// d ln d/d ln f of two grains.
+double overlap_exponent(const contact::NormalLaw& law, double force);
 
 /// The law as a member of the power family, for results that only this family has.
 /// \throws   InvalidArgument for another law, naming the result

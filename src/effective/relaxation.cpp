@@ -109,16 +109,36 @@ RelaxingFactor with_size_scatter(RelaxingFactor factor, const kernel::Scatter& s
   return factor;
 }
 
+/// Scatters of both factors.
+struct Scatters {
+  kernel::FactorScatter shear, bulk;
+};
+
+double mixed(double a, double b, double share) { return a + share * (b - a); }
+kernel::Scatter mixed(const kernel::Scatter& a, const kernel::Scatter& b, double share) {
+  return {mixed(a.base, b.base, share), mixed(a.gain, b.gain, share)};
+}
+kernel::FactorScatter mixed(const kernel::FactorScatter& a, const kernel::FactorScatter& b, double share) {
+  return {mixed(a.recipes, b.recipes, share), mixed(a.packings, b.packings, share),
+          mixed(a.sizes, b.sizes, share)};
+}
+/// \param    known   share to which the unevenness of forces is known
+Scatters scatters(double known) {
+  return {.shear = mixed(kernel::shear_scatter, kernel::shear_scatter_known, known),
+          .bulk = mixed(kernel::bulk_scatter, kernel::bulk_scatter_known, known)};
+}
+
 /// \param    b   up to 1/2
-RelaxingFactor shear_factor(double z, double r, double b) {
+RelaxingFactor shear_factor(double z, double r, double b, const kernel::FactorScatter& scatter) {
   constexpr std::size_t n = kernel::shear_coefficients.size();
   const Dual<n> h = kernel::shear_relaxation(variable<n>(z, n), variable<n>(r, n + 1), constant<n>(b),
                                              variables(kernel::shear_coefficients));
   const RelaxingFactor factor = with_slopes<n>(h, kernel::shear_covariance);
-  return with_scatter(factor, kernel::shear_recipes, kernel::shear_packings, factor.by_coordination);
+  return with_scatter(factor, scatter.recipes, scatter.packings, factor.by_coordination);
 }
 
-RelaxingFactor bulk_factor(double z, double r, const kernel::ByExponent<double>& b, double branch_variance) {
+RelaxingFactor bulk_factor(double z, double r, const kernel::ByExponent<double>& b, double branch_variance,
+                           const kernel::FactorScatter& scatter) {
   constexpr std::size_t n = kernel::bulk_coefficients.size();
   const std::array<Dual<n>, n> coefficients = variables(kernel::bulk_coefficients);
   const Dual<n> Z = variable<n>(z, n);
@@ -127,11 +147,11 @@ RelaxingFactor bulk_factor(double z, double r, const kernel::ByExponent<double>&
   const Dual<n> share =
       kernel::size_bulk_share(Z, B, constant<n>(kernel::size_loss), branch_variance, coefficients);
   RelaxingFactor factor = with_slopes<n>(equal * share, kernel::bulk_covariance);
-  factor = with_scatter(factor, kernel::bulk_recipes, kernel::bulk_packings, r * factor.by_ratio);
+  factor = with_scatter(factor, scatter.recipes, scatter.packings, r * factor.by_ratio);
   factor.error = std::hypot(factor.error, kernel::bulk_codes * kernel::looseness(z));
   const double lost = (1 - share.value()) / kernel::size_loss; // of a loss of 1
   factor.error = std::hypot(factor.error, lost * kernel::size_loss_error);
-  factor.error = std::hypot(factor.error, kernel::bulk_size_measure(branch_variance) * kernel::bulk_sizes);
+  factor.error = std::hypot(factor.error, kernel::bulk_size_measure(branch_variance) * scatter.sizes.base);
   return factor;
 }
 
@@ -237,22 +257,41 @@ RelaxingFactors with_stiffening(RelaxingFactors factors, const StiffContacts& co
 
 /// Both factors at z* >= 0, r >= 0, 0 <= b <= 1, not checked.
 /// \param    branch_variance   as the kernel's function of that name; 0 for equal grains
-RelaxingFactors relaxing_factors(double z, double r, const StiffContacts& contacts, double branch_variance) {
+RelaxingFactors relaxing_factors(double z, double r, const StiffContacts& contacts, double branch_variance,
+                                 const Scatters& scatter) {
   if (!(z > isostatic(r)))
     return {};
   const double near_z = std::min(z, infinite), near_r = std::min(r, infinite);
   const Dual<0> of_equal = kernel::coordination_of_equal(variable<0>(near_z, 0), branch_variance);
   const kernel::ByExponent<double> b = contacts.effect();
-  RelaxingFactor shear = shear_factor(of_equal.value(), near_r, b.own);
-  shear = with_size_scatter(shear, kernel::shear_sizes, kernel::looseness(near_z) * kernel::size_shift_error,
+  RelaxingFactor shear = shear_factor(of_equal.value(), near_r, b.own, scatter.shear);
+  shear = with_size_scatter(shear, scatter.shear.sizes, kernel::looseness(near_z) * kernel::size_shift_error,
                             shear.by_coordination, branch_variance);
-  return with_stiffening({.shear = shear, .bulk = bulk_factor(near_z, near_r, b, branch_variance)}, contacts);
+  return with_stiffening(
+      {.shear = shear, .bulk = bulk_factor(near_z, near_r, b, branch_variance, scatter.bulk)}, contacts);
+}
+
+/// Multiplies both factors by what the unevenness of forces says.
+/// \param    known   share to which it does
+void add_unevenness(const State& s, double z, double known, RelaxingFactors& factors) {
+  if (!(known > 0 && factors.shear.value > 0))
+    return;
+  const double h = factors.shear.value, b = kernel::local_exponent(s), near_z = std::min(z, infinite),
+               v = kernel::branch_variance(s.contacts);
+  for (const auto& [factor, c] :
+       {std::pair{&factors.shear, &kernel::shear_gain}, std::pair{&factors.bulk, &kernel::bulk_gain}}) {
+    factor->value *= std::exp(known * kernel::gain_by_unevenness(s.unevenness->value, h, b, near_z, v, *c));
+    const double slope = (*c)[0] + (*c)[1] * std::sqrt(v);
+    factor->error = std::hypot(factor->error, known * slope * s.unevenness->standard_error);
+  }
 }
 
 /// The same for a state; the errors include the effect of unequal stresses.
 RelaxingFactors relaxing_factors(const State& s, double z) {
-  RelaxingFactors factors =
-      relaxing_factors(z, s.tangential_ratio, contacts_of(s), kernel::branch_variance(s.contacts));
+  const double known = s.unevenness ? kernel::share_of_unevenness(z) : 0;
+  RelaxingFactors factors = relaxing_factors(z, s.tangential_ratio, contacts_of(s),
+                                             kernel::branch_variance(s.contacts), scatters(known));
+  add_unevenness(s, z, known, factors);
   const double stresses = std::abs(log_stress_ratio(s));
   factors.shear.error = std::hypot(factors.shear.error, kernel::shear_by_stress * stresses);
   factors.bulk.error = std::hypot(factors.bulk.error, kernel::bulk_by_stress * stresses);
@@ -282,7 +321,8 @@ double isostatic_coordination_number(double tangential_ratio) {
 }
 
 double scatter_share_of_preparation() {
-  constexpr double recipes = kernel::shear_recipes.base, packings = kernel::shear_packings.base;
+  constexpr double recipes = kernel::shear_scatter.recipes.base,
+                   packings = kernel::shear_scatter.packings.base;
   return recipes * recipes / (recipes * recipes + packings * packings);
 }
 
@@ -295,8 +335,25 @@ Relaxation relaxation(double mechanical_coordination_number, double tangential_r
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
   const double r = require_non_negative("tangential_ratio", tangential_ratio);
   const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, 1);
-  const RelaxingFactors factors = relaxing_factors(z, r, {.exponent = b, .stiffening = stiffening}, 0);
+  const RelaxingFactors factors =
+      relaxing_factors(z, r, {.exponent = b, .stiffening = stiffening}, 0, scatters(0));
   return {.shear = published(factors.shear), .bulk = published(factors.bulk), .validity = notes_of(z, r)};
+}
+
+Unevenness dense_unevenness(const State& state, double preparation_pressure) {
+  const double force = mean_contact_force(state), p = state.mean_stress();
+  require_positive("preparation_pressure", preparation_pressure, "Pa");
+  if (!(preparation_pressure <= p))
+    throw InvalidArgument("preparation_pressure", preparation_pressure, "Pa",
+                          "at most the mean stress, " + short_text(p));
+  const double b = kernel::local_exponent(state), v = kernel::branch_variance(state.contacts);
+  const double before = state.law.overlap(force * (preparation_pressure / p)) / state.law.overlap(force);
+  const double faded = before * before, ratio = (state.stress_v - state.stress_h) / p;
+  const double fades = kernel::dense_unevenness[2] * b * (1 - b) * faded;
+  return {.value = kernel::unevenness_of_dense(b, faded, v, ratio, kernel::dense_unevenness),
+          .standard_error = std::hypot(kernel::dense_unevenness_scatter[0],
+                                       kernel::dense_unevenness_scatter[1] * std::sqrt(v)),
+          .by_pressure = -2 * kernel::overlap_exponent(state.law, force) * fades};
 }
 
 RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number) {

@@ -14,6 +14,10 @@ template <class T>
 using BulkCoefficients = std::array<T, 6>;
 template <class T>
 using StretchCoefficients = std::array<T, 2>;
+template <class T>
+using UnevennessCoefficients = std::array<T, 7>;
+template <class T>
+using DenseUnevenness = std::array<T, 5>;
 
 inline constexpr std::array<double, 8> shear_coefficients{
     0.368985207, 0.208283469, 3.48105895, 0.135047061, 1.49166538, 1.09466552, 2.39875522, 3.95375863};
@@ -41,16 +45,31 @@ inline constexpr double stretch_covariance[2][2] = {
     {0.016959, -0.0067894},
     {-0.0067894, 0.0042958}};
 
+/// Coefficients of gain_by_unevenness, for G and K.
+inline constexpr UnevennessCoefficients<double> shear_gain{
+    1.0636293, -0.513400736, 0.0276846066, 0.257894239, -0.0758190749, -0.234322375, 0.686724799};
+inline constexpr UnevennessCoefficients<double> bulk_gain{
+    0.451254761, 0.720841257, 0.00184369864, 0.125684009, -0.0232991673, -0.00289621165, 0.355498935};
+/// Coefficients of unevenness_of_dense, and the scatter about it: of equal grains, of others over the
+/// root of the relative variance of the lengths of branches.
+inline constexpr DenseUnevenness<double> dense_unevenness{
+    -0.0410027768, -0.0524417654, -0.259882608, 0.178948819, -0.140170199};
+inline constexpr std::array<double, 2> dense_unevenness_scatter{0.00210979624, 0.0295666975};
 /// Relative scatter about a factor: base, and gain times d ln/dz* (shear) or d ln/d ln r (bulk), in
-/// quadrature; of recipes about the curve, and of the packings of one recipe.
+/// quadrature; of recipes about the curve, of the packings of one recipe, and what unequal grains add: of
+/// G over the root of the relative variance of the lengths of branches, of K over bulk_size_measure.
 struct Scatter {
   double base;
   double gain;
 };
-inline constexpr Scatter shear_recipes{0.0195759224, 0};
-inline constexpr Scatter shear_packings{0.0216562563, 0.00894248575};
-inline constexpr Scatter bulk_recipes{0, 0.178222977};
-inline constexpr Scatter bulk_packings{0.0130856473, 0.190067984};
+struct FactorScatter {
+  Scatter recipes, packings, sizes;
+};
+inline constexpr FactorScatter shear_scatter{{0.0195759224, 0}, {0.0216562563, 0.00894248575}, {0.0779395464, 0.14738172}};
+inline constexpr FactorScatter bulk_scatter{{0, 0.178222977}, {0.0130856473, 0.190067984}, {0.163176421, 0}};
+/// The same where the unevenness of forces is known.
+inline constexpr FactorScatter shear_scatter_known{{0.0161273782, 0.00991687376}, {0.0162250687, 0.00682276041}, {0.0283896997, 0.13522943}};
+inline constexpr FactorScatter bulk_scatter_known{{0.00359545779, 0.189982585}, {0.0046628589, 0.153391259}, {0.0409547777, 0}};
 /// Shift of z* in G at the isostatic point and its standard error, over the relative variance of the
 /// lengths of branches.
 inline constexpr double size_shift = 1.6285264;
@@ -58,9 +77,6 @@ inline constexpr double size_shift_error = 0.278480098;
 /// What unequal grains lose of K, and its standard error.
 inline constexpr double size_loss = 0.596426666;
 inline constexpr double size_loss_error = 0.0662060459;
-/// What they add to the scatter: of G over the root of that variance, of K over bulk_size_measure.
-inline constexpr Scatter shear_sizes{0.0779395464, 0.14738172};
-inline constexpr double bulk_sizes = 0.163176421;
 /// Scatter of K between codes: this times the looseness.
 inline constexpr double bulk_codes = 0.179925756;
 /// Scatter of ln C33/C11 over ln of the stretch.

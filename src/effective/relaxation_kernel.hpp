@@ -203,6 +203,40 @@ T size_bulk_share(const T& z, const ByExponent<T>& b, const T& loss, double vari
 /// 1 of the variance, 3/4 gives the largest likelihood of the errors of all packings of the fit.
 inline double bulk_size_measure(double variance) { return std::pow(variance, 0.75); }
 
+/// Q: ln of K under uniform strain of the contacts as they are over that of contacts with the forces of the
+/// closed form, between which forces of one direction are equal. Contacts that stiffen with force (b) lose
+/// stiffness where forces are uneven; the factors are those of packings as uneven as the ones of the fit.
+/// This is ln of a modulus of rung 3 with Q known over that without: its coefficients are those of Q, of Q
+/// sqrt(v), of what grains leave the mean strain, of b(1-b), of b(1-b)(z* - 5), and of v, v the variance of
+/// branches, alone and with the third.
+/// \param  h   factor of G before; z and v as they are counted
+template <class T>
+T gain_by_unevenness(const T& Q, const T& h, const T& b, const T& z, double v,
+                     const UnevennessCoefficients<T>& c) {
+  const T left = 1.0 - h, stiffening = b * (1.0 - b);
+  const T uneven = (c[0] + c[1] * std::sqrt(v)) * Q;
+  const T usual = c[2] * left + stiffening * T(c[3] + c[4] * T(z - 5.0));
+  return uneven + usual + v * T(c[5] + c[6] * left);
+}
+
+/// Q of a dense packing; its coefficients are those of b(1-b), of b^2 (1-b), of b(1-b) times the square of
+/// the overlap when friction came on over the present one, of v, and of b(1-b) (q/p)^2.
+template <class T>
+T unevenness_of_dense(const T& b, const T& faded, double v, double stress_ratio,
+                      const DenseUnevenness<T>& c) {
+  const T stiffening = b * (1.0 - b);
+  return stiffening * T(c[0] + c[1] * b + c[2] * faded + c[4] * (stress_ratio * stress_ratio)) + c[3] * v;
+}
+
+/// Share of that gain which is applied: all above the lower of these z*, none below the other, where packings
+/// are so soft that other things decide.
+inline constexpr double lowest_uneven_coordination = 4.2, lowest_even_coordination = 4.4;
+template <class T>
+T share_of_unevenness(const T& z) {
+  const T share = (z - lowest_uneven_coordination) / (lowest_even_coordination - lowest_uneven_coordination);
+  return share >= 1.0 ? T(1.0) : share <= 0.0 ? T(0.0) : share;
+}
+
 /// Overlap over the diameter up to which branches are shortened: beyond, grains are no longer grains.
 inline constexpr double longest_shortening = 0.1;
 

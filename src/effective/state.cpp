@@ -18,6 +18,13 @@ namespace {
 constexpr double largest_force_ratio = 1e4;
 constexpr double largest_contact_radius = 0.1; // of the grain radius
 
+[[gnu::noinline]] void require_possible(const Unevenness& forces) {
+  constexpr double largest = 1; // k_n of every contact nearly three times the mean
+  require_closed("unevenness", forces.value, -largest, largest);
+  require_non_negative("standard error of the unevenness", forces.standard_error);
+  require_finite("slope of the unevenness", forces.by_pressure);
+}
+
 /// Inlined in both of its callers: a call would cost a tenth of rung 0.
 [[gnu::always_inline]] inline void require_members(const State& s) {
   require_closed("tangential_ratio", s.tangential_ratio, 0, kernel::largest_tangential_ratio);
@@ -31,6 +38,8 @@ constexpr double largest_contact_radius = 0.1; // of the grain radius
   require_open("fabric_anisotropy", s.fabric_anisotropy, -7.0 / 3, 7.0 / 5);
   require_non_negative("stress_v", s.stress_v, "Pa");
   require_non_negative("stress_h", s.stress_h, "Pa");
+  if (s.unevenness)
+    require_possible(*s.unevenness);
   if (s.stress_v == 0 && s.stress_h == 0)
     return;
   require_positive("stress_v", s.stress_v, "Pa");

@@ -198,11 +198,15 @@ Values values_of(const Question& q, const ContactCounts& counts, const Transvers
   return all;
 }
 
-/// A given C_n is reported as given, not recomputed from z*.
-effective::State with(const effective::State& state, const ContactCounts& counts) {
-  effective::State known = state;
-  known.coordination_number = state.coordination_number.value_or(counts.coordination_number());
+/// The state of a question with given contacts, and how uneven its preparation left the forces. A given C_n is
+/// reported as given, not recomputed from z*.
+effective::State with(const Question& q, const ContactCounts& counts) {
+  effective::State known = q.state;
+  known.coordination_number = q.state.coordination_number.value_or(counts.coordination_number());
   known.mechanical_coordination_number = counts.mechanical_coordination_number;
+  const double p = known.mean_stress();
+  if (!known.unevenness && q.preparation.pressure > 0 && p > 0 && *known.coordination_number > 0)
+    known.unevenness = effective::dense_unevenness(known, std::min(q.preparation.pressure, p));
   return known;
 }
 
@@ -213,7 +217,7 @@ struct Solution {
 };
 
 Solution solution(const Question& q, const ContactCounts& counts) {
-  RelaxedEstimate estimate = effective::relaxed(with(q.state, counts), counts.mechanical_coordination_number);
+  RelaxedEstimate estimate = effective::relaxed(with(q, counts), counts.mechanical_coordination_number);
   Values values = values_of(q, counts, estimate.stiffness);
   return {std::move(estimate), values};
 }
@@ -237,9 +241,9 @@ void set_exponents(Values& all, const Question& q, const ContactCounts& counts,
   if (all[static_cast<std::size_t>(Field::shear_modulus)] > 0 &&
       counts.mechanical_coordination_number >
           effective::isostatic_coordination_number(q.state.tangential_ratio))
-    return set_exponents(all, effective::relaxed_exponents(with(q.state, counts),
-                                                           counts.mechanical_coordination_number, growth,
-                                                           effective::Modulus::G_vh));
+    return set_exponents(all,
+                         effective::relaxed_exponents(with(q, counts), counts.mechanical_coordination_number,
+                                                      growth, effective::Modulus::G_vh));
   for (const Field field : {Field::vertical_exponent, Field::horizontal_exponent, Field::stress_exponent})
     at(all, field) = otherwise[static_cast<std::size_t>(field)];
 }
@@ -334,7 +338,7 @@ Answer possible_answer(const Question& question, std::span<const Spread> spreads
   if (exponents)
     set_exponents(middle.values, question, contacts.middle, growth.middle, middle.values);
 
-  Answer all(with(question.state, contacts.middle));
+  Answer all(with(question, contacts.middle));
   all.middle_ = middle.values;
   add_calibration(all.effects_, question, contacts.middle, middle, exponents);
   const auto counted = [&](const ContactCounts& counts, const effective::Growth& of_counts) {

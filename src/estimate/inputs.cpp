@@ -317,10 +317,11 @@ std::vector<InputRow> text_rows() {
        .key = "preparation",
        .group = contacts_group,
        .meaning = "How the packing was made, which determines its contacts: dense, loose (friction 0.3 to "
-                  "0.5), friction:0.3",
+                  "0.5), friction:0.3; dense:10kPa if grains were compressed without friction to 10 kPa and "
+                  "with friction from there, as in DEM, which makes G more accurate",
        .kind = Kind::word,
        .synonyms = {{"mu friction frictioncoefficient"}},
-       .words = {"dense", "loose", "friction:NUMBER"},
+       .words = {"dense", "dense:PRESSURE", "loose", "friction:NUMBER"},
        .take = [](InputValues& values,
                   const std::string& text) { values.preparation = effective::preparation_of(text); }},
       {.input = Input::grain,

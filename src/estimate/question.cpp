@@ -60,6 +60,11 @@ void require_valid(const Question& q) {
     if (const std::optional<double> value = row.read != nullptr ? row.read(q) : std::nullopt)
       require_within(row, *value, row.name(), true); // a hint on signs is the door's
   sands::require_density(q.sand, q.state.void_ratio);
+  if (q.grain_shape == GrainShape::sphere && q.preparation.pressure > 0 && q.state.stress_v > 0 &&
+      !(q.preparation.pressure <= q.state.mean_stress()))
+    throw InvalidArgument("pressure of preparation", q.preparation.pressure, "Pa",
+                          "at most the mean stress of " + pretty(q.state.mean_stress(), Dimension::pressure) +
+                              ": a packing that was unloaded has other forces");
   constexpr double rounding = 1e-9;
   const double v = q.state.stress_v, least = stress::least_stress_ratio * v * (1 - rounding),
                largest = stress::largest_stress_ratio * v * (1 + rounding);

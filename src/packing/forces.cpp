@@ -244,6 +244,21 @@ double released_energy(const Assembly& assembly, const PairLaws& law, double str
 
 } // namespace
 
+double force_unevenness(const Assembly& assembly, const contact::NormalLaw& law, double law_radius) {
+  require_valid(assembly);
+  require_positive("law_radius", law_radius, "m");
+  const PairLaws law_of(assembly, law, law_radius);
+  double stiffness = 0, squares = 0, work = 0, lengths = 0;
+  for (const Contact& c : assembly.contacts) {
+    const double length = norm(c.branch), force = std::max(c.normal_force, 0.0);
+    stiffness += law_of(c.i, c.j).stiffness_at_force(force) * (length * length);
+    squares += length * length;
+    work += force * length;
+    lengths += length;
+  }
+  return work > 0 ? std::log(stiffness / (law.stiffness_at_force(work / lengths) * squares)) : 0;
+}
+
 double pressure_by_cell_work(const Assembly& assembly, const contact::NormalLaw& law, double law_radius) {
   require_valid(assembly);
   require_positive("law_radius", law_radius, "m");

@@ -50,7 +50,7 @@ TEST_CASE("relaxation: z* from C_n and rattlers") {
 TEST_CASE(
     "relaxation: what packings of a preparation share of G's variance is what its stated error has of it") {
   const double share = effective::scatter_share_of_preparation();
-  const double recipes = effective::kernel::shear_recipes.base, all = recipes / std::sqrt(share);
+  const double recipes = effective::kernel::shear_scatter.recipes.base, all = recipes / std::sqrt(share);
   CHECK(share == doctest::Approx(0.45).epsilon(0.01)); // 2.0 and 2.2 % (validation/relaxation)
   // Far above the isostatic point a stated error holds both scatters and little else.
   const double stated = effective::relaxation(6.5, 1, 1.0 / 3).shear.relative_error;

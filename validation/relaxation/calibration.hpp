@@ -10,6 +10,7 @@
 #include "scatter.hpp"
 #include "size_fits.hpp"
 #include "stiff_contacts.hpp"
+#include "uneven_fits.hpp"
 
 namespace relaxation {
 
@@ -80,6 +81,8 @@ struct Result {
   SizeEffect sizes = {};
   double bulk_codes = 0; ///< scatter of K between codes, over kernel::looseness
   Beyond beyond = {};
+  KnownForces shear_known = {}, bulk_known = {};
+  DenseFit dense_forces = {};
   double stretch_scatter = 0; ///< what is left of ln C33/C11, over ln of the stretch
 };
 
@@ -152,6 +155,11 @@ inline Result fit_everything(const std::vector<Packing>& packings, const std::ve
   result.bulk_scatter = scatter_parts(residuals(packings, result.bulk, bulk_residual, everything));
   fit_sheared_scatter(packings, result);
   result.sizes = fit_size_effect(unequal, gradations, equal_fit(result), everything);
+  result.shear_known =
+      fit_known_forces(Of::shear, packings, unequal, equal_fit(result), result.sizes, everything);
+  result.bulk_known =
+      fit_known_forces(Of::bulk, packings, unequal, equal_fit(result), result.sizes, everything);
+  result.dense_forces = fit_dense(packings, unequal, everything);
   result.bulk_codes = fit_code_scatter(of_codes, equal_fit(result), result.sizes);
   result.beyond = fit_beyond(stiff, equal_fit(result), result.bulk_codes);
   return result;

@@ -27,6 +27,7 @@
 #include "picture.hpp"
 #include "reading.hpp"
 #include "size_coverage.hpp"
+#include "uneven_coverage.hpp"
 
 namespace {
 
@@ -73,11 +74,15 @@ void print_gaps(const char* name, const ClosingGaps& gaps) {
   print_row("    ", 9, values, 7, "};\n");
 }
 
-void print_scatter(const char* name, const ScatterParts& parts) {
-  std::printf("inline constexpr Scatter %s_recipes{%.9g, %.9g};\n", name, parts.recipes.base,
-              parts.recipes.gain);
-  std::printf("inline constexpr Scatter %s_packings{%.9g, %.9g};\n", name, parts.packings.base,
-              parts.packings.gain);
+void print_scatter(const char* name, const ScatterParts& parts, const Scatter& sizes) {
+  std::printf("inline constexpr FactorScatter %s{{%.9g, %.9g}, {%.9g, %.9g}, {%.9g, %.9g}};\n", name,
+              parts.recipes.base, parts.recipes.gain, parts.packings.base, parts.packings.gain, sizes.base,
+              sizes.gain);
+}
+
+void print_gain(const char* name, const KnownForces& known) {
+  std::printf("inline constexpr UnevennessCoefficients<double> %s_gain{\n", name);
+  print_row("    ", 9, known.gain.data(), 7, "};\n");
 }
 
 void print_beyond(const Beyond& b) {
@@ -109,17 +114,36 @@ void print_coefficients(const Result& r) {
   } lists[] = {{"Shear", shear_size}, {"Bulk", bulk_size}, {"Stretch", stretch_size}};
   for (const auto& [name, size] : lists)
     std::printf("template <class T>\nusing %sCoefficients = std::array<T, %d>;\n", name, size);
+  std::printf("template <class T>\nusing UnevennessCoefficients = std::array<T, 7>;\n"
+              "template <class T>\nusing DenseUnevenness = std::array<T, 5>;\n");
   std::printf("\n");
   print_fit("shear", r.shear);
   print_fit("bulk", r.bulk);
   print_fit("stretch", r.stretch);
+  std::printf("\n"
+              "/// Coefficients of gain_by_unevenness, for G and K.\n");
+  print_gain("shear", r.shear_known);
+  print_gain("bulk", r.bulk_known);
+  std::printf("/// Coefficients of unevenness_of_dense, and the scatter about it: of equal grains, of others "
+              "over the\n"
+              "/// root of the relative variance of the lengths of branches.\n"
+              "inline constexpr DenseUnevenness<double> dense_unevenness{\n");
+  print_row("    ", 9, r.dense_forces.coefficients.data(), 5, "};\n");
+  std::printf("inline constexpr std::array<double, 2> dense_unevenness_scatter{%.9g, %.9g};\n",
+              r.dense_forces.scatter[0], r.dense_forces.scatter[1]);
   std::printf(
-      "\n"
       "/// Relative scatter about a factor: base, and gain times d ln/dz* (shear) or d ln/d ln r (bulk), in\n"
-      "/// quadrature; of recipes about the curve, and of the packings of one recipe.\n"
-      "struct Scatter {\n  double base;\n  double gain;\n};\n");
-  print_scatter("shear", r.shear_scatter);
-  print_scatter("bulk", r.bulk_scatter);
+      "/// quadrature; of recipes about the curve, of the packings of one recipe, and what unequal grains "
+      "add: of\n"
+      "/// G over the root of the relative variance of the lengths of branches, of K over "
+      "bulk_size_measure.\n"
+      "struct Scatter {\n  double base;\n  double gain;\n};\n"
+      "struct FactorScatter {\n  Scatter recipes, packings, sizes;\n};\n");
+  print_scatter("shear_scatter", r.shear_scatter, r.sizes.shear);
+  print_scatter("bulk_scatter", r.bulk_scatter, {r.sizes.bulk, 0});
+  std::printf("/// The same where the unevenness of forces is known.\n");
+  print_scatter("shear_scatter_known", r.shear_known.scatter, r.shear_known.sizes);
+  print_scatter("bulk_scatter_known", r.bulk_known.scatter, r.bulk_known.sizes);
   std::printf("/// Shift of z* in G at the isostatic point and its standard error, over the relative "
               "variance of the\n"
               "/// lengths of branches.\n"
@@ -127,13 +151,8 @@ void print_coefficients(const Result& r) {
               "inline constexpr double size_shift_error = %.9g;\n"
               "/// What unequal grains lose of K, and its standard error.\n"
               "inline constexpr double size_loss = %.9g;\n"
-              "inline constexpr double size_loss_error = %.9g;\n"
-              "/// What they add to the scatter: of G over the root of that variance, of K over "
-              "bulk_size_measure.\n"
-              "inline constexpr Scatter shear_sizes{%.9g, %.9g};\n"
-              "inline constexpr double bulk_sizes = %.9g;\n",
-              r.sizes.shift, r.sizes.shift_error, r.sizes.loss, r.sizes.loss_error, r.sizes.shear.base,
-              r.sizes.shear.gain, r.sizes.bulk);
+              "inline constexpr double size_loss_error = %.9g;\n",
+              r.sizes.shift, r.sizes.shift_error, r.sizes.loss, r.sizes.loss_error);
   std::printf("/// Scatter of K between codes: this times the looseness.\n"
               "inline constexpr double bulk_codes = %.9g;\n",
               r.bulk_codes);
@@ -199,8 +218,18 @@ bool same(const SizeEffect& fitted) {
   return same(std::array{fitted.shift, fitted.shift_error, fitted.loss, fitted.loss_error, fitted.shear.base,
                          fitted.shear.gain, fitted.bulk},
               std::array{kernel::size_shift, kernel::size_shift_error, kernel::size_loss,
-                         kernel::size_loss_error, kernel::shear_sizes.base, kernel::shear_sizes.gain,
-                         kernel::bulk_sizes});
+                         kernel::size_loss_error, kernel::shear_scatter.sizes.base,
+                         kernel::shear_scatter.sizes.gain, kernel::bulk_scatter.sizes.base});
+}
+
+bool same(const KnownForces& fitted, const std::array<double, 7>& gain,
+          const kernel::FactorScatter& scatter) {
+  const auto& [recipes, packings] = fitted.scatter;
+  return same(fitted.gain, gain) &&
+         same(std::array{recipes.base, recipes.gain, packings.base, packings.gain, fitted.sizes.base,
+                         fitted.sizes.gain},
+              std::array{scatter.recipes.base, scatter.recipes.gain, scatter.packings.base,
+                         scatter.packings.gain, scatter.sizes.base, scatter.sizes.gain});
 }
 
 /// Largest difference between z* and C_n/(1 - x_0), relative.
@@ -327,6 +356,32 @@ void check_stiff_contacts(const std::vector<StiffNetwork>& stiff, const Result& 
                      "beyond b = 1/2: 55 % or more within one stated error, 90 % within two");
 }
 
+/// Whether what is stated of packings whose forces are known holds.
+void check_forces(const std::vector<Packing>& packings, const std::vector<Packing>& unequal,
+                  const std::vector<Packing>& gradations, const std::vector<Packing>& of_codes,
+                  Claims& claims) {
+  std::printf("forces known: preparations left out of all fits, equal grains, then unequal ones\n");
+  std::vector<Packing> of_sizes = unequal;
+  std::erase_if(of_sizes, [](const Packing& p) { return p.sizes == "equal"; });
+  for (const auto& [what, judged] :
+       {std::pair{"equal", &packings}, std::pair{"unequal", &std::as_const(of_sizes)}}) {
+    const CoverageOfBoth left_out = coverage_of_left_out_forces(packings, unequal, gradations, *judged);
+    claim_coverage(claims, left_out.shear, 0.90, (std::string("G, forces known, ") + what).c_str());
+    claims.require(left_out.bulk.one() >= 0.55 && left_out.bulk.two() >= 0.90,
+                   std::string("K, forces known, ") + what + ": 55 % or more within one, 90 % within two");
+  }
+  const auto known = [](const std::vector<Packing>& judged) {
+    return library_errors(judged, is_isotropic, 0, largest_overlap, Forces::measured);
+  };
+  print_errors("relaxed(), unequal grains, forces known", known(of_sizes));
+  const LibraryErrors of_gradations = known(gradations);
+  print_errors("relaxed(), gradations, which no gain was fitted to, forces known", of_gradations);
+  print_coverage("- coverage", of_gradations.coverage);
+  const LibraryErrors codes = known(of_codes);
+  print_errors("relaxed(), packings of other codes, forces known", codes);
+  print_coverage("- coverage", codes.coverage);
+}
+
 int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfitted,
           const std::vector<Packing>& unequal, const std::vector<Packing>& gradations,
           const std::vector<Packing>& of_codes, const std::vector<StiffNetwork>& stiff,
@@ -363,6 +418,11 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfi
                      same(result.bulk.covariance, kernel::bulk_covariance) &&
                      same(result.stretch.covariance, kernel::stretch_covariance),
                  "so are their covariances");
+  claims.require(same(result.shear_known, kernel::shear_gain, kernel::shear_scatter_known) &&
+                     same(result.bulk_known, kernel::bulk_gain, kernel::bulk_scatter_known) &&
+                     same(result.dense_forces.coefficients, kernel::dense_unevenness) &&
+                     same(result.dense_forces.scatter, kernel::dense_unevenness_scatter),
+                 "what the library makes of uneven forces is what these data say");
   for (const FactorErrors* e : {&by_contact, &by_preparation, &by_seed, &by_unfitted}) {
     claims.require(e->shear.count() > 0 && e->shear.rms() < 0.04, "G of packings left out: 4 % rms");
     Claims::aim(e->shear.worst() < 0.10,
@@ -384,6 +444,7 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfi
   claims.require(rattler_error < 0.02,
                  "z* = C_n/(1-x_0) within 2 % (" + number(100 * rattler_error, 2) + " %)");
   check_sizes(unequal, gradations, result, claims);
+  check_forces(packings, unequal, gradations, of_codes, claims);
   check_codes(of_codes, packings, result, claims);
   check_stiff_contacts(stiff, result, claims);
   return claims.failed() == 0 ? 0 : 1;

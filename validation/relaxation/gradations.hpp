@@ -45,6 +45,7 @@ inline std::vector<Packing> read_gradations(const std::string& path) {
               .networks = {}};
     p.relative_overlap = detail::relative_overlap(state);
     p.strain_bulk_modulus = detail::closed_strain_bulk_modulus(p);
+    p.unevenness = detail::unevenness(p, row.at("G_affine_Pa"), row.at("G_uniform_strain_Pa"));
     p.networks.push_back(
         {state.tangential_ratio,
          {.C11 = K + 4 * G / 3, .C33 = K + 4 * G / 3, .C12 = K - 2 * G / 3, .C13 = K - 2 * G / 3, .C44 = G}});

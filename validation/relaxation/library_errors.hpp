@@ -11,6 +11,7 @@
 
 #include "coverage.hpp"
 #include "factor_errors.hpp"
+#include "uneven_fits.hpp"
 
 namespace relaxation {
 
@@ -28,10 +29,18 @@ struct LibraryErrors {
   }
 };
 
+/// What the library is given of the forces of a packing.
+enum class Forces {
+  unknown,
+  measured,  ///< their unevenness
+  remembered ///< the pressure of preparation, of dense packings
+};
+
 /// Of packings for which the library is calibrated, at usual k_t/k_n.
 /// \param    least_overlap, most_overlap   mean ones over the diameter
 inline LibraryErrors library_errors(const std::vector<Packing>& packings, const Choice& chosen,
-                                    double least_overlap = 0, double most_overlap = largest_overlap) {
+                                    double least_overlap = 0, double most_overlap = largest_overlap,
+                                    Forces forces = Forces::unknown) {
   LibraryErrors errors;
   for (const Packing& p : packings)
     for (const Network& n : p.networks) {
@@ -40,6 +49,11 @@ inline LibraryErrors library_errors(const std::vector<Packing>& packings, const 
         continue;
       State state = p.state;
       state.tangential_ratio = n.ratio;
+      if (forces == Forces::measured)
+        state.unevenness = granum::effective::Unevenness{.value = p.unevenness};
+      if (forces == Forces::remembered)
+        state.unevenness =
+            granum::effective::dense_unevenness(state, std::min(preparation_pressure, state.mean_stress()));
       const auto estimate = granum::effective::relaxed(state, p.mechanical_coordination);
       const TransverselyIsotropic &c = estimate.stiffness, &measured = n.stiffness;
       const double G_error = isotropic_shear_modulus(c) / isotropic_shear_modulus(measured) - 1;

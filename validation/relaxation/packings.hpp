@@ -40,6 +40,7 @@ struct Packing {
                            ///< equal grains; of unequal ones what long branches and the scatter of k_n do too
   double strain_bulk_modulus = 0; ///< K of the network under uniform strain [Pa]
   double relative_overlap = 0;    ///< of the mean force, over the diameter
+  double unevenness = 0;          ///< Q of the forces: ln of that K over the one of the closed form
   std::vector<Network> networks;
 
   [[nodiscard]] double exponent() const { return state.law.constant_exponent().value(); }

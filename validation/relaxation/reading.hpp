@@ -95,6 +95,19 @@ inline double closed_strain_bulk_modulus(const Packing& p) {
          granum::effective::kernel::shortened_branches(p.relative_overlap, p.exponent());
 }
 
+/// The same contacts, all of them at the mean force.
+inline State at_mean_force(State state) {
+  state.fabric_anisotropy = 0;
+  state.stress_v = state.stress_h = state.mean_stress();
+  return state;
+}
+
+/// Q of a packing, of which G under uniform strain is recorded beside that of the closed form.
+inline double unevenness(const Packing& p, double G_of_contacts, double G_of_closed_form) {
+  return std::log(G_of_contacts / G_of_closed_form /
+                  granum::effective::kernel::shortened_branches(p.relative_overlap, p.exponent()));
+}
+
 inline Packing packing(const Row& row, const std::string& sizes, const std::string& contact,
                        const std::string& preparation) {
   static const std::map<std::string, double> ratios{
@@ -120,6 +133,9 @@ inline Packing packing(const Row& row, const std::string& sizes, const std::stri
   p.relative_overlap = relative_overlap(p.state);
   if (sizes != "equal")
     p.affine_share = p.strain_bulk_modulus / closed_strain_bulk_modulus(p);
+  Packing even = p;
+  even.state = at_mean_force(p.state);
+  p.unevenness = std::log(p.strain_bulk_modulus / closed_strain_bulk_modulus(even));
   for (const auto& [name, ratio] : ratios)
     p.networks.push_back({ratio, stiffness(row, name)});
   return p;

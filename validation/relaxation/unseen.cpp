@@ -20,13 +20,14 @@ using namespace relaxation;
 
 /// Two lines for each kind of isotropic packings.
 void print_each(const std::vector<Packing>& packings,
-                const std::function<std::string(const Packing&)>& kind_of) {
+                const std::function<std::string(const Packing&)>& kind_of, Forces forces = Forces::unknown) {
   std::set<std::string> kinds;
   for (const Packing& p : packings)
     kinds.insert(kind_of(p));
   for (const std::string& kind : kinds) {
-    const LibraryErrors e =
-        library_errors(packings, [&](const Packing& p) { return p.isotropic() && kind_of(p) == kind; });
+    const LibraryErrors e = library_errors(
+        packings, [&](const Packing& p) { return p.isotropic() && kind_of(p) == kind; }, 0, largest_overlap,
+        forces);
     if (e.G.count() == 0)
       continue;
     print_errors("  " + kind, FactorErrors{.shear = e.G, .bulk = e.K});
@@ -40,8 +41,9 @@ void require_covered(const Coverage& coverage, const std::string& of, Claims& cl
 }
 
 void judge(const std::vector<Packing>& packings, const std::string& what, const Choice& chosen,
-           Claims& claims, double least_overlap = 0, double most_overlap = largest_overlap) {
-  const LibraryErrors e = library_errors(packings, chosen, least_overlap, most_overlap);
+           Claims& claims, double least_overlap = 0, double most_overlap = largest_overlap,
+           Forces forces = Forces::unknown) {
+  const LibraryErrors e = library_errors(packings, chosen, least_overlap, most_overlap, forces);
   print_errors(what, e);
   print_coverage(what, e.coverage);
   require_covered(e.coverage.shear, "G, " + what, claims);
@@ -56,8 +58,19 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& of_v
   judge(packings, "isotropic states", is_isotropic, claims);
   judge(packings, "sheared states", is_sheared, claims);
   judge(packings, "isotropic states of overlaps beyond 1 %", is_isotropic, claims, largest_overlap, 1);
+  const auto recipe = [](const Packing& p) { return p.recipe; };
   std::printf("specimens of verify\n");
-  print_each(of_verify, [](const Packing& p) { return p.recipe; });
+  print_each(of_verify, recipe);
+  std::printf("forces known\n");
+  judge(packings, "isotropic states", is_isotropic, claims, 0, largest_overlap, Forces::measured);
+  judge(packings, "sheared states", is_sheared, claims, 0, largest_overlap, Forces::measured);
+  print_each(packings, recipe, Forces::measured);
+  std::printf("specimens of verify, forces known\n");
+  print_each(of_verify, recipe, Forces::measured);
+  std::printf("dense specimens of verify, preparation known\n");
+  std::vector<Packing> dense = of_verify;
+  std::erase_if(dense, [](const Packing& p) { return p.preparation != "dense"; });
+  print_each(dense, recipe, Forces::remembered);
   return claims.failed() == 0 ? 0 : 1;
 }
 

@@ -37,7 +37,10 @@ inline std::vector<Packing> read_verify_states(const std::string& path) {
                                        .C12 = K - 2 * G / 3,
                                        .C13 = K - 2 * G / 3,
                                        .C44 = G}}}});
-    packings.back().state.fabric_anisotropy = 0;
+    Packing& p = packings.back();
+    p.state.fabric_anisotropy = 0;
+    p.relative_overlap = detail::relative_overlap(p.state);
+    p.unevenness = detail::unevenness(p, row.at("G_uniform_strain_Pa"), row.at("G_closed_Pa"));
   }
   return packings;
 }

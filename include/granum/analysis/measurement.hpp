@@ -68,6 +68,8 @@ struct Forces {
   packing::ForceDistribution distribution = {};
   double Z_2 = 0;   ///< <f_n^2>/<f_n>^2 of the pressing contacts
   double Z_5_3 = 0; ///< <f_n^(5/3)>/<f_n>^(5/3), elastic energy of Hertz contacts
+  /// Q, effective::Unevenness, which rung 3 takes into account; where the contact law is known.
+  std::optional<double> unevenness = {};
   std::optional<double> mean_tangential_over_normal = {}; ///< mean f_t over mean f_n, pressing contacts
   std::optional<packing::FrictionEstimate> friction = {};
   std::optional<double> sliding_fraction = {};      ///< at the coefficient given, or else estimated

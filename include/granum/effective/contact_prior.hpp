@@ -35,12 +35,15 @@ struct Preparation {
   };
   Kind kind = Kind::unknown;
   double friction_coefficient = 0; ///< tangent of the interparticle friction angle, > 0, for Kind::friction
+  /// For Kind::dense: up to which grains were compressed without friction, in (0, p] [Pa]; 0 if unknown. Rung
+  /// 3 is more accurate with it (dense_unevenness).
+  double pressure = 0;
 
   bool operator==(const Preparation&) const = default;
 };
 
-/// "dense", "loose", or "friction:0.3".
-/// \throws   InvalidArgument for another text, or a coefficient that is not positive
+/// "dense", "dense:10kPa", "loose", or "friction:0.3".
+/// \throws   InvalidArgument for another text, or a pressure or coefficient that is not positive
 /// Checked by tests/effective/test_contact_prior.cpp
 [[nodiscard]] Preparation preparation_of(std::string_view text);
 

@@ -11,6 +11,16 @@
 /// Effective stiffness of a packing from the average over its contacts.
 namespace granum::effective {
 
+/// How unevenly the contacts of a packing share its forces. Its number Q is ln of K under uniform strain of
+/// the contacts as they are over that of the closed form, in which all contacts carry the mean force: 0 where
+/// forces are equal or k_n does not depend on them, usually from -0.25 to 0, for grains of many sizes above 0
+/// too. Of equal grains it is ln(<f^b>/<f>^b).
+struct Unevenness {
+  double value = 0;          ///< Q [1]
+  double standard_error = 0; ///< of Q
+  double by_pressure = 0;    ///< dQ/d ln p of the same contacts, for exponents [1]
+};
+
 /// The state of a packing of nearly spherical grains. By default the fabric has no preferred direction and
 /// the grains are equal. Contacts may be unknown: a closed form that needs them refuses a state without them.
 /// Any other number that is left out stays NaN and is refused by name. For unequal grains the law is that of
@@ -29,6 +39,9 @@ struct State {
   double stress_h = unset;      ///< horizontal stress in both directions, compression positive [Pa]
   sizes::ContactMeans contacts =
       {}; ///< means over contacts of unequal grains, relative to those of equal ones
+  /// Where it is known, from forces (packing::force_unevenness) or from the preparation (dense_unevenness);
+  /// without it rung 3 is that of packings as uneven as those of its fit.
+  std::optional<Unevenness> unevenness = std::nullopt;
 
   /// p = (stress_v + 2 stress_h)/3 [Pa].
   [[nodiscard]] double mean_stress() const { return (stress_v + 2 * stress_h) / 3; }

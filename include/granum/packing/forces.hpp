@@ -90,6 +90,18 @@ struct ForceDistribution {
 /// Checked by tests/packing/test_force_moments.cpp
 [[nodiscard]] double normal_force_moment(const Assembly& assembly, double exponent);
 
+/// Q = ln(sum k_n l^2/(k_n(f) sum l^2)), f = sum f_n l/sum l: how much stiffer these contacts are under
+/// uniform strain than contacts that all carry the mean force, effective::Unevenness. Of equal grains it is
+/// ln(<f^b>/<f>^b).
+/// Assumes   contacts of that law, whose forces are known; those between grains alone, walls left out.
+/// \param    law          of the pair that stands for all
+/// \param    law_radius   of the two equal grains that the law is of [m]; pairs of others by contact::of_sizes
+/// \return   0 without a contact that presses; contacts that do not press have k_n at zero force
+/// \throws   InvalidArgument for an assembly that require_valid rejects
+/// Accuracy  that of the law.  Checked by tests/packing/test_force_moments.cpp
+[[nodiscard]] double force_unevenness(const Assembly& assembly, const contact::NormalLaw& law,
+                                      double law_radius);
+
 /// Two-sided bound on a bulk modulus [Pa].
 struct BulkModulusBounds {
   double lower = 0;

@@ -246,6 +246,8 @@ const io::Columns<Forces>& force_fields() {
       {"", "largest_normal_force", of(&ForceDistribution::largest), in_unit("largest f_n", Dimension::force)},
       {"Z_2", "Z_2", &Forces::Z_2, item("Z(2)", 4, "<f_n^2>/<f_n>^2")},
       {"", "Z_5_3", &Forces::Z_5_3, item("Z(5/3)", 4, "<f_n^(5/3)>/<f_n>^(5/3)")},
+      {"unevenness", "unevenness", &Forces::unevenness,
+       item("unevenness Q", 4, "ln of K under uniform strain over that of equal forces")},
       {"", "mean_tangential_over_normal", io::or_null(&Forces::mean_tangential_over_normal),
        item("mean f_t/mean f_n")},
       {"", "friction_coefficient",

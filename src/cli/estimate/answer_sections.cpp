@@ -67,8 +67,12 @@ Ranges ranges_of(const Answer& answer, const Question& q, const char* key, const
 
 std::string preparation_text(const effective::Preparation& preparation) {
   switch (preparation.kind) {
-  case effective::Preparation::Kind::dense:
-    return "dense";
+  case effective::Preparation::Kind::dense: {
+    std::string pressure =
+        preparation.pressure > 0 ? ":" + pretty(preparation.pressure, Dimension::pressure) : "";
+    std::erase(pressure, ' ');
+    return "dense" + pressure;
+  }
   case effective::Preparation::Kind::loose:
     return "loose";
   case effective::Preparation::Kind::friction:

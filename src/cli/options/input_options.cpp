@@ -35,8 +35,9 @@ Value number_value(InputValues& values, const InputRow& row) {
 }
 
 Value word_value(InputValues& values, const InputRow& row) {
-  const Take take = [&values, &row](const std::string& text) {
-    values.give(row.input, in_small_letters(text));
+  const Take take = [&values, &row](const std::string& text) { // units keep their letters
+    const std::size_t word = std::min(text.find(':'), text.size());
+    values.give(row.input, in_small_letters(text.substr(0, word)) + text.substr(word));
   };
   if (row.aliases.empty())
     return read_by(take, row.words);
