@@ -67,7 +67,7 @@ void bind_spheres(py::module_& module) {
                {.summary = "Random packing of equal spheres under uniform strain, with slip (Walton 1987).",
                 .remarks = "[Walton1987] [Mavko2009]",
                 .function = "hertz_mindlin",
-                .header = "hertz_mindlin.hpp"},
+                .header = "sphere_packs.hpp"},
                [](const double* x) { return rock_physics::hertz_mindlin(sphere_packing(x, x[5])); }));
   define(
       module,
@@ -76,7 +76,7 @@ void bind_spheres(py::module_& module) {
                         "(Jenkins 2005).\n\nThe bulk modulus is NaN: the model has no formula for it.",
              .remarks = "[Jenkins2005]",
              .function = "jenkins_shear_modulus",
-             .header = "jenkins.hpp"},
+             .header = "sphere_packs.hpp"},
             [](const double* x) {
               return IsotropicEstimate{
                   ModuliRow{}.bulk_modulus, rock_physics::jenkins_shear_modulus(sphere_packing(x, 0)), {}};
@@ -87,7 +87,7 @@ void bind_spheres(py::module_& module) {
                            "and Nur 1996).",
                 .remarks = "[DvorkinNur1996]",
                 .function = "soft_sand",
-                .header = "sand_bounds.hpp"},
+                .header = "cement.hpp"},
                [](const double* x) { return rock_physics::soft_sand(sphere_packing(x, x[5]), x[6]); }));
   define(
       module,
@@ -95,7 +95,7 @@ void bind_spheres(py::module_& module) {
             {.summary = "Upper bound between a packing at its critical porosity and the mineral (Gal 1998).",
              .remarks = "[Gal1998]",
              .function = "stiff_sand",
-             .header = "sand_bounds.hpp"},
+             .header = "cement.hpp"},
             [](const double* x) { return rock_physics::stiff_sand(sphere_packing(x, x[5]), x[6]); }));
   define(
       module,
@@ -106,7 +106,7 @@ void bind_spheres(py::module_& module) {
             {.summary = "Equal spheres bonded over small discs before the pressure is applied (Digby 1981).",
              .remarks = "[Digby1981]",
              .function = "digby",
-             .header = "digby.hpp"},
+             .header = "sphere_packs.hpp"},
             [](const double* x) {
               return rock_physics::digby({.shear_modulus = x[0],
                                           .poisson_ratio = x[1],
@@ -141,7 +141,7 @@ void bind_cement(py::module_& module) {
                                            {.summary = summary,
                                             .remarks = "[DvorkinNur1994] [DvorkinNur1996]",
                                             .function = "contact_cement",
-                                            .header = "contact_cement.hpp"},
+                                            .header = "cement.hpp"},
                                            of),
                                      "cement_"));
   };
