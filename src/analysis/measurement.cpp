@@ -4,11 +4,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include <granum/analysis/measure.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/elastic/isotropic.hpp>
 
 namespace granum::analysis {
+
+namespace {
+
+/// The contacts that press: moments of forces have no meaning in tension.
+packing::Assembly pressing_part(const packing::Assembly& assembly) {
+  packing::Assembly pressing = assembly;
+  std::erase_if(pressing.contacts, [](const packing::Contact& c) { return !(c.normal_force > 0); });
+  return pressing;
+}
+
+} // namespace
 
 NetworkMatrix network_matrix(const elastic::VoigtStiffness& stiffness,
                              const std::optional<double>& bulk_density) {
@@ -97,6 +109,54 @@ void keep_within_bounds(Measurement& m) {
                       " bound of this packing, which its formula leaves by " +
                       percent_text(std::abs(kept / K - 1)));
   }
+}
+
+Fabric measure_fabric(std::span<const Vec3> normals, const Wanted& wanted) {
+  constexpr std::size_t enough = 20;
+  Fabric out{.contacts = normals.size(),
+             .tensor = packing::fabric_tensor(normals),
+             .by_moment = fabric::estimate_anisotropy(normals)};
+  if (wanted.fabric_tests) {
+    out.by_likelihood = fabric::estimate_anisotropy_by_likelihood(normals);
+    out.isotropy = fabric::test_isotropy(normals);
+    if (normals.size() >= enough) {
+      out.density = fabric::test_density(normals);
+      out.axisymmetry = fabric::test_axisymmetry(normals);
+    }
+  }
+  if (wanted.rose_bins)
+    out.rose =
+        fabric::rose(normals, out.by_likelihood ? out.by_likelihood->anisotropy : 0, *wanted.rose_bins);
+  return out;
+}
+
+Forces measure_forces(const packing::Assembly& assembly, const Given& given, std::size_t bins) {
+  Forces out{.distribution = packing::force_distribution(normal_forces(assembly), bins)};
+  if (given.tangential_forces) {
+    constexpr double hardly = 1e-3, explained = 0.1;
+    out.unbalance = unbalance(assembly);
+    const packing::Weight weight = common_weight(assembly);
+    if (out.unbalance->force_ratio > hardly && weight.left_over < explained)
+      out.weight = weight;
+  }
+  if (out.distribution.pressing == 0)
+    return out;
+  const packing::Assembly pressing = pressing_part(assembly);
+  out.Z_2 = normal_force_moment(pressing, 2);
+  out.Z_5_3 = normal_force_moment(pressing, 5.0 / 3);
+  if (!given.tangential_forces)
+    return out;
+  double tangential = 0;
+  for (const packing::Contact& c : pressing.contacts)
+    tangential += norm(c.tangential_force);
+  out.mean_tangential_over_normal =
+      tangential / (out.distribution.mean * static_cast<double>(out.distribution.pressing));
+  out.friction = estimate_friction(pressing);
+  if (given.friction_coefficient)
+    out.sliding_fraction = sliding_fraction(pressing, *given.friction_coefficient);
+  else if (out.friction)
+    out.sliding_fraction = sliding_fraction(pressing, out.friction->coefficient);
+  return out;
 }
 
 } // namespace granum::analysis

@@ -53,7 +53,15 @@ Document example() {
   to.add(Seen::data, table_of("list", "", columns, pairs));
   to.add(Seen::first, Prose{{"for a start"}});
   to.add(Seen::data, Data{"inputs", {{"more", 3}}});
-  to.notes = {{.text = "a note [Lo2021]"}, {.text = "for files", .seen = Seen::data}};
+  const auto note = [](estimate::Note what, Seen seen) { return Note{std::move(what), seen}; };
+  to.notes = {note({.reason = "a note [Lo2021]"}, Seen::full),
+              note({.name = "--mean-radius",
+                    .value = "500 um",
+                    .number = 5e-4,
+                    .deviation = 1e-4,
+                    .reason = "as usual"},
+                   Seen::full),
+              note({.reason = "for files"}, Seen::data)};
   return to;
 }
 
@@ -96,7 +104,11 @@ TEST_CASE("document: JSON has every section with a key, and null for what does n
   CHECK(all.at("named").at("first_one").at("stiffness") == 1e6);
   CHECK(all.at("first_one").at("stiffness") == 1e6);
   CHECK(all.at("list").at(1).at("stiffness") == 2e6);
-  CHECK(all.at("notes") == nlohmann::ordered_json{"a note [Lo2021]", "for files"});
+  CHECK(all.at("notes").size() == 3);
+  CHECK(all.at("notes").at(2) == "for files");
+  CHECK(all.at("assumed") ==
+        nlohmann::ordered_json{
+            {"mean_radius", {{"value", 5e-4}, {"deviation", 1e-4}, {"reason", "as usual"}}}});
 }
 
 TEST_CASE("document: CSV has one row of values, or the rows of a table that has headings") {

@@ -289,10 +289,12 @@ TEST_CASE("contact prior: the less a packing was opened, the faster it gains con
 
 TEST_CASE("contact prior: preparations as text, and refused texts") {
   CHECK(effective::preparation_of("dense") == dense);
+  CHECK(effective::preparation_of("dense:10kPa") ==
+        effective::Preparation{.kind = effective::Preparation::Kind::dense, .pressure = 10e3});
   CHECK(effective::preparation_of("loose") == loose);
   CHECK(effective::preparation_of("friction:0.3") == friction(0.3));
-  for (const char* text :
-       {"", "tapped", "friction", "friction:", "friction:-0.1", "friction:0", "friction:nan"})
+  for (const char* text : {"", "tapped", "friction", "friction:", "dense:", "dense:10", "dense:0kPa",
+                           "dense:-1kPa", "loose:10kPa", "friction:-0.1", "friction:0", "friction:nan"})
     CHECK_THROWS_AS((void)effective::preparation_of(text), InvalidArgument);
   CHECK_THROWS_AS((void)effective::contact_prior(spheres(0, 1e5)), InvalidArgument);
   CHECK_THROWS_AS((void)effective::contact_prior(spheres(0.6, -1)), InvalidArgument);

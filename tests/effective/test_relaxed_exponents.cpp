@@ -80,6 +80,39 @@ TEST_CASE("relaxed exponents: derivatives of the relaxed estimate along the path
           }
 }
 
+TEST_CASE("relaxed exponents: forces that even out raise them, by the derivative of rung 3") {
+  constexpr double before = 2e4;
+  for (const double alpha : {1.0, 2.0, 0.5})
+    for (const double ratio : {0.8, 1.0, 1.6})
+      for (const double z : {4.3, 5.3, 6.2})
+        for (const Modulus which : {Modulus::G_vh, Modulus::K}) {
+          State s = state_of(alpha, 0, 0.15, ratio * 1e5, 1e5);
+          const State start = s;
+          s.unevenness = effective::dense_unevenness(s, before);
+          const StressExponents e = effective::relaxed_exponents(s, z, some_growth, which);
+          const auto slope = [&](double State::*stress) {
+            const auto f =
+                [&](double step) { // Q with the forces, whose ratio to p changes it too: not followed
+                  State moved = s;
+                  moved.*stress *= std::exp(step);
+                  const double dlnp = std::log(moved.mean_stress() / s.mean_stress()),
+                               growth = some_growth.coordination_number -
+                                        some_growth.void_ratio / (1 + s.void_ratio);
+                  moved.unevenness->value += s.unevenness->by_pressure * (1 - growth) * dlnp;
+                  moved.stress_v = s.stress_v;
+                  moved.stress_h = s.stress_h;
+                  return log_modulus(moved, z, some_growth, which, stress, step);
+                };
+            const double h = 2e-3;
+            return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);
+          };
+          CHECK(std::abs(e.stress_v - slope(&State::stress_v)) < 1e-6); // Q moves linearly here
+          CHECK(std::abs(e.stress_h - slope(&State::stress_h)) < 1e-6);
+          if (which == Modulus::G_vh && alpha >= 1 && z > 5)
+            CHECK(e.sum() > effective::relaxed_exponents(start, z, some_growth, which).sum());
+        }
+}
+
 TEST_CASE("relaxed exponents: where constants of uniform strain vanish, the others have exponents") {
   // C12 = C13 = 0 at k_t = k_n; without tangential stiffness, at the ends of a, and in flat contacts nothing
   // is special either.

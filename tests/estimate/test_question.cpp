@@ -74,6 +74,26 @@ TEST_CASE(
   CHECK(refused(spheres) == "void_ratio");
 }
 
+TEST_CASE("question: a packing is not below the pressure of its preparation, which narrows G of dense ones") {
+  Question q = of_sand(0.6);
+  q.grain_shape = GrainShape::sphere;
+  q.state.mechanical_coordination_number = 6.1;
+  const auto prepared = [&](double pressure) {
+    Question dense = q;
+    dense.preparation = {.kind = effective::Preparation::Kind::dense, .pressure = pressure};
+    return dense;
+  };
+  CHECK(refused(prepared(100e3)) == "");
+  CHECK(refused(prepared(100.1e3)) == "pressure of preparation");
+  const estimate::Answer fresh = estimate::answer(prepared(100e3)), old = estimate::answer(prepared(1e3)),
+                         unknown = estimate::answer(prepared(0));
+  CHECK(old[Field::shear_modulus].value > 1.04 * fresh[Field::shear_modulus].value);
+  CHECK(fresh[Field::stress_exponent].value > old[Field::stress_exponent].value + 0.01);
+  CHECK(old[Field::shear_modulus].relative_error() < 0.9 * unknown[Field::shear_modulus].relative_error());
+  CHECK(old.state().unevenness.has_value());
+  CHECK_FALSE(unknown.state().unevenness.has_value());
+}
+
 TEST_CASE("question: limits of the void ratio that no soil has are refused") {
   const auto refused_limits = [](double least, double largest) {
     return refused(of_sand(least, {.least_void_ratio = least, .largest_void_ratio = largest}));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/forces.hpp>
 
+#include <cmath>
 #include <limits>
 
 #include <doctest/doctest.h>
+#include <granum/contact/power_law.hpp>
 #include <granum/core/error.hpp>
 #include <granum/packing/assembly.hpp>
 #include <granum/packing/coordination.hpp>
@@ -34,6 +36,42 @@ TEST_CASE("contacts that carry nothing do not count") {
   CHECK_THROWS_AS(static_cast<void>(normal_force_moment(a, 1)), InvalidArgument);
   CHECK_THROWS_AS(static_cast<void>(normal_force_moment(a, std::numeric_limits<double>::infinity())),
                   InvalidArgument);
+}
+
+TEST_CASE("unevenness: of equal grains the moment of the forces, of others by hand, none of equal forces") {
+  const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
+  const double R = 0.5e-3;
+  for (const contact::NormalLaw& law : {contact::NormalLaw(contact::PowerLaw::cone(grain, 0.4)),
+                                        contact::NormalLaw(contact::PowerLaw::sphere(grain, R)),
+                                        contact::NormalLaw(contact::PowerLaw::flat(grain, 5e-6))}) {
+    packing::Assembly a = samples::lattice(samples::face_centred, {.radius = R, .normal_force = 0.02});
+    CHECK(std::abs(force_unevenness(a, law, R)) < 1e-13);
+    samples::Uniform uniform(7);
+    for (packing::Contact& c : a.contacts)
+      c.normal_force = uniform(0, 0.1);
+    const double b = law.constant_exponent().value();
+    const double moment = b > 0 ? std::log(normal_force_moment(a, b)) : 0;
+    CHECK(force_unevenness(a, law, R) == doctest::Approx(moment).epsilon(1e-12).scale(1));
+    for (packing::Contact& c : a.contacts)
+      c.normal_force = 0;
+    CHECK(force_unevenness(a, law, R) == 0);
+    CHECK_THROWS_AS((void)force_unevenness(a, law, 0), InvalidArgument);
+  }
+  // Two contacts of spheres: k_n of a pair is (f R*)^(1/3) times a number that cancels.
+  packing::Assembly two = samples::sphere_chain();
+  two.contacts[0].normal_force = 1;
+  two.contacts[1].normal_force = 3;
+  const contact::NormalLaw law = contact::PowerLaw::sphere(grain, R);
+  double stiffness = 0, squares = 0, work = 0, lengths = 0;
+  for (const packing::Contact& c : two.contacts) {
+    const double l = norm(c.branch), radius = 2 / (1 / two.radius[c.i] + 1 / two.radius[c.j]);
+    stiffness += std::cbrt(c.normal_force * radius) * l * l;
+    squares += l * l;
+    work += c.normal_force * l;
+    lengths += l;
+  }
+  CHECK(force_unevenness(two, law, R) ==
+        doctest::Approx(std::log(stiffness / (std::cbrt(work / lengths * R) * squares))).epsilon(1e-12));
 }
 
 TEST_CASE("both bounds meet where every contact carries the same force") {
