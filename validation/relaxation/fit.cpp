@@ -370,16 +370,16 @@ void check_forces(const std::vector<Packing>& packings, const std::vector<Packin
     claims.require(left_out.bulk.one() >= 0.55 && left_out.bulk.two() >= 0.90,
                    std::string("K, forces known, ") + what + ": 55 % or more within one, 90 % within two");
   }
-  const auto known = [](const std::vector<Packing>& judged) {
-    return library_errors(judged, is_isotropic, 0, largest_overlap, Forces::measured);
-  };
-  print_errors("relaxed(), unequal grains, forces known", known(of_sizes));
-  const LibraryErrors of_gradations = known(gradations);
-  print_errors("relaxed(), gradations, which no gain was fitted to, forces known", of_gradations);
-  print_coverage("- coverage", of_gradations.coverage);
-  const LibraryErrors codes = known(of_codes);
-  print_errors("relaxed(), packings of other codes, forces known", codes);
-  print_coverage("- coverage", codes.coverage);
+  for (const auto& [what, judged] :
+       {std::pair{"unequal grains", &std::as_const(of_sizes)},
+        std::pair{"gradations, which no gain was fitted to", &gradations},
+        std::pair{"packings of other codes, which no gain was fitted to", &of_codes}})
+    for (const auto& [given, forces] :
+         {std::pair{"", Forces::unknown}, std::pair{", forces known", Forces::measured}}) {
+      const LibraryErrors errors = library_errors(*judged, is_isotropic, 0, largest_overlap, forces);
+      print_errors(std::string("relaxed(), ") + what + given, errors);
+      print_coverage("- coverage", errors.coverage);
+    }
 }
 
 int check(const std::vector<Packing>& packings, const std::vector<Packing>& unfitted,
