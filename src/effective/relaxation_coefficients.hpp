@@ -65,11 +65,15 @@ struct Scatter {
 struct FactorScatter {
   Scatter recipes, packings, sizes;
 };
-inline constexpr FactorScatter shear_scatter{{0.0195759224, 0}, {0.0216562563, 0.00894248575}, {0.0779395464, 0.14738172}};
-inline constexpr FactorScatter bulk_scatter{{0, 0.178222977}, {0.0130856473, 0.190067984}, {0.163176421, 0}};
+inline constexpr FactorScatter shear_scatter{
+    {0.0195759224, 0}, {0.0216562563, 0.00894248575}, {0.0779395464, 0.14738172}};
+inline constexpr FactorScatter bulk_scatter{
+    {0, 0.178222977}, {0.0130856473, 0.190067984}, {0.163176421, 0}};
 /// The same where the unevenness of forces is known.
-inline constexpr FactorScatter shear_scatter_known{{0.0161273782, 0.00991687376}, {0.0162250687, 0.00682276041}, {0.0283896997, 0.13522943}};
-inline constexpr FactorScatter bulk_scatter_known{{0.00359545779, 0.189982585}, {0.0046628589, 0.153391259}, {0.0409547777, 0}};
+inline constexpr FactorScatter shear_scatter_known{
+    {0.0161273782, 0.00991687376}, {0.0162250687, 0.00682276041}, {0.0283896997, 0.13522943}};
+inline constexpr FactorScatter bulk_scatter_known{
+    {0.00359545779, 0.189982585}, {0.0046628589, 0.153391259}, {0.0409547777, 0}};
 /// Shift of z* in G at the isostatic point and its standard error, over the relative variance of the
 /// lengths of branches.
 inline constexpr double size_shift = 1.6285264;

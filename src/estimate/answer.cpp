@@ -198,8 +198,8 @@ Values values_of(const Question& q, const ContactCounts& counts, const Transvers
   return all;
 }
 
-/// The state of a question with given contacts, and how uneven its preparation left the forces. A given C_n is
-/// reported as given, not recomputed from z*.
+/// The state of a question with given contacts, and how uneven its preparation left the forces. A given C_n
+/// is reported as given, not recomputed from z*.
 effective::State with(const Question& q, const ContactCounts& counts) {
   effective::State known = q.state;
   known.coordination_number = q.state.coordination_number.value_or(counts.coordination_number());

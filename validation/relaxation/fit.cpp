@@ -75,7 +75,7 @@ void print_gaps(const char* name, const ClosingGaps& gaps) {
 }
 
 void print_scatter(const char* name, const ScatterParts& parts, const Scatter& sizes) {
-  std::printf("inline constexpr FactorScatter %s{{%.9g, %.9g}, {%.9g, %.9g}, {%.9g, %.9g}};\n", name,
+  std::printf("inline constexpr FactorScatter %s{\n    {%.9g, %.9g}, {%.9g, %.9g}, {%.9g, %.9g}};\n", name,
               parts.recipes.base, parts.recipes.gain, parts.packings.base, parts.packings.gain, sizes.base,
               sizes.gain);
 }

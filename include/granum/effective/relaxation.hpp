@@ -99,15 +99,15 @@ struct RelaxedEstimate {
 /// Q of a dense packing whose grains were compressed without friction up to a pressure and with friction from
 /// there. Without friction the forces of a packing of equal grains scatter by half of their mean; friction
 /// holds the grains, so that the increments of all overlaps are even, and the relative scatter fades as the
-/// overlap grows: Q = b(1-b)(-0.036 - 0.07 b - 0.26 (w_0/w)^2) + 0.17 v - 0.13 b(1-b) (q/p)^2, with w the mean
-/// overlap, w_0 that at the pressure of preparation, v the relative variance of the lengths of branches and q
-/// = stress_v - stress_h. [validation/relaxation]
+/// overlap grows: Q = b(1-b)(-0.041 - 0.052 b - 0.26 (w_0/w)^2 - 0.14 (q/p)^2) + 0.18 v, with w the mean
+/// overlap, w_0 that at the pressure of preparation, v the relative variance of the lengths of branches and
+/// q = stress_v - stress_h. [validation/relaxation]
 /// Assumes   the packing was not reloaded since, w below 1 %.
 /// \param    state                  with its coordination number, isotropic or sheared from there
 /// \param    preparation_pressure   in (0, p] [Pa]
 /// \throws   InvalidArgument as mean_contact_force, or for a pressure out of this range
 /// Accuracy  0.0023 rms of equal grains of seeds never fitted, 0.03 sqrt(v) of others: as standard_error.
-/// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
+/// Checked by tests/effective/test_unevenness.cpp, validation/relaxation
 [[nodiscard]] Unevenness dense_unevenness(const State& state, double preparation_pressure);
 
 /// uniform_strain(state), relaxed. Its volumetric and its deviatoric part are reduced by the two factors.

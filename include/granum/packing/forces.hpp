@@ -95,7 +95,8 @@ struct ForceDistribution {
 /// ln(<f^b>/<f>^b).
 /// Assumes   contacts of that law, whose forces are known; those between grains alone, walls left out.
 /// \param    law          of the pair that stands for all
-/// \param    law_radius   of the two equal grains that the law is of [m]; pairs of others by contact::of_sizes
+/// \param    law_radius   of the two equal grains that the law is of [m]; pairs of others by
+///                       contact::of_sizes
 /// \return   0 without a contact that presses; contacts that do not press have k_n at zero force
 /// \throws   InvalidArgument for an assembly that require_valid rejects
 /// Accuracy  that of the law.  Checked by tests/packing/test_force_moments.cpp

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rung 3 where it is known how unevenly the contacts share the forces.
+#include <granum/effective/relaxation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/effective/uniform_field.hpp>
+
+#include "effective/relaxation_coefficients.hpp"
+#include "relative.hpp"
+#include "support.hpp"
+
+using namespace granum;
+using namespace granum::test;
+using effective::relaxation;
+using effective::relaxed;
+
+TEST_CASE("relaxed: known forces change G and K by the gain, fading out towards the isostatic point") {
+  using namespace effective::kernel;
+  for (const double alpha : {1.0, 1.5, 2.0, infinity})
+    for (const double z : {4.1, 4.2, 4.3, 4.4, 5.2, 6.3})
+      for (const double Q : {-0.2, -0.05, 0.0, 0.03}) {
+        State s = state_of(alpha, 0, 0.15, 1e5, 1e5);
+        const effective::RelaxedEstimate usual = relaxed(s, z);
+        const double b = s.law.constant_exponent().value(), B = b * (1 - b),
+                     left = 1 - relaxation(z, s.tangential_ratio, b).shear.value,
+                     share = std::clamp((z - 4.2) / 0.2, 0.0, 1.0);
+        s.unevenness = effective::Unevenness{.value = Q};
+        const effective::RelaxedEstimate known = relaxed(s, z);
+        const auto gain = [&](const UnevennessCoefficients<double>& c) {
+          return std::exp(share * (c[0] * Q + c[2] * left + B * (c[3] + c[4] * (z - 5))));
+        };
+        CHECK(known.stiffness.G_vh() / usual.stiffness.G_vh() == relative(gain(shear_gain), 1e-12));
+        CHECK(known.stiffness.bulk_modulus() / usual.stiffness.bulk_modulus() ==
+              relative(gain(bulk_gain), 1e-12));
+        if (share == 1) {
+          CHECK(known.relative_error.G_vh < usual.relative_error.G_vh);
+          CHECK(known.relative_error.bulk_modulus <= usual.relative_error.bulk_modulus);
+        }
+        s.unevenness->standard_error = 0.02;
+        const double more = share * shear_gain[0] * 0.02;
+        CHECK(relaxed(s, z).relative_error.G_vh ==
+              relative(std::hypot(known.relative_error.G_vh, more), 1e-12));
+      }
+  State s = state_of(2, 0, 0.15, 1e5, 1e5);
+  for (const double Q : {-1.1, 1.1, double(NAN)}) {
+    s.unevenness = effective::Unevenness{.value = Q};
+    CHECK_THROWS_AS((void)relaxed(s, 5), InvalidArgument);
+  }
+  s.unevenness = effective::Unevenness{.value = 0, .standard_error = -1};
+  CHECK_THROWS_AS((void)relaxed(s, 5), InvalidArgument);
+}
+
+TEST_CASE("relaxed: packings of unequal grains whose forces are known") {
+  // 800 grains of LAMMPS, lognormal, dense, 50 kPa: K of their network, and under uniform strain
+  // (validation/relaxation/codes.csv).
+  constexpr double network = 168.4e6, strained = 178.16e6;
+  State s = state_of(2, 0, 0.15, 49999.25, 50036.5);
+  s.radius = 0.6315898e-3;
+  s.contacts = {
+      .branch = 0.9341574, .branch_square = 0.920049, .pair_radius = 0.9481665, .grain_volume = 0.7044485};
+  s.law = law_of(2, 0.15, s.radius * s.contacts.pair_radius);
+  s.void_ratio = 0.4925838;
+  s.coordination_number = 5.2125;
+  const double z = 6.049491, K = relaxed(s, z).stiffness.bulk_modulus();
+  s.unevenness = effective::Unevenness{
+      .value = std::log(strained / (shortened(s) * effective::uniform_strain(s).stiffness.bulk_modulus()))};
+  CHECK(s.unevenness->value == doctest::Approx(-0.033).epsilon(0.2));
+  CHECK(K == relative(network, 0.01));
+  CHECK(relaxed(s, z).stiffness.bulk_modulus() == relative(network, 0.005));
+}
+
+TEST_CASE("dense unevenness: forces of a dense packing remember the pressure of preparation, and fade") {
+  for (const double alpha : {1.0, 1.5, 2.0}) {
+    State s = state_of(alpha, 0, 0.15, 1e5, 1e5);
+    const double b = s.law.constant_exponent().value();
+    const auto Q = [&](double before) { return effective::dense_unevenness(s, before); };
+    CHECK(Q(1e5).value < Q(1e4).value); // freshly prepared ones are the most uneven
+    CHECK(Q(1e4).value < Q(1e3).value);
+    CHECK(Q(1e3).value < 0);
+    // ... by the square of the overlap, which is that of 100 kPa times 10^(1-b)
+    const double fresh = Q(1e5).value - Q(1e-30).value;
+    CHECK(Q(1e4).value - Q(1e-30).value == relative(fresh * std::pow(10, -2 * (1 - b)), 1e-10));
+    // The slope is that of the same contacts at more pressure.
+    const double h = 1e-4, p = 1e5;
+    const auto at = [&](double step) {
+      State more = s;
+      more.stress_v = more.stress_h = p * std::exp(step);
+      return effective::dense_unevenness(more, 1e4).value;
+    };
+    CHECK(Q(1e4).by_pressure == relative((at(h) - at(-h)) / (2 * h), 1e-7));
+    CHECK(Q(1e4).standard_error > 0);
+    for (const double refused : {0.0, -1.0, 1.01e5, double(NAN)})
+      CHECK_THROWS_AS((void)Q(refused), InvalidArgument);
+    s.coordination_number = 0;
+    CHECK_THROWS_AS((void)Q(1e4), InvalidArgument);
+  }
+  // Equal springs carry uneven forces without being softer.
+  CHECK(effective::dense_unevenness(state_of(infinity, 0, 0.15, 1e5, 1e5), 1e4).value == 0);
+}
+
+TEST_CASE("dense unevenness: three dense specimens of granum's own, with seeds that no fit has seen") {
+  // Q of their contacts at 100 kPa, prepared at 10 kPa: mean of 30 specimens of 500 grains each.
+  for (const auto& [alpha, C_n, e, measured] :
+       {std::tuple{1.0, 6.290, 0.5611, -0.0237}, std::tuple{2.0, 6.031, 0.5739, -0.0150}}) {
+    State s = state_of(alpha, 0, 0.15, 1e5, 1e5);
+    s.coordination_number = C_n;
+    s.void_ratio = e;
+    CHECK(std::abs(effective::dense_unevenness(s, 1e4).value - measured) < 0.003);
+  }
+}
