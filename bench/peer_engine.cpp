@@ -20,7 +20,7 @@
 
 #include <granum/core/text.hpp>
 #include <granum/dem/engine.hpp>
-#include <granum/io/lammps/data.hpp>
+#include <granum/io/lammps/files.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/packing/forces.hpp>
 #include <granum/triaxial/specimen.hpp>

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include <granum/core/text.hpp>
-#include <granum/io/lammps/data.hpp>
+#include <granum/io/lammps/files.hpp>
 #include <granum/io/output_file.hpp>
 
 namespace granum::bench {

@@ -19,7 +19,7 @@
 #include <granum/analysis/measure.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/io/lammps/deck.hpp>
-#include <granum/io/lammps/dump.hpp>
+#include <granum/io/lammps/files.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/triaxial/specimen.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/inverse/inference.hpp>
 
 #include "bindings.hpp"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/inverse/sand_inference.hpp>
 
 #include "rows.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/core/text.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/rungs.hpp>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/core/text.hpp>
 
 namespace granum::contact {

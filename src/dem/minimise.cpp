@@ -2,7 +2,7 @@
 // FIRE on the generalised coordinates (x_1 .. x_N, q): positions x, with unit mass for equal grains and the
 // masses of sizes_for_descent otherwise; q = sqrt(W) ln(size), where W is the inertia of the cell. The unit
 // of time is sqrt(mass/stiffness). Forces are from the engine's sweep, without friction.
-#include <granum/dem/minimise.hpp>
+#include <granum/dem/quasistatic.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include <granum/core/error.hpp>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/effective/state.hpp>
 
 namespace granum::effective::kernel {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/effective/relaxation.hpp>
 
 #include "kernels.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 
 #include "effective/kernels.hpp"
 #include "sphere_checks.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include <granum/core/error.hpp>
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 
 #include "core/root.hpp"
 #include "sorted_radii.hpp"

@@ -17,7 +17,7 @@
 #include <boost/random/uniform_real_distribution.hpp>
 
 #include <granum/core/error.hpp>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/core/stop.hpp>
 #include <granum/core/text.hpp>
 #include <granum/core/units.hpp>

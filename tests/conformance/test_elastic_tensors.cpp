@@ -12,7 +12,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/elastic/stiffness.hpp>

@@ -11,7 +11,7 @@
 #include <doctest/doctest.h>
 #include <granum/contact/power_law.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/rock_physics/cement.hpp>
 #include <granum/rock_physics/sphere_packs.hpp>
 

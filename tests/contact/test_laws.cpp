@@ -11,7 +11,7 @@
 #include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 
 #include "relative.hpp"
 

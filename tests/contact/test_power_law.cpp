@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 
 using namespace granum;
 using contact::GrainMaterial;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 
 #include <cmath>
 #include <limits>

@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
-#include <granum/dem/minimise.hpp>
+#include <granum/dem/quasistatic.hpp>
 #include <granum/dem/specimen.hpp>
 
 #include "lattice_state.hpp"

@@ -12,7 +12,7 @@
 #include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
 #include <granum/contact/laws.hpp>
-#include <granum/dem/minimise.hpp>
+#include <granum/dem/quasistatic.hpp>
 #include <granum/dem/specimen.hpp>
 
 #include "dem/sweep/verlet_list.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/dem/minimise.hpp>
+#include <granum/dem/quasistatic.hpp>
 
 #include <cmath>
 #include <limits>

@@ -9,7 +9,6 @@
 #include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
-#include <granum/dem/minimise.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/packing/forces.hpp>

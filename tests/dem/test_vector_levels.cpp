@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
-#include <granum/dem/minimise.hpp>
+#include <granum/dem/quasistatic.hpp>
 
 #include "lattice_state.hpp"
 #include "vector_levels.hpp"

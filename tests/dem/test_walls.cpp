@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
-#include <granum/dem/minimise.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/packing/forces.hpp>
 

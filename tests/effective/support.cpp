@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <Eigen/LU>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 
 namespace granum::test {
 

@@ -8,7 +8,7 @@
 #include <Eigen/LU>
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/elastic/stiffness.hpp>
 #include <relative.hpp>
 

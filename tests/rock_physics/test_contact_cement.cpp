@@ -11,7 +11,7 @@
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 
 #include "relative.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
-#include <granum/io/lammps/dump.hpp>
+#include <granum/io/lammps/files.hpp>
 #include <relative.hpp>
 
 #include "studies/analyse/measured_frame.hpp"

@@ -7,7 +7,7 @@
 
 #include <granum/core/text.hpp>
 #include <granum/io/csv/packing.hpp>
-#include <granum/io/lammps/dump.hpp>
+#include <granum/io/lammps/files.hpp>
 #include <granum/io/mercury/output.hpp>
 #include <granum/io/vtk/paraview.hpp>
 #include <granum/io/vtk/xml.hpp>

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <optional>
 
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/inverse/inference.hpp>

@@ -17,7 +17,7 @@
 #include <granum/analysis/measure.hpp>
 #include <granum/contact/grains.hpp>
 #include <granum/dem/specimen.hpp>
-#include <granum/io/lammps/dump.hpp>
+#include <granum/io/lammps/files.hpp>
 #include <granum/io/yade/files.hpp>
 #include <granum/packing/stiffness.hpp>
 

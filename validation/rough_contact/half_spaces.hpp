@@ -22,7 +22,7 @@
 #include <vector>
 
 #include <Eigen/Dense>
-#include <granum/core/quadrature.hpp>
+#include <granum/core/numerics.hpp>
 
 namespace rough_contact {
 

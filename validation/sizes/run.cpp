@@ -13,7 +13,7 @@
 #include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/isotropic.hpp>
-#include <granum/io/lammps/dump.hpp>
+#include <granum/io/lammps/files.hpp>
 #include <granum/sizes/contact_means.hpp>
 #include <granum/sizes/distribution.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/input_values.hpp>
 #include <granum/inverse/quantity.hpp>

@@ -10,7 +10,7 @@
 
 #include <granum/analysis/measure.hpp>
 #include <granum/contact/grains.hpp>
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/fabric/estimates.hpp>
 #include <granum/fabric/orientation.hpp>
 

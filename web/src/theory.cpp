@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/rungs.hpp>

@@ -7,7 +7,7 @@
 #include <span>
 
 #include <granum/contact/normal_law.hpp>
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/packing/assembly.hpp>
 
 /// The contact law that a DEM code has used, as its forces and overlaps show it.

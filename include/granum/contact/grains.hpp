@@ -6,7 +6,7 @@
 
 #include <granum/contact/normal_law.hpp>
 #include <granum/contact/power_law.hpp>
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 
 /// Minerals of grains, pairs of unequal grains, and the friction between them.
 namespace granum::contact {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <granum/core/error.hpp>
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/hardin/equation.hpp>
 
 /// Eq. (1) fitted to measured moduli.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <granum/contact/normal_law.hpp>
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/inverse/quantity.hpp>
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/effective/exponents.hpp>
 
 namespace granum::inverse {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <granum/core/stop.hpp>
-#include <granum/dem/minimise.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/sizes/distribution.hpp>

@@ -11,7 +11,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/io/lammps/data.hpp>
+#include <granum/io/lammps/files.hpp>
 #include <granum/packing/assembly.hpp>
 
 namespace granum::io {

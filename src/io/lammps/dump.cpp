@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/lammps/dump.hpp>
+#include <granum/io/lammps/files.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "factor.hpp"
+#include "correction.hpp"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 
 #include "studies/report/panel.hpp"
 #include "studies/scene/scene.hpp"
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/plot/page.hpp>
 
 /// Isotropic compression, explained for readers who ask why G grows as p^s: common to the reports of verify

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/hardin/fit.hpp>
 
 namespace granum::studies {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "studies/verify/study.hpp"
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 
 namespace granum::studies {
 

@@ -7,7 +7,7 @@
 
 #include <granum/core/text.hpp>
 #include <granum/io/lammps/arrays.hpp>
-#include <granum/io/lammps/dump.hpp>
+#include <granum/io/lammps/files.hpp>
 
 #include "io/import_support.hpp"
 

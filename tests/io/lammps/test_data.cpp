@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/io/lammps/data.hpp>
+#include <granum/io/lammps/files.hpp>
 
 #include "io/import_support.hpp"
 

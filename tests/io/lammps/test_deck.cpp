@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include <granum/core/text.hpp>
-#include <granum/io/lammps/data.hpp>
+#include <granum/io/lammps/files.hpp>
 
 #include "io/import_support.hpp"
 #include "relative.hpp"

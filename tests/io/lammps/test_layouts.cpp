@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <granum/core/text.hpp>
-#include <granum/io/lammps/dump.hpp>
+#include <granum/io/lammps/files.hpp>
 #include <granum/packing/forces.hpp>
 
 #include "io/import_support.hpp"

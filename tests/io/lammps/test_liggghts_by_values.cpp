@@ -2,7 +2,7 @@
 // compute pair/gran/local of LIGGGHTS writes what was asked for in an order of its own: told by the values.
 #include <string>
 
-#include <granum/io/lammps/dump.hpp>
+#include <granum/io/lammps/files.hpp>
 
 #include "io/import_support.hpp"
 

@@ -19,7 +19,7 @@
 #include <granum/core/text.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/io/csv/table.hpp>
-#include <granum/io/lammps/dump.hpp>
+#include <granum/io/lammps/files.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/coordination.hpp>
 #include <granum/packing/forces.hpp>

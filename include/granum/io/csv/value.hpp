@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include <granum/core/statistics.hpp>
+#include <granum/core/numerics.hpp>
 #include <granum/core/units.hpp>
 
 /// Values in results, and their format for people: the cells of columns.hpp.

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-/// A number with its standard error, means, and the line of least squares.
+/// A number with its standard error, means, the line of least squares, and quadrature.
 namespace granum {
 
 /// 2 a b/(a + b) of two positive numbers, not checked; exactly a where b is a, and without overflow.
@@ -37,5 +38,18 @@ struct StraightLine {
 /// Accuracy  1e-13 of the slope where the x spread over more than a hundredth of their size.
 ///           Checked by tests/core/test_straight_line.cpp
 [[nodiscard]] StraightLine straight_line(std::span<const Point> points);
+
+/// One point of a quadrature rule.
+struct QuadratureNode {
+  double abscissa = 0;
+  double weight = 0;
+};
+
+/// Gauss-Legendre rule on [-1, 1], abscissas ascending and symmetric; exact for polynomials up to degree
+/// 2 order - 1. Computed anew at each call: keep the result.
+/// \param    order   number of points, in [1, 1024]
+/// \throws   InvalidArgument for another order
+/// Accuracy  abscissas and weights 2 ulp.  Checked by tests/core/test_quadrature.cpp
+[[nodiscard]] std::vector<QuadratureNode> gauss_legendre(int order);
 
 } // namespace granum
