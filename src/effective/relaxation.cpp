@@ -340,20 +340,25 @@ Relaxation relaxation(double mechanical_coordination_number, double tangential_r
   return {.shear = published(factors.shear), .bulk = published(factors.bulk), .validity = notes_of(z, r)};
 }
 
-Unevenness dense_unevenness(const State& state, double preparation_pressure) {
+Unevenness dense_unevenness(const State& state, std::optional<double> preparation_pressure) {
+  constexpr double usual_share = 0.1, share_error = 0.25; // of the scatter of the first forces that is left
   const double force = mean_contact_force(state), p = state.mean_stress();
-  require_positive("preparation_pressure", preparation_pressure, "Pa");
-  if (!(preparation_pressure <= p))
-    throw InvalidArgument("preparation_pressure", preparation_pressure, "Pa",
+  if (preparation_pressure && !(require_positive("preparation_pressure", *preparation_pressure, "Pa") <= p))
+    throw InvalidArgument("preparation_pressure", *preparation_pressure, "Pa",
                           "at most the mean stress, " + short_text(p));
-  const double b = kernel::local_exponent(state), v = kernel::branch_variance(state.contacts);
-  const double before = state.law.overlap(force * (preparation_pressure / p)) / state.law.overlap(force);
-  const double faded = before * before, ratio = (state.stress_v - state.stress_h) / p;
-  const double fades = kernel::dense_unevenness[2] * b * (1 - b) * faded;
-  return {.value = kernel::unevenness_of_dense(b, faded, v, ratio, kernel::dense_unevenness),
-          .standard_error = std::hypot(kernel::dense_unevenness_scatter[0],
-                                       kernel::dense_unevenness_scatter[1] * std::sqrt(v)),
-          .by_pressure = -2 * kernel::overlap_exponent(state.law, force) * fades};
+  const auto faded = [&](double pressure) {
+    const double before = state.law.overlap(force * (pressure / p)) / state.law.overlap(force);
+    return before * before;
+  };
+  const double b = kernel::local_exponent(state), v = kernel::branch_variance(state.contacts),
+               left = preparation_pressure ? faded(*preparation_pressure) : usual_share,
+               ratio = (state.stress_v - state.stress_h) / p,
+               by_share = kernel::dense_unevenness[2] * b * (1 - b);
+  const auto& [of_equal, of_others] = kernel::dense_unevenness_scatter;
+  return {.value = kernel::unevenness_of_dense(b, left, v, ratio, kernel::dense_unevenness),
+          .standard_error = std::hypot(of_equal, of_others * std::sqrt(v),
+                                       preparation_pressure ? 0.0 : share_error * by_share),
+          .by_pressure = -2 * kernel::overlap_exponent(state.law, force) * by_share * left};
 }
 
 RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number) {

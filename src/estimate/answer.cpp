@@ -205,8 +205,11 @@ effective::State with(const Question& q, const ContactCounts& counts) {
   known.coordination_number = q.state.coordination_number.value_or(counts.coordination_number());
   known.mechanical_coordination_number = counts.mechanical_coordination_number;
   const double p = known.mean_stress();
-  if (!known.unevenness && q.preparation.pressure > 0 && p > 0 && *known.coordination_number > 0)
-    known.unevenness = effective::dense_unevenness(known, std::min(q.preparation.pressure, p));
+  const bool dense = q.preparation.kind == effective::Preparation::Kind::dense;
+  if (!known.unevenness && dense && p > 0 && *known.coordination_number > 0)
+    known.unevenness = effective::dense_unevenness(
+        known,
+        q.preparation.pressure > 0 ? std::optional(std::min(q.preparation.pressure, p)) : std::nullopt);
   return known;
 }
 

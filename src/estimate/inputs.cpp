@@ -225,7 +225,8 @@ std::vector<InputRow> number_rows() {
       {.input = Input::least_void_ratio,
        .key = "least_void_ratio",
        .group = state_group,
-       .meaning = "Smallest void ratio e_min, for --relative-density",
+       .meaning = "Smallest void ratio e_min, for --relative-density; of beads also that of the same grains "
+                  "packed without friction, up to 0.58: z* is then estimated from the void ratio above it",
        .symbols = "e_min emin",
        .synonyms = {{"emin"}},
        .limits = {.low = 0.1, .high = 4.95, .reason = words_for_limits},

@@ -287,6 +287,24 @@ TEST_CASE("contact prior: the less a packing was opened, the faster it gains con
   CHECK(growth(0.573, 4.38, 0.083) > 1.5 * growth(0.716, 4.285, 0.085));
 }
 
+TEST_CASE("contact prior: the densest packing of the same grains is the measure of the void ratio") {
+  const auto z_of = [](double e, double densest, const effective::Preparation& like) {
+    effective::Preparation preparation = like;
+    preparation.densest_void_ratio = densest;
+    return effective::contact_prior(spheres(e, 1e5), preparation).middle.mechanical_coordination_number;
+  };
+  // The densest packing has its z* whatever its void ratio is.
+  for (const double densest : {0.5, 0.56, 0.575})
+    CHECK(z_of(densest, densest, dense) ==
+          doctest::Approx(z_of(0.56912606, 0.56912606, dense)).epsilon(3e-3));
+  CHECK(z_of(0.62, 0.575, loose) > z_of(0.62, 0.56, loose));
+  // None of spheres: not used, and noted.
+  CHECK(z_of(0.62, 0.6, loose) == z_of(0.62, 0, loose));
+  effective::Preparation sand = loose;
+  sand.densest_void_ratio = 0.6;
+  CHECK_FALSE(effective::contact_prior(spheres(0.62, 1e5), sand).validity.ok());
+}
+
 TEST_CASE("contact prior: preparations as text, and refused texts") {
   CHECK(effective::preparation_of("dense") == dense);
   CHECK(effective::preparation_of("dense:10kPa") ==

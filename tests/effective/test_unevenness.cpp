@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include <doctest/doctest.h>
@@ -99,6 +100,13 @@ TEST_CASE("dense unevenness: forces of a dense packing remember the pressure of 
     s.coordination_number = 0;
     CHECK_THROWS_AS((void)Q(1e4), InvalidArgument);
   }
+  // Without the pressure it is that of packings well above it, with an error that reaches from even forces on.
+  const State packed = state_of(2, 0, 0.15, 1e5, 1e5);
+  const effective::Unevenness unknown = effective::dense_unevenness(packed, std::nullopt);
+  CHECK(unknown.value < effective::dense_unevenness(packed, 1e4).value);
+  CHECK(unknown.value > effective::dense_unevenness(packed, 1e5).value);
+  CHECK(unknown.standard_error > 3 * effective::dense_unevenness(packed, 1e4).standard_error);
+  CHECK(unknown.by_pressure > 0);
   // Equal springs carry uneven forces without being softer.
   CHECK(effective::dense_unevenness(state_of(infinity, 0, 0.15, 1e5, 1e5), 1e4).value == 0);
 }

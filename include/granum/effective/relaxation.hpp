@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <granum/core/error.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
@@ -104,11 +106,12 @@ struct RelaxedEstimate {
 /// q = stress_v - stress_h. [validation/relaxation]
 /// Assumes   the packing was not reloaded since, w below 1 %.
 /// \param    state                  with its coordination number, isotropic or sheared from there
-/// \param    preparation_pressure   in (0, p] [Pa]
+/// \param    preparation_pressure   in (0, p] [Pa]; without it (w_0/w)^2 is taken as 0.1 +- 0.25, as of
+///                                 packings that are used at three times that pressure or more
 /// \throws   InvalidArgument as mean_contact_force, or for a pressure out of this range
 /// Accuracy  0.0023 rms of equal grains of seeds never fitted, 0.03 sqrt(v) of others: as standard_error.
 /// Checked by tests/effective/test_unevenness.cpp, validation/relaxation
-[[nodiscard]] Unevenness dense_unevenness(const State& state, double preparation_pressure);
+[[nodiscard]] Unevenness dense_unevenness(const State& state, std::optional<double> preparation_pressure);
 
 /// uniform_strain(state), relaxed. Its volumetric and its deviatoric part are reduced by the two factors.
 /// Where fabric or stresses are anisotropic, C33/C11 is then multiplied by exp((1 - h)(A ln(F33/F11) + B b
