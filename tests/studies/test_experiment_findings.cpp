@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <string>
-
-#include "studies/reproduce/experiment_tables.hpp"
 
 #include <doctest/doctest.h>
 
@@ -41,15 +38,6 @@ Verdict verdict(const std::vector<Verdict>& verdicts, const std::string& begin) 
                                   [&](const Verdict& v) { return v.claim.rfind(begin, 0) == 0; });
   REQUIRE_MESSAGE(found != verdicts.end(), begin);
   return *found;
-}
-
-/// The words of a text, each with a space before and after, whatever the widths of its columns.
-std::string words(const std::string& text) {
-  std::istringstream in(text);
-  std::string out = " ";
-  for (std::string word; in >> word;)
-    out += word + " ";
-  return out;
 }
 
 } // namespace
@@ -166,20 +154,6 @@ TEST_CASE("G_vh = G_hv is checked by probes up to 0.9 of the peak") {
   CHECK_FALSE(judged());
 }
 
-TEST_CASE("tables as text and CSV show ours, the error, the printed number, and whether it is in reach") {
-  const auto rows = table_2(synthetic_experiment(one_kind()));
-  const std::string text = table_text("Table 2", rows);
-  CHECK(text.find("Table 2\n") == 0);
-  CHECK(words(text).find(" C_n 5.8+-0.05 5.73 yes ") != std::string::npos);
-  CHECK(text.find(" no\n") == std::string::npos);
-  CHECK(table_csv(rows) == "contact,density,quantity,granum,standard_error,paper,difference,reach,within\n"
-                           "sphere,dense,C_n,5.8,0.05,5.73,0.0699999999999994,0.4,yes\n"
-                           "sphere,dense,e,0.56,,0.558,0.0020000000000000018,0.02,yes\n");
-  const auto loose = table_2(synthetic_experiment(one_kind(Shape::sphere, Density::loose)));
-  CHECK(words(table_text("", loose)).find(" 3.5 no ") != std::string::npos);
-  CHECK(table_text("x", {}) == "x\n  no measurements\n");
-}
-
 TEST_CASE("a cell whose standard error exceeds the tolerance is undecided, near or far") {
   Cell cell{.quantity = "s of G_hv", .ours = {0.5, 0.02}, .printed = 0.53, .reach = 0.04};
   CHECK(cell.agreement() == Agreement::within);
@@ -187,9 +161,6 @@ TEST_CASE("a cell whose standard error exceeds the tolerance is undecided, near 
   CHECK(cell.agreement() == Agreement::beyond);
   cell.ours.standard_error = 0.05;
   CHECK(cell.agreement() == Agreement::undecided);
-  const std::vector<TableRow> rows{{.cells = {cell}}};
-  CHECK(words(table_text("", rows)).find(" 0.53 undecided ") != std::string::npos);
-  CHECK(table_csv(rows).find(",0.04,undecided\n") != std::string::npos);
   cell.ours.value = 0.53;
   CHECK(cell.agreement() == Agreement::undecided);
   cell.ours.standard_error.reset();
@@ -214,22 +185,4 @@ TEST_CASE("a claim of Table 5 is not confirmed if its exponents are too uncertai
   const auto rows = table_5(experiment);
   CHECK(cell(rows, 0, "s of G_hv").agreement() == Agreement::undecided);
   CHECK_FALSE(claim());
-}
-
-TEST_CASE("CSV of states has a row for each frozen state and empty cells for missing measurements") {
-  Experiment experiment = synthetic_experiment(one_kind());
-  experiment.specimens[0].runs[0].points[0].probes.reset();
-  std::size_t points = 0, curve = 0;
-  for (const PathRun& run : experiment.specimens[0].runs) {
-    points += run.points.size();
-    curve += run.curve.size();
-  }
-  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
-  const std::string states = frozen_states_csv(experiment);
-  CHECK(static_cast<std::size_t>(lines(states)) == 4 + 1 + points);
-  CHECK(states.find("sphere,dense,1,ISO,0,10000,10000,10000,") != std::string::npos);
-  CHECK(states.find("nan") == std::string::npos);
-  CHECK(static_cast<std::size_t>(lines(curves_csv(experiment))) == 4 + 1 + curve);
-  CHECK(static_cast<std::size_t>(lines(histograms_csv(experiment))) ==
-        4 + 1 + points * (polar_bins + force_bins));
 }

@@ -47,7 +47,12 @@ std::size_t state_count(const std::vector<SpecimenResult>& study) {
 }
 
 /// All figures of a study, with as many digits as tell one double from the next.
-std::string bits_of(const std::vector<SpecimenResult>& study) { return states_csv({}, study); }
+std::string bits_of(const std::vector<SpecimenResult>& study) {
+  std::string all;
+  for (const SpecimenResult& specimen : study)
+    all += title(specimen) + "\n" + io::csv_text(state_columns(), specimen.states);
+  return all;
+}
 
 void check_state(const CompressedState& s) {
   const elastic::Isotropic network = s.network(), uniform_strain = s.uniform_strain();

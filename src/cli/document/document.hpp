@@ -28,8 +28,7 @@ enum class Seen {
   data    ///< only in files
 };
 
-/// Values by name: a list on a screen, members of an object in JSON, and cells of the row of a CSV file where
-/// they have a heading.
+/// Values by name: a list on a screen, members of an object in JSON, and a cell of CSV where it has a heading.
 struct Items {
   std::string key = {}; ///< of their object in JSON, "answer/shares"; empty: that of the document
   std::string title = {};
@@ -64,6 +63,7 @@ struct Table {
   std::vector<Cells> rows = {};
   Form form = Form::list;
   std::string remark = {}; ///< below it
+  bool folded = false;     ///< on a page, under its title
 };
 /// Adds a range to items: value, low and high in an object at the key.
 void add_range(io::Items& to, const std::string& key, const estimate::Range& range);
@@ -92,6 +92,8 @@ struct Picture {
   std::string caption = {}, drawn = {}; ///< `drawn`: SVG of no chart
   std::vector<std::string> files = {};  ///< beside the page, that have its numbers
   std::size_t in_a_row = SIZE_MAX;
+  std::vector<std::string> choices = {}; ///< of the charts, where a page shows one choice at a time
+  std::string folded = {};               ///< the title under which a page folds it away
 };
 
 /// Lines for people, which files do not have.
@@ -150,7 +152,6 @@ struct Document {
 };
 
 // ---- how values look
-
 /// A number in the unit of a screen, with the unit: "118 MPa".
 [[nodiscard]] std::string number_text(Dimension dimension, double value);
 /// "118 MPa (90.73 to 153.3 MPa)".
@@ -170,7 +171,6 @@ struct Document {
 }
 
 // ---- printers
-
 /// Text for a terminal, without warnings.
 [[nodiscard]] std::string screen(const Document& document, bool full);
 /// Every section that has a key, SI units; assumed inputs, and all notes as sentences; without warnings.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <granum/plot/page.hpp>
+#include <granum/plot/svg_text.hpp>
 
 #include "document.hpp"
 
@@ -87,8 +88,9 @@ std::string html_of(const Table& table) {
       if (column.shown)
         column.shown->width = 1; // each is a column of the page too
   }
-  return titled(table.title, io::page_table(columns, table.rows)) +
-         (table.remark.empty() ? "" : plot::html_paragraph(table.remark));
+  const std::string content =
+      io::page_table(columns, table.rows) + (table.remark.empty() ? "" : plot::html_paragraph(table.remark));
+  return table.folded ? plot::html_folded(table.title, content) : titled(table.title, content);
 }
 
 std::string html_of(const Prose& prose) {
@@ -96,6 +98,18 @@ std::string html_of(const Prose& prose) {
   for (const std::string& line : prose.lines)
     text += line.empty() ? "" : plot::html_paragraph(line);
   return text;
+}
+
+plot::PageFigure figure_of(const Picture& picture) {
+  plot::PageFigure figure{.caption = picture.caption};
+  for (std::size_t k = 0; k < picture.charts.size(); ++k)
+    figure.pictures.push_back({.svg = plot::svg_in_page(picture.charts[k]),
+                               .choice = k < picture.choices.size() ? picture.choices[k] : ""});
+  if (!picture.drawn.empty())
+    figure.pictures.push_back({.svg = picture.drawn});
+  for (const std::string& file : picture.files)
+    figure.files.push_back({file.substr(file.rfind('/') + 1), file});
+  return figure;
 }
 
 std::string html_of(const Picture& /*picture*/) { return ""; }
@@ -107,18 +121,15 @@ std::string html_of(const Data& /*data*/) { return ""; }
 std::string page(const Document& document) {
   std::vector<std::string> sentences = document.sentences, notes;
   std::vector<plot::PageFigure> figures;
-  std::string numbers, pictures;
+  std::string numbers, pictures, folded;
   for (const Section& section : document.sections) {
     if (const auto* ranges = std::get_if<Ranges>(&section.what); ranges != nullptr && !ranges->rows.empty())
       sentences.push_back(sentence_of(*ranges));
     if (const auto* of = std::get_if<Picture>(&section.what)) {
-      plot::PageFigure& figure = figures.emplace_back(plot::PageFigure{.caption = of->caption});
-      for (const plot::Chart& chart : of->charts)
-        figure.pictures.push_back({.svg = plot::svg_in_page(chart)});
-      if (!of->drawn.empty())
-        figure.pictures.push_back({.svg = of->drawn});
-      for (const std::string& file : of->files)
-        figure.files.push_back({file, file});
+      if (of->folded.empty())
+        figures.push_back(figure_of(*of));
+      else
+        folded += plot::html_folded(of->folded, plot::html_figure(figure_of(*of)));
     }
     if (section.seen == Seen::always || section.seen == Seen::full)
       numbers += std::visit([](const auto& what) { return html_of(what); }, section.what);
@@ -131,7 +142,9 @@ std::string page(const Document& document) {
   for (std::size_t k = 1; k < figures.size(); ++k)
     pictures += plot::html_figure(figures[k]);
   if (!pictures.empty())
-    pictures = plot::html_section("pictures", "Pictures", plot::html_element("div", pictures, "trio"));
+    pictures = plot::html_element("div", pictures, "trio");
+  if (!pictures.empty() || !folded.empty())
+    pictures = plot::html_section("pictures", "Pictures", pictures + folded);
   const std::string text = screen(document, true);
   std::string body = plot::html_first_screen(document.question, sentences, figures.front()) + pictures +
                      plot::html_section("numbers", "Every number", numbers) +

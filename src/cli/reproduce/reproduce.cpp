@@ -5,22 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "studies/reproduce/experiment_html.hpp"
-#include "studies/reproduce/experiment_tables.hpp"
-#include "studies/reproduce/figures/experiment_figures.hpp"
-#include "studies/verify/tables.hpp"
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/io/output_file.hpp>
 
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
-#include "cli/frame/json_members.hpp"
 #include "cli/frame/long_work.hpp"
 #include "cli/frame/messages.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
+#include "reproduce_document.hpp"
 
 namespace granum::cli {
 
@@ -45,115 +41,18 @@ constexpr const char* written_names[] = {"states.csv",   "curves.csv",    "loops
                                          "table2.csv",   "table4.csv",    "table5.csv",  "exponents.csv",
                                          "verdicts.csv", "manifest.json", "report.html", "figures"};
 
-ordered_json table_json(const std::vector<studies::TableRow>& rows) {
-  return members_of_all(studies::cell_columns(), studies::cell_rows(rows));
-}
-
-/// Numbers and picture of every panel.
-void write_figures(const fs::path& folder, const std::vector<studies::Figure>& figures,
-                   const std::optional<studies::AssemblyPicture>& assembly) {
-  prepare_folder(folder, {}, true);
+/// Tables, figures, page and manifest; replaces those of an earlier run.
+/// \throws   FileError
+void write_results(const fs::path& folder, const ExperimentDocument& of, const ordered_json& manifest) {
   const auto write = [&](const std::string& name, const std::string& text) {
     io::write_file(folder / name, text, io::Existing::replace);
   };
-  if (assembly)
-    write(assembly->stem + ".svg", assembly->svg);
-  for (const studies::Figure& figure : figures)
-    write_panels(folder, figure.panels);
-}
-
-ordered_json run_json(const studies::ExperimentSpecimen& specimen, const studies::PathRun& run) {
-  return {{"contact", contact::name(specimen.contact)},
-          {"density", studies::name(specimen.density)},
-          {"seed", specimen.seed},
-          {"path", studies::name(run.path)},
-          {"frozen_states", run.points.size()},
-          {"steps", run.steps},
-          {"peak_eta", run.peak.stress.ratio()},
-          {"path_error", run.path_error},
-          {"largest_inertial_number", run.largest_inertial_number},
-          {"notes", run.notes},
-          {"failure", run.failure}};
-}
-
-ordered_json manifest_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
-                         const studies::RunTime& time) {
-  ordered_json json = json_head("reproduce");
-  json["wall_time_s"] = time.seconds;
-  json["resumed"] = time.resumed;
-  json["complete"] = experiment.complete();
-  json["scene"] = json_of(experiment.scene);
-  json["threads_used"] = studies::thread_count(experiment.scene);
-  json["conventions"] = {
-      {"units", "SI, as in the names; friction angles in degrees"},
-      {"signs", "compression positive; z is vertical; eta = q/p' = (s_v - s_h)/p', s_v and s_h the vertical "
-                "and the horizontal stress; strains are logarithmic"},
-      {"G", "of the contact network of the frozen state, without sliding in any contact; probes by cyclic "
-            "shear"}};
-  json["table_2"] = table_json(studies::table_2(experiment));
-  json["table_4"] = table_json(studies::table_4(experiment));
-  json["table_5"] = table_json(studies::table_5(experiment));
-  json["further_exponents"] = table_json(studies::further_exponents(experiment));
-  json["verdicts"] = members_of_all(studies::verdict_columns(), verdicts);
-  json["runs"] = ordered_json::array();
-  for (const studies::ExperimentSpecimen& specimen : experiment.specimens)
-    for (const studies::PathRun& run : specimen.runs)
-      json["runs"].push_back(run_json(specimen, run));
-  return json;
-}
-
-/// Tables, figures, report.html and manifest; replaces those of an earlier run.
-/// \throws   FileError
-void write_results(const fs::path& folder, const studies::Experiment& experiment,
-                   const std::vector<studies::Verdict>& verdicts, const ordered_json& manifest,
-                   const studies::RunTime& time) {
-  const auto write = [&](const char* name, const std::string& text) {
-    io::write_file(folder / name, text, io::Existing::replace);
-  };
-  write("states.csv", studies::frozen_states_csv(experiment));
-  write("curves.csv", studies::curves_csv(experiment));
-  write("loops.csv", studies::loops_csv(experiment));
-  write("histograms.csv", studies::histograms_csv(experiment));
-  write("table2.csv", studies::table_csv(studies::table_2(experiment)));
-  write("table4.csv", studies::table_csv(studies::table_4(experiment)));
-  write("table5.csv", studies::table_csv(studies::table_5(experiment)));
-  write("exponents.csv", studies::table_csv(studies::further_exponents(experiment)));
-  write("verdicts.csv", io::csv_text(studies::verdict_columns(), verdicts));
-  const std::vector<studies::Figure> figures = studies::experiment_figures(experiment);
-  const std::optional<studies::AssemblyPicture> assembly = studies::assembly_picture(experiment);
-  const studies::ExperimentReport report =
-      studies::experiment_report(experiment, verdicts, figures, assembly, time);
-  const fs::path pictures = folder / studies::figures_folder;
-  write_figures(pictures, figures, assembly);
-  write_panels(pictures, report.panels);
-  write("report.html", report.html);
-  write("manifest.json", json_text(manifest));
-}
-
-/// Tables 2, 4 and 5 with the paper's values, and the verdicts, as text.
-std::string report_of(const studies::Experiment& experiment, const std::vector<studies::Verdict>& verdicts,
-                      const studies::RunTime& time) {
-  std::string out = "granum: result of this run +- its standard error, where it is known; paper:\n"
-                    "Chung et al. 2014; within: whether the difference is within the tolerance,\n"
-                    "undecided if the standard error exceeds the tolerance\n\n";
-  out += studies::table_text("Table 2: start of isotropic compression (C_n: contacts per grain, e: void\n"
-                             "ratio)",
-                             studies::table_2(experiment)) +
-         "\n";
-  out += studies::table_text("Table 4: friction angle at the peak of q/p', by stress path",
-                             studies::table_4(experiment)) +
-         "\n";
-  out +=
-      studies::table_text("Table 5: G_hv = C p_a f(e) (sigma_h/p_a)^m (sigma_v/p_a)^n, s = m + n, and G_hh\n"
-                          "with sigma_h alone; of the contact networks at |q/p'| up to 0.6",
-                          studies::table_5(experiment)) +
-      "\n";
-  out += studies::table_text("Further exponents", studies::further_exponents(experiment)) + "\n";
-  out += studies::verdicts_table(verdicts);
-  return out + fmt::format("\n{} specimens of {} grains, {} frozen states in {:.1f} s on {}\n",
-                           experiment.specimens.size(), experiment.scene.study.grains,
-                           frozen_states(experiment), time.seconds,
-                           threads_text(studies::thread_count(experiment.scene)));
+  prepare_folder(folder / figures_name, {}, true);
+  for (const auto& [name, text] : of.files)
+    write(name, text);
+  write_panels(folder / figures_name, of.panels);
+  write("report.html", page(of.document));
+  write("manifest.json", json_text(manifest)); // the last: with it a run is complete
 }
 
 /// The paper's own size: 10,000 grains between six rigid walls.
@@ -255,11 +154,11 @@ ExitCode run(const ReproduceOptions& options) {
     return exit_code_of_stop();
   }
   const std::vector<studies::Verdict> verdicts = studies::experiment_verdicts(experiment);
-  const studies::RunTime time{.seconds = seconds_since(start), .resumed = !anew};
-  const ordered_json manifest = with_cost_of_sizes(
-      with_warnings(manifest_of(experiment, verdicts, time), likely_mistakes(place.scene)), place.scene);
-  write_results(place.folder, experiment, verdicts, manifest, time);
-  options.results.print(report_of(experiment, verdicts, time) + "report.html, tables and pictures in " +
+  const ExperimentDocument found =
+      experiment_document(experiment, verdicts, {.seconds = seconds_since(start), .resumed = !anew});
+  const ordered_json manifest = with_warnings(json(found.document), likely_mistakes(place.scene));
+  write_results(place.folder, found, manifest);
+  options.results.print(screen(found.document, false) + "report.html, tables and pictures in " +
                             place.folder.string() + "\n",
                         manifest);
   const ExitCode code = judged(verdicts, options.strict);

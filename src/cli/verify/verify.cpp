@@ -12,7 +12,7 @@
 #include "cli/frame/messages.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/study_options.hpp"
-#include "verify_output.hpp"
+#include "verify_document.hpp"
 
 namespace granum::cli {
 
@@ -43,7 +43,7 @@ StudyOutcome run_and_judge(const studies::Scene& scene, const std::atomic<bool>&
 }
 
 ExitCode report_again(const VerifyOptions& options) {
-  rewrite_report(options.report);
+  rewrite_page(options.report);
   options.results.print(fmt::format("report.html and figures in {}\n", options.report),
                         {{"report", (fs::path(options.report) / "report.html").string()}});
   return ExitCode::ok;
@@ -75,13 +75,14 @@ ExitCode run(const VerifyOptions& options) {
   const fs::path folder =
       writes ? results_folder(results.out, "verify", study_file_names(), results.force) : fs::path();
   const StudyOutcome outcome = run_and_judge(scene, stop, results.quiet);
-  const nlohmann::ordered_json manifest = with_cost_of_sizes(
-      with_warnings(manifest_of(outcome, options.study.scene_file, options.study.settings), slips), scene);
+  const StudyDocument study =
+      study_document(scene, results_of(outcome, options.study.scene_file, options.study.settings, slips));
+  const nlohmann::ordered_json manifest = with_warnings(json(study.document), slips);
   if (writes)
-    write_results(folder, outcome, manifest, results.existing());
+    write_results(folder, scene, study, manifest, results.existing());
   const std::string where =
       writes ? "report.html, pictures, CSV and manifest in " + folder.string() + "\n" : "";
-  results.print(report_of(outcome) + where, manifest);
+  results.print(screen(study.document, false) + where, manifest);
   return code_of(outcome, options.strict);
 }
 

@@ -7,7 +7,7 @@
 #include <granum/plot/chart.hpp>
 
 /// Charts of reports, with the files that their numbers go to.
-/// Checked by tests/studies/test_experiment_figures.cpp
+/// Checked by tests/cli/test_figures.cpp
 namespace granum::studies {
 
 /// One chart, and how its numbers are called in a CSV file.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/verify/tables.hpp"
 
-#include <granum/core/version.hpp>
-
 namespace granum::studies {
 
 namespace {
@@ -59,10 +57,6 @@ io::Columns<CompressedState> state_columns() {
        network([](const State& s) { return s.uniform_strain().bulk_modulus(); })},
       {"G_network_Pa", "G_network_Pa", network([](const State& s) { return s.network().shear_modulus(); }),
        modulus("G network", 10)},
-      {"", "", network([](const State& s) {
-         return s.network().shear_modulus() / s.uniform_strain().shear_modulus();
-       }),
-       fixed("ratio*", 3)},
       {"K_network_Pa", "K_network_Pa", network([](const State& s) { return s.network().bulk_modulus(); })},
       {"G_hh_network_Pa", "G_hh_network_Pa", network(G_hh_network)},
       {"G_vh_network_Pa", "G_vh_network_Pa", network(G_vh_network)},
@@ -111,90 +105,6 @@ io::Columns<Verdict> verdict_columns() {
           {"", "holds", &Verdict::holds},
           {"measured", "measured", &Verdict::measured},
           {"", "finding", &Verdict::finding}};
-}
-
-std::string states_csv(const Scene& scene, const std::vector<SpecimenResult>& specimens) {
-  using Row = std::pair<const SpecimenResult*, const CompressedState*>;
-  io::Columns<Row> columns = {{"contact", "", [](const Row& row) { return name(row.first->contact); }},
-                              {"density", "", [](const Row& row) { return name(row.first->density); }},
-                              {"seed", "", [](const Row& row) { return row.first->seed; }}};
-  io::add_part(columns, state_columns(), [](const Row& row) { return row.second; });
-  std::vector<Row> rows;
-  for (const SpecimenResult& specimen : specimens)
-    for (const CompressedState& state : specimen.states)
-      rows.emplace_back(&specimen, &state);
-  return io::csv_text(columns, rows,
-                      {{"program", "granum " + std::string(version()) + " verify"},
-                       {"grains", std::to_string(scene.study.grains)},
-                       {"signs", "compression positive; z is the vertical axis v"},
-                       {"moduli", "closed: closed form of uniform strain; uniform_strain: the contact "
-                                  "network with every grain moved by the mean strain; network: every "
-                                  "grain in equilibrium; probe: cyclic shear by DEM; K_lower, K_upper: "
-                                  "bounds of K_network"}});
-}
-
-std::string exponents_csv(const std::vector<ExponentRow>& rows) {
-  return io::csv_text(exponent_columns(), rows,
-                      {{"program", "granum " + std::string(version()) + " verify"},
-                       {"meaning", "s of G ~ p^s, fitted to G by the Levenberg-Marquardt method; paper: s of "
-                                   "G_hv in Table 5 of Chung et al. 2014"},
-                       {"columns", "contact_law: of a single contact; closed_form: uniform strain; "
-                                   "network_with_f_e: G of the network divided by f(e) = "
-                                   "(2.17-e)^2/(1+e); *_error: standard error"}});
-}
-
-std::string local_exponents_csv(const std::vector<LocalExponents>& rows) {
-  return io::csv_text(
-      local_exponent_columns(), rows,
-      {{"program", "granum " + std::string(version()) + " verify"},
-       {"meaning", "d ln G/d ln p between neighbouring pressures; p_Pa: their geometric mean; "
-                   "contact_law: d ln k_n/d ln f (k_n: normal stiffness, f: normal force) at the mean "
-                   "force"}});
-}
-
-std::string states_table(const std::vector<SpecimenResult>& specimens) {
-  std::string out;
-  for (const SpecimenResult& specimen : specimens) {
-    out += "\n" + std::string(name(specimen.contact)) + ", " + std::string(name(specimen.density)) +
-           ", seed " + std::to_string(specimen.seed) + "\n" +
-           io::table_text(state_columns(), specimen.states);
-    for (const std::string& why : specimen.left_out)
-      out += "  left out: at " + why + "\n";
-    if (!specimen.failure.empty())
-      out += "  ended early: " + specimen.failure + "\n";
-  }
-  return out + "\n  G in MPa; C_n: contacts per grain, z*: the same without rattlers;\n"
-               "  G formula: closed form of uniform strain, from C_n and e (void ratio);\n"
-               "  G network: linear response, every grain in equilibrium;\n"
-               "  G_hh (horizontal plane), G_hv, G_vh (vertical plane): by the probe, a small\n"
-               "  cyclic shear of the DEM specimen\n"
-               "  * G network / G of the same network under uniform strain\n";
-}
-
-std::string exponents_table(const std::vector<ExponentRow>& rows) {
-  return "s of G ~ p^s, +- standard error; law: 1/(1+alpha)\n" + io::table_text(exponent_columns(), rows) +
-         "  law: s of a single contact; alpha: exponent of its profile, cone 1, sphere 2;\n"
-         "  formula: closed form of uniform strain; with f(e): G of the network divided\n"
-         "  by f(e) = (2.17-e)^2/(1+e); paper: G_hv in Table 5 of Chung et al. 2014\n";
-}
-
-std::string local_exponents_table(const std::vector<LocalExponents>& rows) {
-  if (rows.empty())
-    return {};
-  return "s between neighbouring pressures; below p* roughness matters; law: d ln k_n/\n"
-         "d ln f of a contact, k_n its normal stiffness, f its force; strain: uniform\n"
-         "strain; rung 3: uniform strain with the relaxation factor\n" +
-         io::table_text(local_exponent_columns(), rows);
-}
-
-std::string verdicts_table(const std::vector<Verdict>& verdicts) {
-  std::string out;
-  for (const Verdict& verdict : verdicts)
-    out += std::string(verdict.holds     ? "  holds    "
-                       : verdict.finding ? "  differs  "
-                                         : "  FAILS    ") +
-           verdict.claim + ": " + verdict.measured + "\n";
-  return out;
 }
 
 } // namespace granum::studies

@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "studies/reproduce/figures/experiment_figures.hpp"
+#include <fmt/format.h>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/dem/neighbours.hpp>
 #include <granum/plot/svg_text.hpp>
 
-#include "figure_parts.hpp"
+#include "figures.hpp"
 
-namespace granum::studies {
+namespace granum::cli {
 
 namespace {
 
@@ -26,13 +26,13 @@ constexpr double azimuth = 30 * std::numbers::pi / 180;
 constexpr double elevation = 22 * std::numbers::pi / 180;
 
 /// Parallel projection: x to the right, y up, depth towards the viewer.
-struct Seen {
+struct Projected {
   double x = 0;
   double y = 0;
   double depth = 0;
 };
 
-Seen seen(const Vec3& p) {
+Projected seen(const Vec3& p) {
   const double along = p.x * std::cos(azimuth) + p.y * std::sin(azimuth); // towards the eye, level
   const double across = p.y * std::cos(azimuth) - p.x * std::sin(azimuth);
   return {across, p.z * std::cos(elevation) - along * std::sin(elevation),
@@ -44,7 +44,7 @@ class View {
  public:
   View(const Mat3& cell, double radius) {
     for (int corner = 0; corner < 8; ++corner) {
-      const Seen s =
+      const Projected s =
           seen(cell * Vec3{(corner & 1) * 1.0, ((corner >> 1) & 1) * 1.0, ((corner >> 2) & 1) * 1.0});
       left_ = std::min(left_, s.x - radius);
       right_ = std::max(right_, s.x + radius);
@@ -56,10 +56,10 @@ class View {
   [[nodiscard]] double scale() const { return scale_; }
   [[nodiscard]] double width() const { return 2 * margin + (right_ - left_) * scale_; }
   [[nodiscard]] double height() const { return 2 * margin + (high_ - low_) * scale_; }
-  [[nodiscard]] std::string x(const Seen& s) const {
+  [[nodiscard]] std::string x(const Projected& s) const {
     return plot::svg_number(margin + (s.x - left_) * scale_);
   }
-  [[nodiscard]] std::string y(const Seen& s) const {
+  [[nodiscard]] std::string y(const Projected& s) const {
     return plot::svg_number(margin + (high_ - s.y) * scale_);
   }
 
@@ -88,22 +88,17 @@ std::string gradients() {
   return "<defs>\n" + stops + "</defs>\n";
 }
 
-std::vector<Vec3> grains_in_cell(const dem::Specimen& state) {
-  std::vector<Vec3> centres = state.position;
-  if (!state.walls)
-    dem::wrap(state.cell, centres);
-  return centres;
-}
-
 struct Drawn {
-  Seen centre;
+  Projected centre;
   double radius = 0;
 };
 
 /// Farthest first.
 std::vector<Drawn> drawn_grains(const dem::Specimen& state) {
   const Vec3 corner = state.cell * Vec3{1, 1, 1};
-  const std::vector<Vec3> centres = grains_in_cell(state);
+  std::vector<Vec3> centres = state.position;
+  if (!state.walls)
+    dem::wrap(state.cell, centres);
   std::vector<Drawn> out;
   for (std::size_t g = 0; g < centres.size(); ++g) {
     const Vec3 behind = corner - centres[g]; // the faces at x, y and z of the far corner are seen
@@ -123,7 +118,7 @@ std::string diameters(const dem::Specimen& state) {
 }
 
 std::string edge(const View& view, const Vec3& from, const Vec3& to) {
-  const Seen a = seen(from), b = seen(to);
+  const Projected a = seen(from), b = seen(to);
   return plot::svg_element("line",
                            {{"x1", view.x(a)}, {"y1", view.y(a)}, {"x2", view.x(b)}, {"y2", view.y(b)}});
 }
@@ -199,19 +194,14 @@ std::optional<AssemblyPicture> assembly_picture(const Experiment& experiment) {
     return std::nullopt;
   const dem::Specimen& state = shown->end_of_iso;
   const Kind kind{.contact = shown->contact, .density = shown->density, .specimen = shown};
-  const std::string edge_lengths = short_text(1e3 * state.cell(0, 0), 3) + " x " +
-                                   short_text(1e3 * state.cell(1, 1), 3) + " x " +
-                                   short_text(1e3 * state.cell(2, 2), 3) + " mm";
-  plot::SvgPicture drawing = assembly_drawing(state);
-  drawing.finding = "The specimen " + kind.title() +
-                    " at the end of isotropic compression: " + std::to_string(state.grain_count()) +
-                    " grains of " + diameters(state) + " in " +
-                    (state.walls ? "a box of six rigid walls of " : "a periodic cell of ") + edge_lengths +
-                    (state.walls ? "." : "; grains that stick out at one face come in at the opposite one.");
-  return AssemblyPicture{.stem = "fig03_" + kind.key(),
-                         .caption = drawing.finding,
-                         .svg = plot::svg(drawing),
-                         .in_page = plot::svg_in_page(drawing)};
+  const auto edge_length = [&state](int axis) { return short_text(1e3 * state.cell(axis, axis), 3); };
+  AssemblyPicture out{.stem = "fig03_" + kind.key(), .drawing = assembly_drawing(state)};
+  out.drawing.finding = fmt::format(
+      "The specimen {} at the end of isotropic compression: {} grains of {} in {} of {} x {} x {} mm{}",
+      kind.title(), state.grain_count(), diameters(state),
+      state.walls ? "a box of six rigid walls" : "a periodic cell", edge_length(0), edge_length(1),
+      edge_length(2), state.walls ? "." : "; grains that stick out at one face come in at the opposite one.");
+  return out;
 }
 
-} // namespace granum::studies
+} // namespace granum::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/report/compression.hpp"
+#include "cli/verify/compression.hpp"
 
 #include <cmath>
 #include <set>
@@ -11,19 +11,18 @@
 #include "relative.hpp"
 
 using namespace granum;
-using namespace granum::studies;
+using namespace granum::cli;
 using contact::Shape;
+using studies::Panel;
+using studies::Scene;
 using triaxial::Density;
 
 namespace {
 
 /// G = 100 MPa (p/100 kPa)^s by every route, z* from 4 + s to 5 + s.
 Compression compression(Shape shape, Density density, double s) {
-  Compression out{.contact = shape,
-                  .density = density,
-                  .contact_exponent = 1 / 3.0,
-                  .exponent = Measured{s, 0.004},
-                  .paper_exponent = 0.5};
+  Compression out{
+      .contact = shape, .density = density, .contact_exponent = 1 / 3.0, .exponent = Measured{s, 0.004}};
   for (const double share : {0.1, 0.4, 1.0}) {
     const double G = 1e8 * std::pow(share, s);
     out.states.push_back({.pressure = 1e5 * share,
@@ -38,6 +37,11 @@ Compression compression(Shape shape, Density density, double s) {
 
 std::vector<Compression> both() {
   return {compression(Shape::sphere, Density::dense, 0.36), compression(Shape::sphere, Density::loose, 0.56)};
+}
+
+std::vector<Panel> panels_of(const Scene& scene, const std::vector<Compression>& all) {
+  Document document;
+  return add_compression(document, scene, all);
 }
 
 bool contains(const std::string& text, const std::string& piece) {
@@ -92,9 +96,9 @@ TEST_CASE("parts that were not run have no result") {
   all[1].exponent = {};
   CHECK(compression_answer(all).size() == 2);
   CHECK(compression_answer({}).size() == 1);
-  const CompressionStory story = compression_story(Scene{}, {}, "figures");
-  CHECK(story.panels.empty());
-  CHECK(story.why.empty());
+  Document document;
+  CHECK(add_compression(document, Scene{}, {}).empty());
+  CHECK(document.sections.size() == 1);
 }
 
 TEST_CASE("log G over log p has every route of every specimen, and triangles of slope s at their ends") {
@@ -120,9 +124,9 @@ TEST_CASE("a shape has its colour in all pictures, and is listed once in each") 
   std::vector<Compression> all = both();
   all.push_back(compression(Shape::cone, Density::dense, 0.5));
   all.push_back(compression(Shape::cone, Density::loose, 0.7));
-  const CompressionStory story = compression_story(Scene{}, all, "figures");
-  CHECK(story.panels.size() == 6);
-  for (const Panel& panel : story.panels) {
+  const std::vector<Panel> panels = panels_of(Scene{}, all);
+  CHECK(panels.size() == 6);
+  for (const Panel& panel : panels) {
     CAPTURE(panel.stem);
     std::multiset<std::string> named;
     for (const plot::Series& one : panel.chart.series) {
@@ -140,14 +144,27 @@ TEST_CASE("a shape has its colour in all pictures, and is listed once in each") 
 
 TEST_CASE("curves of the closed form that coincide are drawn once, others one by one") {
   Scene scene;
-  const CompressionStory one = compression_story(scene, both(), "figures");
-  const Panel& of_spheres = one.panels.back();
+  const Panel of_spheres = panels_of(scene, both()).back();
   CHECK(series(of_spheres, "closed form").name == "rung 3, of all shapes");
   std::vector<Compression> all = both();
   all.push_back(compression(Shape::cone, Density::dense, 0.5));
-  const Panel of_two = compression_story(scene, all, "figures").panels.back();
+  const Panel of_two = panels_of(scene, all).back();
   const plot::Series& spheres = series(of_two, "closed form sphere");
   const dem::Material sphere = recipe(scene, Shape::sphere, 1).material;
   CHECK(spheres.y[7] == effective::relaxation(spheres.x[7], sphere.tangential_ratio, 1 / 3.0).shear.value);
   CHECK(series(of_two, "closed form cone").y[7] != spheres.y[7]);
+}
+
+TEST_CASE("the pictures of a document show one modulus at a time, with links to their numbers") {
+  Document document;
+  (void)add_compression(document, Scene{}, both());
+  REQUIRE(document.sections.size() == 4);
+  const auto& first = std::get<Picture>(document.sections.front().what);
+  CHECK(first.choices == std::vector<std::string>{"G_hv", "G_vh", "G_hh"});
+  CHECK(first.files.front() == "figures/log_G_log_p_G_hv.csv");
+  CHECK(document.sentences.size() == 3);
+  const std::string html = page(document);
+  CHECK(contains(html, "<h1>Why does the stiffness"));
+  CHECK(contains(html, "data-choice=\"G_hh\""));
+  CHECK(contains(html, "<a href=\"figures/relaxation.csv\">relaxation.csv</a>"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/reproduce/figures/experiment_figures.hpp"
+#include "cli/reproduce/figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +15,16 @@
 #include <granum/fabric/orientation.hpp>
 #include <granum/io/csv/table.hpp>
 
-#include "count_pieces.hpp"
 #include "relative.hpp"
+#include "studies/count_pieces.hpp"
 #include "synthetic_experiment.hpp"
 #include "well_formed.hpp"
 
 using namespace granum;
-using namespace granum::studies;
+using namespace granum::cli;
 using contact::Shape;
 using stress::ShearPath;
+using studies::count;
 using triaxial::Density;
 
 namespace {
@@ -192,7 +193,7 @@ TEST_CASE("exponents are shown next to the printed ones") {
   REQUIRE(paper.y.size() == 3);
   std::size_t k = 0;
   for (const Shape contact : {Shape::cone, Shape::sphere, Shape::flat}) {
-    CHECK(paper.y[k] == printed(contact, Density::loose)->hv.s);
+    CHECK(paper.y[k] == studies::printed(contact, Density::loose)->hv.s);
     CHECK(ours.x[k] == paper.x[k]);
     // The moduli were made with sqrt(p') alone, and a power of sigma_h and sigma_v comes near to it.
     CHECK(ours.y[k] == relative(0.5, 0.02));
