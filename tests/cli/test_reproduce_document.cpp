@@ -85,7 +85,7 @@ TEST_CASE("reproduce: a result that contradicts the paper differs, and a check o
 
 TEST_CASE("reproduce: our number with its error is next to the printed one, on screen, page and in files") {
   const Experiment experiment = synthetic::experiment();
-  // Dense cones: C_n = 6 +- 0.05, the paper has 5.90, which is within 0.4, as is asked for. Loose cones: 3.91.
+  // Dense cones: C_n = 6 +- 0.05, the paper has 5.90, within 0.4 as is asked for. Loose cones: 3.91.
   const ExperimentDocument of = document(experiment);
   CHECK(has(screen(of.document, false),
             "cone     dense   C_n                                    6+-0.05   5.9       yes\n"));

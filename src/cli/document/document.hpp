@@ -28,7 +28,7 @@ enum class Seen {
   data    ///< only in files
 };
 
-/// Values by name: a list on a screen, members of an object in JSON, and a cell of CSV where it has a heading.
+/// Values by name: a list on a screen, members of an object in JSON, cells of CSV where they have headings.
 struct Items {
   std::string key = {}; ///< of their object in JSON, "answer/shares"; empty: that of the document
   std::string title = {};

@@ -11,7 +11,7 @@
 #include <granum/stress/stress.hpp>
 #include <granum/triaxial/probe.hpp>
 
-#include "cli/frame/frame.hpp"
+#include "cli/document/document.hpp"
 #include "cli/frame/help.hpp"
 #include "cli/frame/long_work.hpp"
 #include "cli/options/likely_mistakes.hpp"
@@ -110,11 +110,13 @@ std::vector<io::DeckFile> deck_of(const studies::Scene& scene, const Specimen& s
       dem::contact_network(start_state(scene, specimen, start_of(options), stop_requested),
                            studies::recipe(scene, contact::Shape::sphere, specimen.seed).material);
   std::vector<io::DeckFile> files = io::lammps_deck(grains, experiment);
-  nlohmann::ordered_json manifest = json_head("export lammps");
-  manifest["seed"] = specimen.seed;
-  manifest["density"] = studies::name(specimen.density);
-  manifest["scene"] = json_of(scene);
-  files.push_back({"manifest.json", json_text(with_warnings(manifest, likely_mistakes(scene)))});
+  Items of;
+  io::add_item(of.items, "seed", specimen.seed);
+  io::add_item(of.items, "density", std::string(studies::name(specimen.density)));
+  Document manifest{.command = "export lammps"};
+  manifest.add(Seen::data, std::move(of));
+  manifest.add(Seen::data, Data{"scene", json_of(scene)});
+  files.push_back({"manifest.json", json_text(with_warnings(json(manifest), likely_mistakes(scene)))});
   return files;
 }
 
@@ -141,22 +143,24 @@ ExitCode run(const ExportOptions& options) {
   prepare_folders(scene, options);
   const StopRequest stop_requested = [&stop = listen_for_stop()] { return stop.load(); };
 
-  nlohmann::ordered_json json = json_head("export lammps");
-  json["scene"] = json_of(scene);
-  json["files"] = nlohmann::ordered_json::array();
-  std::string table;
+  Document to{.command = "export lammps", .title = "input files of LAMMPS"};
+  nlohmann::ordered_json written = nlohmann::ordered_json::array();
+  Prose folders;
   for (const Specimen& specimen : specimens_of(scene)) {
     const fs::path folder = fs::path(options.out) / specimen.folder();
     for (const io::DeckFile& file : deck_of(scene, specimen, options, stop_requested)) {
       io::write_file(folder / file.name, file.text, existing(options.force));
-      json["files"].push_back((folder / file.name).string());
+      written.push_back((folder / file.name).string());
     }
-    table += fmt::format("{}: {} grains\n", folder.string(), scene.study.grains);
+    folders.lines.push_back(fmt::format("{}: {} grains", folder.string(), scene.study.grains));
   }
-  table += "run in each of these folders: lmp -in in.all (one core), or\n"
-           "mpirun -np N lmp -in in.all (N cores)\n";
-  return deliver({.json = options.json, .strict = false, .force = false, .out = {}}, table,
-                 with_warnings(json, slips), {});
+  to.add(Seen::data, Data{"scene", json_of(scene)});
+  to.add(Seen::data, Data{"files", std::move(written)});
+  to.add(Seen::always, std::move(folders));
+  to.add(Seen::always, Prose{{"run in each of these folders: lmp -in in.all (one core), or",
+                              "mpirun -np N lmp -in in.all (N cores)"}});
+  return deliver({.json = options.json, .strict = false, .force = false, .out = {}}, screen(to, true),
+                 with_warnings(json(to), slips), {}); // which are said already
 }
 
 } // namespace

@@ -9,9 +9,7 @@
 #include <granum/io/csv/columns.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-#include "cli/frame/frame.hpp"
-#include "cli/frame/help.hpp"
-#include "cli/frame/json_members.hpp"
+#include "cli/document/document.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
@@ -53,45 +51,53 @@ io::ShownColumn shown(std::string label, std::string meaning = "") {
   return {.heading = std::move(label), .digits = 3, .meaning = std::move(meaning)};
 }
 
-io::Items plan_items(const studies::Scene& scene, const studies::Plan& plan) {
-  io::Items list;
-  const auto grains = fmt::format("of {} grains, frictionless", scene.study.grains);
-  const auto pressures = fmt::format("through {} pressures each", scene.study.pressures.size());
-  io::add_item(list, "packings", plan.packings, shown("packings", grains));
-  io::add_item(list, "specimens", plan.specimens, shown("specimens with friction", pressures));
-  io::add_item(list, "network_solutions", plan.network_solutions, shown("networks", "6 load cases each"));
-  io::add_item(list, "probes", plan.probes, shown("cyclic shear probes"));
-  io::add_item(list, "grain_steps", plan.grain_steps, shown("grain-steps", "about; grains times time steps"));
-  io::add_item(list, "seconds_per_grain_step", plan.seconds_per_grain_step,
-               io::ShownColumn{.heading = "time of a grain-step",
-                               .digits = 3,
-                               .unit = 1e-9,
-                               .symbol = " ns",
-                               .meaning = "measured now"});
-  io::add_item(list, "predicted_time_s", plan.seconds,
-               io::ShownColumn{.heading = "time",
-                               .digits = 2,
-                               .symbol = " s",
-                               .meaning = "on " + threads_text(studies::thread_count(scene))});
-  io::add_item(
-      list, "predicted_memory_bytes", plan.memory,
+/// A number on the screen, in JSON, and in a column of CSV.
+template <class Number>
+void add(Items& to, const std::string& key, Number value, std::optional<io::ShownColumn> look = {},
+         const std::string& before = "") {
+  to.items.emplace_back(
+      before + key, key, [value](const io::Only&) { return value; }, std::move(look));
+}
+
+Items plan_items(const studies::Scene& scene, const studies::Plan& plan) {
+  Items list;
+  add(list, "packings", plan.packings,
+      shown("packings", fmt::format("of {} grains, frictionless", scene.study.grains)));
+  add(list, "specimens", plan.specimens,
+      shown("specimens with friction",
+            fmt::format("through {} pressures each", scene.study.pressures.size())));
+  add(list, "network_solutions", plan.network_solutions, shown("networks", "6 load cases each"));
+  add(list, "probes", plan.probes, shown("cyclic shear probes"));
+  add(list, "grain_steps", plan.grain_steps, shown("grain-steps", "about; grains times time steps"));
+  add(list, "seconds_per_grain_step", plan.seconds_per_grain_step,
+      io::ShownColumn{.heading = "time of a grain-step",
+                      .digits = 3,
+                      .unit = 1e-9,
+                      .symbol = " ns",
+                      .meaning = "measured now"});
+  add(list, "predicted_time_s", plan.seconds,
+      io::ShownColumn{.heading = "time",
+                      .digits = 2,
+                      .symbol = " s",
+                      .meaning = "on " + threads_text(studies::thread_count(scene))});
+  add(list, "predicted_memory_bytes", plan.memory,
       io::ShownColumn{.heading = "memory", .digits = 0, .fixed = true, .unit = 1e6, .symbol = " MB"});
   return list;
 }
 
-io::Items rule_items(const Rule& rule, double wanted) {
-  io::Items list;
-  const io::ShownColumn percent{.heading = "error of G", .digits = 2, .unit = 0.01, .symbol = " %"};
-  const std::string for_wanted = "for " + percent_text(wanted) + " of G";
-  io::add_item(list, "G", rule.modulus_error, percent);
-  io::add_item(list, "s", rule.exponent_error, shown("error of s"));
-  io::add_item(list, "wanted_G", wanted);
-  io::add_item(list, "grains_for_wanted", rule.recipe.grains, shown("grains", for_wanted));
-  io::add_item(list, "inertial_number_for_wanted", rule.recipe.inertial_number,
-               shown("inertial number", for_wanted + ", at most"));
-  io::add_item(list, "smallest_grains_measured", rule.smallest);
-  io::add_item(list, "largest_grains_measured", rule.largest);
-  io::add_item(list, "", fmt::format("{} to {}", rule.smallest, rule.largest),
+Items rule_items(const Rule& rule, const std::string& density, double wanted) {
+  Items list{.key = "errors/" + density, .title = density};
+  const std::string for_wanted = "for " + percent_text(wanted) + " of G", before = density + "_";
+  add(list, "G", rule.modulus_error,
+      io::ShownColumn{.heading = "error of G", .digits = 2, .unit = 0.01, .symbol = " %"}, before);
+  add(list, "s", rule.exponent_error, shown("error of s"), before);
+  add(list, "wanted_G", wanted, {}, before);
+  add(list, "grains_for_wanted", rule.recipe.grains, shown("grains", for_wanted), before);
+  add(list, "inertial_number_for_wanted", rule.recipe.inertial_number,
+      shown("inertial number", for_wanted + ", at most"), before);
+  add(list, "smallest_grains_measured", rule.smallest, {}, before);
+  add(list, "largest_grains_measured", rule.largest, {}, before);
+  io::add_item(list.items, "", fmt::format("{} to {}", rule.smallest, rule.largest),
                shown("laws measured for", "grains"));
   return list;
 }
@@ -99,23 +105,22 @@ io::Items rule_items(const Rule& rule, double wanted) {
 ExitCode run(const PlanOptions& options) {
   const studies::Scene scene = resolve(options.study, studies::SceneCommand::plan);
   say_cost_of_sizes(scene);
-  const io::Items items = plan_items(scene, studies::plan(scene, studies::measured_speed(scene)));
-  nlohmann::ordered_json json = with_cost_of_sizes(json_head("plan"), scene);
-  json["scene"] = json_of(scene);
-  put_members(json, items, io::Only{});
-  std::string text =
-      "granum verify would run\n" + io::list_text(items, io::Only{}) +
-      "standard errors due to the number of grains, the seeds and the strain rate, by laws measured on "
-      "equal spheres (validation/trade); \"for " +
-      percent_text(options.error) +
-      " of G\": what a standard error of G of this size requires; error of s: absolute, s of G ~ p^s\n";
-  for (const triaxial::Density density : scene.study.densities) {
-    const io::Items rule = rule_items(rule_of(scene, density, options.error), options.error);
-    const std::string name(studies::name(density));
-    json["errors"][name] = members(rule, io::Only{});
-    text += name + "\n" + io::list_text(rule, io::Only{});
-  }
-  return deliver(options.output, within_width(text), json, likely_mistakes(scene));
+  Document to{.command = "plan", .title = "granum verify would run", .signs = ""};
+  to.add(Seen::data, Data{"scene", json_of(scene)});
+  to.add(Seen::always, plan_items(scene, studies::plan(scene, studies::measured_speed(scene))));
+  to.add(Seen::always,
+         Prose{{fmt::format(
+             "standard errors due to the number of grains, the seeds and the strain rate, by laws "
+             "measured on equal spheres (validation/trade); \"for {} of G\": what a standard "
+             "error of G of this size requires; error of s: absolute, s of G ~ p^s",
+             percent_text(options.error))}});
+  for (const triaxial::Density density : scene.study.densities)
+    to.add(Seen::always, rule_items(rule_of(scene, density, options.error),
+                                    std::string(studies::name(density)), options.error));
+  if (const std::string cost = studies::cost_of_sizes(scene); !cost.empty())
+    to.notes.push_back({cost});
+  to.warnings = likely_mistakes(scene);
+  return deliver(Outlets{.output = options.output}, to);
 }
 
 } // namespace
