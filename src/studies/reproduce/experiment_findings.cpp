@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <tuple>
 
 #include "studies/paper/paper.hpp"
 #include <granum/core/text.hpp>
@@ -13,15 +14,41 @@
 namespace granum::studies {
 
 const PathRun* find_run(const ExperimentSpecimen& specimen, const std::optional<stress::ShearPath>& path) {
-  const auto found = std::find_if(specimen.runs.begin(), specimen.runs.end(),
-                                  [&](const PathRun& run) { return run.path == path; });
+  const auto found = std::ranges::find(specimen.runs, path, &PathRun::path);
   return found == specimen.runs.end() ? nullptr : &*found;
 }
 
-std::vector<const StateRecord*> early_points(const ExperimentSpecimen& specimen) {
-  // A snapshot at a multiple of eta is taken just after it.
-  constexpr double margin = 0.01;
-  std::vector<const StateRecord*> out;
+std::optional<double> network_G_hh(const StateRecord& point) { return point.G_hh(); }
+std::optional<double> network_G_vh(const StateRecord& point) { return point.G_vh(); }
+
+namespace {
+
+template <double Probes::*of>
+std::optional<double> probed(const StateRecord& point) {
+  return point.probes ? std::optional((*point.probes).*of) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<double> probe_G_hh(const StateRecord& point) { return probed<&Probes::G_hh>(point); }
+std::optional<double> probe_G_hv(const StateRecord& point) { return probed<&Probes::G_hv>(point); }
+std::optional<double> probe_G_vh(const StateRecord& point) { return probed<&Probes::G_vh>(point); }
+
+namespace {
+
+using triaxial::Density;
+using Points = std::vector<const StateRecord*>;
+
+/// eta up to which the paper fits its Table 5 and calls a dense specimen's structure constant.
+constexpr double early_eta = 0.6;
+/// Cells of further_exponents that a claim needs.
+constexpr const char* exponent_h_of_G_hh = "exponent of sigma_h in G_hh";
+constexpr const char* exponent_v_of_G_hh = "exponent of sigma_v in G_hh";
+
+/// Frozen states of the shear paths with |eta| <= early_eta, not counting those past the peak.
+Points early_points(const ExperimentSpecimen& specimen) {
+  constexpr double margin = 0.01; // a snapshot at a multiple of eta is taken just after it
+  Points out;
   for (const PathRun& run : specimen.runs)
     for (const StateRecord& point : run.points) {
       // Past the peak eta may fall below the limit again: the path has left the range for good.
@@ -32,47 +59,20 @@ std::vector<const StateRecord*> early_points(const ExperimentSpecimen& specimen)
   return out;
 }
 
-std::vector<const StateRecord*> fit_points(const ExperimentSpecimen& specimen) {
-  std::vector<const StateRecord*> out = early_points(specimen);
-  for (const StateRecord& point : specimen.runs.front().points)
-    out.push_back(&point);
-  return out;
-}
-
-std::optional<double> network_G_hh(const StateRecord& point) { return point.G_hh(); }
-std::optional<double> network_G_vh(const StateRecord& point) { return point.G_vh(); }
-
-std::optional<double> probe_G_hh(const StateRecord& point) {
-  return point.probes ? std::optional(point.probes->G_hh) : std::nullopt;
-}
-std::optional<double> probe_G_hv(const StateRecord& point) {
-  return point.probes ? std::optional(point.probes->G_hv) : std::nullopt;
-}
-std::optional<double> probe_G_vh(const StateRecord& point) {
-  return point.probes ? std::optional(point.probes->G_vh) : std::nullopt;
-}
-
-namespace {
-
-using triaxial::Density;
-
-/// A quantity of one specimen; empty if not measured.
-using Reading = std::function<std::optional<TableValue>(const ExperimentSpecimen&)>;
-
-/// One column of a table: the measured quantity, the paper's value, and the limit of their difference.
+/// One column of a table: the measured quantity of a specimen, empty if not measured; the paper's value; and
+/// the limits of their difference for dense and loose.
 struct Column {
   std::string quantity;
-  Reading measure;
-  std::function<std::optional<double>(const PrintedSpecimen&)> print;
-  double reach_dense = 0;
-  double reach_loose = 0;
+  std::function<std::optional<TableValue>(const ExperimentSpecimen&)> measure;
+  std::function<std::optional<double>(const PrintedSpecimen&)> print = {};
+  double reach_dense = 0, reach_loose = reach_dense;
 };
 
 std::vector<TableRow> table(const Experiment& experiment, const std::vector<Column>& columns) {
   std::vector<TableRow> rows;
   for (const contact::Shape contact : experiment.scene.study.contacts)
     for (const Density density : experiment.scene.study.densities) {
-      TableRow row{.contact = contact, .density = density, .cells = {}};
+      TableRow& row = rows.emplace_back(TableRow{.contact = contact, .density = density, .cells = {}});
       const std::optional<PrintedSpecimen> paper = printed(contact, density);
       for (const Column& column : columns) {
         std::vector<TableValue> each;
@@ -83,82 +83,61 @@ std::vector<TableRow> table(const Experiment& experiment, const std::vector<Colu
         const std::optional<TableValue> mean = mean_over_seeds(each);
         if (!mean)
           continue;
-        Cell cell{.quantity = column.quantity, .ours = *mean, .printed = {}, .reach = {}};
+        Cell& cell = row.cells.emplace_back(Cell{column.quantity, *mean, {}, {}});
         if (paper && column.print)
           cell.printed = column.print(*paper);
         if (cell.printed)
           cell.reach = density == Density::dense ? column.reach_dense : column.reach_loose;
-        row.cells.push_back(cell);
       }
-      rows.push_back(row);
     }
   return rows;
 }
 
-std::optional<TableValue> initial_coordination(const ExperimentSpecimen& specimen) {
-  const std::vector<StateRecord>& points = specimen.runs.front().points;
-  if (points.empty())
-    return std::nullopt;
-  return TableValue{points.front().coordination_number_all, points.front().coordination_error};
-}
-
-/// Between walls two diameters inside: layers at the walls raise e of 10,000 grains by 0.06.
-std::optional<TableValue> initial_void_ratio(const ExperimentSpecimen& specimen) {
-  const std::vector<StateRecord>& points = specimen.runs.front().points;
-  if (points.empty())
-    return std::nullopt;
-  return TableValue{points.front().interior_void_ratio, {}};
-}
-
-Reading peak_angle(stress::ShearPath path) {
-  return [path](const ExperimentSpecimen& specimen) -> std::optional<TableValue> {
-    const PathRun* run = find_run(specimen, path);
-    if (run == nullptr || !run->failure.empty())
-      return std::nullopt;
-    return TableValue{stress::mobilised_friction_angle(run->peak.stress) * 180 / std::numbers::pi, {}};
+/// A quantity of the first frozen state.
+auto at_start(TableValue (*of)(const StateRecord&)) {
+  return [of](const ExperimentSpecimen& specimen) {
+    const std::vector<StateRecord>& points = specimen.runs.front().points;
+    return points.empty() ? std::nullopt : std::optional(of(points.front()));
   };
 }
 
-/// Eq. (1) fitted to one specimen; a part of the fit is picked by the caller.
-struct FitOf {
-  ModulusOf modulus;
-  bool two_exponents = true; ///< m of sigma_h and n of sigma_v; else s of sigma_h alone
-};
-
-std::optional<hardin::Fit> fitted(const ExperimentSpecimen& specimen, const FitOf& what) {
-  std::vector<hardin::MeasuredModulus> rows;
-  for (const StateRecord* point : fit_points(specimen))
-    if (const std::optional<double> modulus = what.modulus(*point); modulus && *modulus > 0) {
-      const double other = what.two_exponents ? point->stress.v : point->stress.h;
-      rows.push_back({*modulus, {point->stress.h, other, point->void_ratio}});
-    }
-  if (rows.size() < 4 || early_points(specimen).empty())
-    return std::nullopt;
-  const hardin::FitOptions options{.atmospheric_pressure = 100e3,
-                                   .void_ratio_function = hardin::VoidRatioFunction::hardin_richart_round,
-                                   .weights = hardin::Weights::absolute};
-  const hardin::FitReport report =
-      what.two_exponents ? hardin::fit(rows, options) : hardin::fit_exponent_sum(rows, options);
-  return report.status() == hardin::FitStatus::converged ? std::optional(report.fit()) : std::nullopt;
-}
-
-using PartOf = std::function<Measured(const hardin::Fit&)>;
-
-Reading part(FitOf what, PartOf pick) {
-  return [what = std::move(what),
-          pick = std::move(pick)](const ExperimentSpecimen& specimen) -> std::optional<TableValue> {
-    const std::optional<hardin::Fit> fit = fitted(specimen, what);
-    if (!fit)
-      return std::nullopt;
-    const Measured estimate = pick(*fit);
-    return TableValue{estimate.value, estimate.standard_error};
-  };
-}
-
+using PartOf = Measured (*)(const hardin::Fit&);
 Measured exponent_m(const hardin::Fit& fit) { return *fit.exponent_i; }
 Measured exponent_n(const hardin::Fit& fit) { return *fit.exponent_j; }
 Measured exponent_s(const hardin::Fit& fit) { return fit.exponent_sum; }
 Measured coefficient(const hardin::Fit& fit) { return fit.coefficient; }
+
+/// Eq. (1) fitted to the moduli of one specimen with m of sigma_h and n of sigma_v, or with s of sigma_h
+/// alone; a part of the fit.
+auto fitted(ModulusOf modulus, PartOf part, bool two_exponents = true) {
+  return [=](const ExperimentSpecimen& specimen) -> std::optional<TableValue> {
+    const Points early = early_points(specimen);
+    Points points = early;
+    for (const StateRecord& point : specimen.runs.front().points)
+      points.push_back(&point);
+    std::vector<hardin::MeasuredModulus> rows;
+    for (const StateRecord* point : points)
+      if (const std::optional<double> G = modulus(*point); G && *G > 0)
+        rows.push_back(
+            {*G, {point->stress.h, two_exponents ? point->stress.v : point->stress.h, point->void_ratio}});
+    if (rows.size() < 4 || early.empty())
+      return std::nullopt;
+    const hardin::FitOptions options{.atmospheric_pressure = 100e3,
+                                     .void_ratio_function = hardin::VoidRatioFunction::hardin_richart_round,
+                                     .weights = hardin::Weights::absolute};
+    const hardin::FitReport report =
+        two_exponents ? hardin::fit(rows, options) : hardin::fit_exponent_sum(rows, options);
+    if (report.status() != hardin::FitStatus::converged)
+      return std::nullopt;
+    const Measured estimate = part(report.fit());
+    return TableValue{estimate.value, estimate.standard_error};
+  };
+}
+
+// s as the paper prints it.
+double printed_hh(const PrintedSpecimen& paper) { return paper.hh.s; }
+double printed_hv(const PrintedSpecimen& paper) { return paper.hv.s; }
+double printed_vh(const PrintedSpecimen& paper) { return paper.vh.s; }
 
 } // namespace
 
@@ -171,43 +150,227 @@ Agreement Cell::agreement() const {
 }
 
 std::vector<TableRow> table_2(const Experiment& experiment) {
-  return table(experiment, {{"C_n", initial_coordination,
-                             [](const PrintedSpecimen& p) { return p.coordination_number; }, 0.4, 0.4},
-                            {"e", initial_void_ratio, [](const PrintedSpecimen& p) { return p.void_ratio; },
-                             0.02, 0.02}});
+  return table(experiment,
+               {{"C_n", at_start([](const StateRecord& point) {
+                   return TableValue{point.coordination_number_all, point.coordination_error};
+                 }),
+                 [](const PrintedSpecimen& paper) { return paper.coordination_number; }, 0.4},
+                // Between walls two diameters inside: layers at the walls raise e of 10,000 grains by 0.06.
+                {"e", at_start([](const StateRecord& point) {
+                   return TableValue{point.interior_void_ratio, {}};
+                 }),
+                 [](const PrintedSpecimen& paper) { return paper.void_ratio; }, 0.02}});
 }
 
 std::vector<TableRow> table_4(const Experiment& experiment) {
   std::vector<Column> columns;
   for (std::size_t k = 0; k < stress::all_shear_paths.size(); ++k) {
     const stress::ShearPath path = stress::all_shear_paths[k];
-    columns.push_back({std::string(stress::name(path)) + " [deg]", peak_angle(path),
-                       [k](const PrintedSpecimen& p) { return p.friction_angle[k]; }, 1.5, 1.5});
+    columns.push_back(
+        {std::string(stress::name(path)) + " [deg]",
+         [path](const ExperimentSpecimen& specimen) -> std::optional<TableValue> {
+           const PathRun* run = find_run(specimen, path);
+           if (run == nullptr || !run->failure.empty())
+             return std::nullopt;
+           return TableValue{stress::mobilised_friction_angle(run->peak.stress) * 180 / std::numbers::pi, {}};
+         },
+         [k](const PrintedSpecimen& paper) { return paper.friction_angle[k]; }, 1.5});
   }
   return table(experiment, columns);
 }
 
 std::vector<TableRow> table_5(const Experiment& experiment) {
-  const FitOf hh{network_G_hh, false}, hv{network_G_vh, true};
-  return table(
-      experiment,
-      {{"s of G_hh", part(hh, exponent_s), [](const PrintedSpecimen& p) { return p.hh.s; }, 0.04, 0.08},
-       {"m of G_hv", part(hv, exponent_m), [](const PrintedSpecimen& p) { return p.hv.m; }, 0.05, 0.10},
-       {"n of G_hv", part(hv, exponent_n), [](const PrintedSpecimen& p) { return p.hv.n; }, 0.05, 0.10},
-       {"s of G_hv", part(hv, exponent_s), [](const PrintedSpecimen& p) { return p.hv.s; }, 0.04, 0.08},
-       {"C of G_hv", part(hv, coefficient), {}, 0, 0}});
+  return table(experiment, {{"s of G_hh", fitted(network_G_hh, exponent_s, false), printed_hh, 0.04, 0.08},
+                            {"m of G_hv", fitted(network_G_vh, exponent_m),
+                             [](const PrintedSpecimen& paper) { return paper.hv.m; }, 0.05, 0.10},
+                            {"n of G_hv", fitted(network_G_vh, exponent_n),
+                             [](const PrintedSpecimen& paper) { return paper.hv.n; }, 0.05, 0.10},
+                            {"s of G_hv", fitted(network_G_vh, exponent_s), printed_hv, 0.04, 0.08},
+                            {"C of G_hv", fitted(network_G_vh, coefficient)}});
 }
 
 std::vector<TableRow> further_exponents(const Experiment& experiment) {
-  const FitOf both{network_G_hh, true}, hh{probe_G_hh, false}, hv{probe_G_hv, true}, vh{probe_G_vh, true};
-  return table(experiment, {{exponent_h_of_G_hh, part(both, exponent_m), {}, 0, 0},
-                            {exponent_v_of_G_hh, part(both, exponent_n), {}, 0, 0},
-                            {"s of G_hh, probes", part(hh, exponent_s),
-                             [](const PrintedSpecimen& p) { return p.hh.s; }, 0.04, 0.08},
-                            {"s of G_hv, probes", part(hv, exponent_s),
-                             [](const PrintedSpecimen& p) { return p.hv.s; }, 0.04, 0.08},
-                            {"s of G_vh, probes", part(vh, exponent_s),
-                             [](const PrintedSpecimen& p) { return p.vh.s; }, 0.04, 0.08}});
+  return table(experiment,
+               {{exponent_h_of_G_hh, fitted(network_G_hh, exponent_m)},
+                {exponent_v_of_G_hh, fitted(network_G_hh, exponent_n)},
+                {"s of G_hh, probes", fitted(probe_G_hh, exponent_s, false), printed_hh, 0.04, 0.08},
+                {"s of G_hv, probes", fitted(probe_G_hv, exponent_s), printed_hv, 0.04, 0.08},
+                {"s of G_vh, probes", fitted(probe_G_vh, exponent_s), printed_vh, 0.04, 0.08}});
+}
+
+// ---- claims
+
+namespace {
+
+void judge(std::vector<Verdict>& out, std::string claim, bool holds, std::string measured) {
+  out.push_back({std::move(claim), holds, std::move(measured)});
+}
+
+std::string title(const ExperimentSpecimen& specimen) {
+  return std::string(name(specimen.density)) + " " + std::string(name(specimen.contact)) + " (seed " +
+         std::to_string(specimen.seed) + ")";
+}
+
+/// Cells with a printed value: how many are near to it, and the largest distance.
+struct Near {
+  double cells = 0, within = 0, worst = 0;
+
+  void take(const Cell& cell, bool near) {
+    ++cells;
+    within += near;
+    worst = std::max(worst, std::abs(cell.ours.value - *cell.printed));
+  }
+  [[nodiscard]] std::string text() const { return detail::formatted("%.0f of %.0f", within, cells); }
+};
+
+Near near(const std::vector<TableRow>& rows, double distance, const std::string& quantity = {}) {
+  Near out;
+  for (const TableRow& row : rows)
+    for (const Cell& cell : row.cells)
+      if (cell.printed && (quantity.empty() || cell.quantity == quantity))
+        out.take(cell, std::abs(cell.ours.value - *cell.printed) <= distance);
+  return out;
+}
+
+void judge_all_near(std::vector<Verdict>& out, const std::string& claim, const Near& near) {
+  if (near.cells > 0)
+    judge(out, claim, near.within == near.cells, near.text() + detail::formatted(", worst %.3g", near.worst));
+}
+
+void judge_tables(std::vector<Verdict>& out, const Experiment& experiment) {
+  const std::vector<TableRow> initial = table_2(experiment), peaks = table_4(experiment);
+  judge_all_near(out, "Table 2: C_n within 0.4 of the paper", near(initial, 0.4, "C_n"));
+  judge_all_near(out, "Table 2: e within 0.02 of the paper", near(initial, 0.02, "e"));
+  if (const Near close = near(peaks, 1.5); close.cells > 0)
+    judge(out, "Table 4: five of six friction angles within 1.5 deg of the paper",
+          6 * close.within >= 5 * close.cells, close.text());
+  judge_all_near(out, "Table 4: all friction angles within 2.5 deg of the paper", near(peaks, 2.5));
+  const std::vector<TableRow> fits = table_5(experiment);
+  for (const auto& [letters, of_dense, of_loose] :
+       {std::tuple{std::string("s"), "s within 0.04", "s within 0.08"},
+        std::tuple{std::string("mn"), "m and n within 0.05", "m and n within 0.10"}})
+    for (const Density density : experiment.scene.study.densities) {
+      Near all;
+      for (const TableRow& row : fits)
+        for (const Cell& cell : row.cells)
+          if (row.density == density && letters.find(cell.quantity.front()) != std::string::npos &&
+              cell.agreement() != Agreement::not_asked)
+            all.take(cell, cell.agreement() == Agreement::within);
+      judge_all_near(out,
+                     "Table 5, " + std::string(name(density)) + ": " +
+                         (density == Density::dense ? of_dense : of_loose) + " of the paper",
+                     all);
+    }
+}
+
+/// Largest distance of a figure from its value at the start of the paths, over |eta| <= 0.6.
+double worst_change(const ExperimentSpecimen& specimen, double (*figure)(const StateRecord&)) {
+  const double start = figure(specimen.runs.front().points.back());
+  double worst = 0;
+  for (const StateRecord* point : early_points(specimen))
+    worst = std::max(worst, std::abs(figure(*point) / start - 1));
+  return worst;
+}
+
+/// The paper's picture of dense specimens: their structure stays as it is up to |eta| = 0.6, then contacts
+/// are lost and the rest turns towards the larger stress.
+void judge_dense_structure(std::vector<Verdict>& out, const ExperimentSpecimen& specimen) {
+  const double coordination =
+      worst_change(specimen, [](const StateRecord& p) { return p.micro.coordination_number; });
+  double anisotropy = 0, error = 0;
+  for (const StateRecord* point : early_points(specimen))
+    if (std::abs(point->micro.fabric_anisotropy) > anisotropy) {
+      anisotropy = std::abs(point->micro.fabric_anisotropy);
+      error = point->micro.fabric_anisotropy_error;
+    }
+  judge(out, title(specimen) + ": C_n within 3 % of its start for |q/p'| <= 0.6", coordination <= 0.03,
+        detail::formatted("largest relative change %.2g", coordination));
+  judge(out, title(specimen) + ": fabric anisotropy a within 0.03 of zero for |q/p'| <= 0.6",
+        anisotropy <= 0.03, detail::formatted("worst %.3f +- %.3f", anisotropy, error));
+  double kept = 0, turned = 10;
+  for (const PathRun& run : specimen.runs)
+    if (run.path && !run.points.empty() && run.failure.empty()) {
+      const analysis::Microstructure &first = specimen.runs.front().points.back().micro,
+                                     &last = run.points.back().micro;
+      const double sense = stress::is_compression(*run.path) ? 1 : -1;
+      kept = std::max(kept, last.coordination_number / first.coordination_number);
+      turned = std::min(turned, sense * last.fabric_anisotropy);
+    }
+  if (kept > 0)
+    judge(out,
+          title(specimen) +
+              ": past the peak C_n has decreased and a grown towards the larger stress on every "
+              "path",
+          kept < 0.9 && turned > 0.1,
+          detail::formatted("at most %.2f of C_n is left, a is %.2f or more", kept, turned));
+}
+
+/// Flat contacts have one stiffness: G changes only with the structure, which dense specimens keep.
+void judge_flat(std::vector<Verdict>& out, const ExperimentSpecimen& specimen) {
+  const double change = std::max(worst_change(specimen, [](const StateRecord& p) { return p.G_vh(); }),
+                                 worst_change(specimen, [](const StateRecord& p) { return p.G_hh(); }));
+  const bool dense = specimen.density == Density::dense;
+  judge(out,
+        title(specimen) + (dense ? ": G constant" : ": G not constant") + " within 5 % for |q/p'| <= 0.6",
+        dense ? change <= 0.05 : change > 0.05, detail::formatted("largest relative change %.2g", change));
+}
+
+/// In the paper G_hh depends on sigma_h only.
+void judge_horizontal_shear(std::vector<Verdict>& out, const Experiment& experiment) {
+  for (const TableRow& row : further_exponents(experiment)) {
+    const auto vertical = std::ranges::find(row.cells, exponent_v_of_G_hh, &Cell::quantity),
+               horizontal = std::ranges::find(row.cells, exponent_h_of_G_hh, &Cell::quantity);
+    if (row.density != Density::dense || vertical == row.cells.end() || horizontal == row.cells.end())
+      continue;
+    const double error = vertical->ours.standard_error.value_or(0);
+    judge(out, "dense " + std::string(name(row.contact)) + ": G_hh does not depend on sigma_v",
+          std::abs(vertical->ours.value) <= 2 * error,
+          detail::formatted("exponent of sigma_v %.3f +- %.3f, of sigma_h %.3f", vertical->ours.value, error,
+                            horizontal->ours.value));
+  }
+}
+
+/// Largest difference of G_hv and G_vh by cyclic shear before 0.9 of failure.
+void judge_vertical_shear(std::vector<Verdict>& out, const Experiment& experiment) {
+  double worst = 0, states = 0;
+  for (const ExperimentSpecimen& specimen : experiment.specimens)
+    for (const PathRun& run : specimen.runs)
+      for (const StateRecord& point : run.points) {
+        if (run.path && std::abs(point.at.stress.ratio()) > 0.9 * std::abs(run.peak.stress.ratio()))
+          break;
+        if (!point.probes)
+          continue;
+        worst = std::max(worst, std::abs(point.probes->G_hv / point.probes->G_vh - 1));
+        ++states;
+      }
+  if (states > 0)
+    judge(out, "G_vh = G_hv by cyclic shear up to 0.9 of the peak q/p', within 2 %", worst <= 0.02,
+          detail::formatted("worst %.2g in %.0f states", worst, states));
+}
+
+} // namespace
+
+std::vector<Verdict> experiment_verdicts(const Experiment& experiment) {
+  std::vector<Verdict> out;
+  judge_tables(out, experiment);
+  for (const ExperimentSpecimen& specimen : experiment.specimens) {
+    if (early_points(specimen).empty() || specimen.runs.front().points.empty())
+      continue;
+    if (specimen.density == Density::dense)
+      judge_dense_structure(out, specimen);
+    if (specimen.contact == contact::Shape::flat)
+      judge_flat(out, specimen);
+  }
+  judge_horizontal_shear(out, experiment);
+  for (Verdict& verdict : out)
+    verdict.finding = true;
+  judge_vertical_shear(out, experiment);
+  for (const ExperimentSpecimen& specimen : experiment.specimens)
+    for (const PathRun& run : specimen.runs)
+      if (!run.failure.empty())
+        judge(out, title(specimen) + ", " + std::string(name(run.path)) + ": the whole path was run", false,
+              run.failure);
+  return out;
 }
 
 } // namespace granum::studies

@@ -11,7 +11,6 @@
 #include <granum/io/checkpoint/checkpoint.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-#include "state_record.hpp"
 #include "studies/running/outcome_text.hpp"
 
 namespace granum::studies {
@@ -21,37 +20,29 @@ namespace {
 /// Points of the curve between two frozen ones.
 constexpr double curve_refinement = 5;
 
-std::string lower_case(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return out;
-}
-
 /// The checkpoint of one piece: its bytes, if there are any yet, and their writing. The file says of which
 /// piece it is, so that one that was renamed, or stored in another's place, is refused.
 class Store {
  public:
   /// \param    stem   name of the piece: of the file without its ending, and its subject
-  Store(const CheckpointFolder& checkpoints, const std::string& stem)
-      : subject_(stem), scene_text_(checkpoints.scene_text) {
+  Store(const CheckpointFolder& checkpoints, std::string stem)
+      : subject_(std::move(stem)), scene_text_(checkpoints.scene_text) {
     if (!checkpoints.folder.empty())
-      path_ = checkpoints.folder / (stem + ".checkpoint");
+      path_ = checkpoints.folder / (subject_ + ".checkpoint");
   }
 
   [[nodiscard]] std::optional<std::string> bytes() const {
     std::error_code error;
     if (path_.empty() || !std::filesystem::exists(path_, error)) {
       if (error)
-        throw FileError(path_.string(), 0, "cannot be read: " + error.message());
+        throw FileError(name(), 0, "cannot be read: " + error.message());
       return std::nullopt;
     }
     io::Checkpoint checkpoint = io::read_checkpoint(path_);
     if (checkpoint.scene != scene_text_)
-      throw FileError(path_.string(), 0, "is the checkpoint of another scene");
+      throw FileError(name(), 0, "is the checkpoint of another scene");
     if (checkpoint.subject != subject_)
-      throw FileError(path_.string(), 0,
-                      "is the checkpoint of " + checkpoint.subject + ", not of " + subject_);
+      throw FileError(name(), 0, "is the checkpoint of " + checkpoint.subject + ", not of " + subject_);
     return std::move(checkpoint.state);
   }
   [[nodiscard]] std::string name() const { return path_.string(); }
@@ -62,8 +53,7 @@ class Store {
 
  private:
   std::filesystem::path path_;
-  std::string subject_;
-  std::string scene_text_;
+  std::string subject_, scene_text_;
 };
 
 std::string stem(const Piece& piece, const std::optional<stress::ShearPath>& path) {
@@ -173,23 +163,20 @@ triaxial::PathPoint isotropic_point(const triaxial::Snapshot& snapshot, const Ma
           .step = snapshot.report.steps};
 }
 
-bool holds(const std::vector<double>& values, double value) {
-  return std::find(values.begin(), values.end(), value) != values.end();
-}
-
 } // namespace
 
 std::string path_in_file_names(const std::optional<stress::ShearPath>& path) {
-  return lower_case(name(path));
+  std::string out(name(path));
+  std::ranges::transform(out, out.begin(), [](char c) { return static_cast<char>(c - 'A' + 'a'); });
+  return out;
 }
 
 dem::Specimen packing(const Piece& piece) {
-  const std::string name_of_packing =
-      std::string(name(piece.contact)) + "-" + std::to_string(piece.seed) + "-packing";
-  const Store store(piece.checkpoints, name_of_packing);
+  const std::string stem = std::string(name(piece.contact)) + "-" + std::to_string(piece.seed) + "-packing";
+  const Store store(piece.checkpoints, stem);
   if (const std::optional<std::string> bytes = store.bytes()) {
     ByteReader from(*bytes, store.name());
-    piece.meter.found(packing_steps(piece.scene), name_of_packing);
+    piece.meter.found(piece.work, stem);
     return dem::load_specimen(from);
   }
   dem::Specimen state = triaxial::frictionless_specimen(recipe(piece.scene, piece.contact, piece.seed),
@@ -198,206 +185,162 @@ dem::Specimen packing(const Piece& piece) {
   ByteWriter to;
   dem::save_specimen(to, state);
   store.write(to);
-  piece.meter.add(packing_steps(piece.scene), name_of_packing);
+  piece.meter.add(piece.work, stem);
   return state;
 }
 
-IsoRun isotropic_run(const Piece& piece, const dem::Specimen& packing) {
-  const Scene& scene = piece.scene;
+PathRun isotropic_run(const Piece& piece, const dem::Specimen& packing, dem::Specimen& end) {
+  const StudySection& study = piece.scene.study;
   const Store store(piece.checkpoints, stem(piece, std::nullopt));
-  const triaxial::SpecimenRecipe specimen = recipe(scene, piece.contact, piece.seed);
-  const double work = isotropic_steps(scene, piece.contact, piece.density) /
-                      static_cast<double>(scene.study.pressures.size());
-  IsoRun iso;
+  const std::string what = title(piece, std::nullopt);
+  const triaxial::SpecimenRecipe specimen = recipe(piece.scene, piece.contact, piece.seed);
+  const double work = piece.work / static_cast<double>(study.pressures.size());
+  PathRun run;
+  dem::Specimen state;
   Mat3 first_cell;
   if (const std::optional<std::string> bytes = store.bytes()) {
     ByteReader from(*bytes, store.name());
-    iso.state = dem::load_specimen(from);
+    state = dem::load_specimen(from);
     first_cell = from.get<Mat3>();
-    iso.run = load_run(from, std::nullopt);
-    if (iso.run.points.size() > scene.study.pressures.size())
+    run = load_run(from, std::nullopt);
+    if (run.points.size() > study.pressures.size())
       from.fail("contains more states than the scene has pressures");
-    piece.meter.found(work * static_cast<double>(iso.run.points.size()), title(piece, std::nullopt));
+    piece.meter.found(work * static_cast<double>(run.points.size()), what);
   } else {
-    iso.state = triaxial::start_of_compression(packing, piece.density, specimen, piece.meter.stop_request());
+    state = triaxial::start_of_compression(packing, piece.density, specimen, piece.meter.stop_request());
   }
   dem::QuasistaticOptions options = triaxial::compression_options();
   options.stop_requested = piece.meter.stop_request();
   const auto visit = [&](const triaxial::Snapshot& snapshot) {
-    iso.run.steps += snapshot.report.steps;
-    if (!snapshot.report.converged()) {
-      iso.run.failure = failure_of(snapshot);
+    run.steps += snapshot.report.steps;
+    run.failure = failure_of(snapshot);
+    if (!run.failure.empty())
       return false;
-    }
-    if (iso.run.points.empty())
+    if (run.points.empty())
       first_cell = snapshot.state.cell;
-    iso.run.largest_inertial_number =
-        std::max(iso.run.largest_inertial_number, snapshot.report.largest_inertial_number);
-    iso.run.points.push_back(state_record(
-        snapshot.state, specimen.material, isotropic_point(snapshot, first_cell),
-        holds(scene.study.probe_pressures, snapshot.pressure), iso.run.notes, options.stop_requested));
-    iso.state = snapshot.state;
+    run.largest_inertial_number =
+        std::max(run.largest_inertial_number, snapshot.report.largest_inertial_number);
+    const bool probed =
+        std::ranges::find(study.probe_pressures, snapshot.pressure) != study.probe_pressures.end();
+    run.points.push_back(state_record(snapshot.state, specimen.material,
+                                      isotropic_point(snapshot, first_cell), probed, run.notes,
+                                      options.stop_requested));
+    state = snapshot.state;
     ByteWriter to;
-    dem::save_specimen(to, iso.state);
+    dem::save_specimen(to, state);
     to.put(first_cell);
-    save_run(to, iso.run);
+    save_run(to, run);
     store.write(to);
-    piece.meter.add(work, title(piece, std::nullopt));
-    if (piece.meter.stopped() && iso.run.points.size() < scene.study.pressures.size())
-      iso.run.failure = stopped_on_request;
-    return iso.run.failure.empty();
+    piece.meter.add(work, what);
+    if (piece.meter.stopped() && run.points.size() < study.pressures.size())
+      run.failure = stopped_on_request;
+    return run.failure.empty();
   };
-  const auto done = static_cast<std::ptrdiff_t>(iso.run.points.size());
-  const std::vector<double> left(scene.study.pressures.begin() + done, scene.study.pressures.end());
-  if (!triaxial::isotropic_path(iso.state, specimen.material, left, options, visit) &&
-      iso.run.failure.empty())
-    iso.run.failure = "the path ended early";
-  return iso;
+  const auto done = static_cast<std::ptrdiff_t>(run.points.size());
+  const std::vector<double> left(study.pressures.begin() + done, study.pressures.end());
+  if (!triaxial::isotropic_path(state, specimen.material, left, options, visit) && run.failure.empty())
+    run.failure = "the path ended early";
+  if (run.failure.empty())
+    end = std::move(state);
+  return run;
 }
 
-namespace {
-
-/// A shear test with its record.
-class ShearRecord {
- public:
-  ShearRecord(const Piece& piece, const dem::Specimen& start, stress::ShearPath path)
-      : piece_(piece), path_(path), store_(piece.checkpoints, stem(piece, path)),
-        material_(recipe(piece.scene, piece.contact, piece.seed).material),
-        work_(shear_steps(piece.scene, piece.contact, path)) {
-    const Scene& scene = piece.scene;
-    run_.path = path;
-    schedule_ = {.eta = {scene.shear.eta_step},
-                 .strain = {scene.shear.strain_step},
-                 .probe_eta = {scene.shear.probe_eta_step}};
-    if (const std::optional<std::string> bytes = store_.bytes()) {
-      take_up(*bytes);
-      return;
-    }
-    test_ = triaxial::ShearTest(start, material_,
-                                {.path = path,
-                                 .mean_stress = scene.study.pressures.back(),
-                                 .inertial_number = scene.shear.inertial_number,
-                                 .eta_step = scene.shear.eta_step / curve_refinement,
-                                 .strain_step = scene.shear.strain_step / curve_refinement,
-                                 .largest_strain = scene.shear.largest_strain,
-                                 .stop_requested = piece.meter.stop_request()});
-    run_.curve.push_back(test_->now());
-    cycle();
-  }
-
-  PathRun run() && {
-    while (test_ && run_.failure.empty())
-      advance();
-    return std::move(run_);
-  }
-
- private:
-  void advance() {
-    const triaxial::ShearEvent event = test_->advance();
-    record();
-    switch (event) {
-    case triaxial::ShearEvent::snapshot:
-      run_.curve.push_back(test_->now());
-      if (const Schedule::Due due = schedule_.at(test_->now(), path_); due.frozen) {
-        freeze(due.probed);
-        if (due.cycled)
-          cycle();
-        save();
-        report_progress();
-      }
-      return;
-    case triaxial::ShearEvent::finished:
-      run_.curve.push_back(test_->now());
-      test_.reset();
-      save();
-      report_progress();
-      return;
-    case triaxial::ShearEvent::stopped:
-      save();
-      run_.failure = stopped_on_request;
-      return;
-    case triaxial::ShearEvent::unstable:
-      break;
-    }
-    run_.failure = "the motion became unstable";
-  }
-
-  void record() {
-    run_.peak = test_->peak();
-    run_.path_error = test_->path_error();
-    run_.largest_inertial_number = test_->largest_inertial_number();
-    run_.steps = test_->now().step;
-  }
-
-  /// A state that does not come to rest is left out with a note, and the path continues. A run that is
-  /// stopped here resumes from the checkpoint before.
-  void freeze(bool probed) {
+PathRun shear_run(const Piece& piece, const dem::Specimen& start, stress::ShearPath path) {
+  const ShearSection& shear = piece.scene.shear;
+  const Store store(piece.checkpoints, stem(piece, path));
+  const dem::Material material = recipe(piece.scene, piece.contact, piece.seed).material;
+  const StopRequest stop_requested = piece.meter.stop_request();
+  PathRun run;
+  run.path = path;
+  Schedule schedule{
+      .eta = {shear.eta_step}, .strain = {shear.strain_step}, .probe_eta = {shear.probe_eta_step}};
+  std::optional<triaxial::ShearTest> test; // empty when the path is finished
+  double reported = 0;                     // share of the work
+  const auto share = [&] {
+    return test ? std::min(1.0, std::abs(test->now().axial_strain) / shear.largest_strain) : 1;
+  };
+  const auto save = [&] {
+    ByteWriter to;
+    to.put(test.has_value());
+    to.put(schedule);
+    save_run(to, run);
+    if (test)
+      test->save(to);
+    store.write(to);
+  };
+  // The paper shows cycles of one specimen: the first contact shape, dense, on TXC.
+  const auto cycle = [&] {
+    if (shear.loop_strain > 0 && path == stress::ShearPath::txc &&
+        piece.density == triaxial::Density::dense && piece.contact == piece.scene.study.contacts.front())
+      run.loops.push_back(shear_loop(test->engine().state(), material, test->now().stress.ratio(),
+                                     shear.loop_strain, stop_requested));
+  };
+  // A state that does not come to rest is left out with a note, and the path continues. A run that is stopped
+  // here resumes from the checkpoint before.
+  const auto freeze = [&](bool probed) {
     const std::string failure = failure_of([&] {
-      run_.points.push_back(state_record(test_->engine().state(), material_, test_->now(), probed, run_.notes,
-                                         piece_.meter.stop_request()));
+      run.points.push_back(
+          state_record(test->engine().state(), material, test->now(), probed, run.notes, stop_requested));
     });
     if (!failure.empty())
-      run_.notes.push_back("not frozen at eta = " + std::to_string(test_->now().stress.ratio()) + ": " +
-                           failure);
-  }
-
-  /// The paper shows cycles of one specimen: the first contact shape, dense, on TXC.
-  void cycle() {
-    const Scene& scene = piece_.scene;
-    if (scene.shear.loop_strain > 0 && path_ == stress::ShearPath::txc &&
-        piece_.density == triaxial::Density::dense && piece_.contact == scene.study.contacts.front())
-      run_.loops.push_back(shear_loop(test_->engine().state(), material_, test_->now().stress.ratio(),
-                                      scene.shear.loop_strain, piece_.meter.stop_request()));
-  }
-
-  void save() const {
-    ByteWriter to;
-    to.put(test_.has_value());
-    to.put(schedule_);
-    save_run(to, run_);
-    if (test_)
-      test_->save(to);
-    store_.write(to);
-  }
-
-  void take_up(const std::string& bytes) {
-    ByteReader from(bytes, store_.name());
+      run.notes.push_back("not frozen at eta = " + std::to_string(test->now().stress.ratio()) + ": " +
+                          failure);
+  };
+  if (const std::optional<std::string> bytes = store.bytes()) {
+    ByteReader from(*bytes, store.name());
     const bool under_way = from.get<bool>();
-    const Schedule planned = std::exchange(schedule_, from.get<Schedule>());
-    if (!planned.same_steps(schedule_))
+    const Schedule planned = std::exchange(schedule, from.get<Schedule>());
+    if (!planned.same_steps(schedule))
       from.fail("was written for other distances between its states");
-    run_ = load_run(from, path_);
+    run = load_run(from, path);
     if (under_way)
-      test_ = triaxial::ShearTest::load(from, material_, piece_.meter.stop_request());
-    reported_ = share();
-    piece_.meter.found(reported_ * work_, title(piece_, path_));
+      test = triaxial::ShearTest::load(from, material, stop_requested);
+    reported = share();
+    piece.meter.found(reported * piece.work, title(piece, path));
+  } else {
+    test = triaxial::ShearTest(start, material,
+                               {.path = path,
+                                .mean_stress = piece.scene.study.pressures.back(),
+                                .inertial_number = shear.inertial_number,
+                                .eta_step = shear.eta_step / curve_refinement,
+                                .strain_step = shear.strain_step / curve_refinement,
+                                .largest_strain = shear.largest_strain,
+                                .stop_requested = stop_requested});
+    run.curve.push_back(test->now());
+    cycle();
   }
-
-  [[nodiscard]] double share() const {
-    return test_ ? std::min(1.0, std::abs(test_->now().axial_strain) / piece_.scene.shear.largest_strain) : 1;
+  while (test && run.failure.empty()) {
+    const triaxial::ShearEvent event = test->advance();
+    run.peak = test->peak();
+    run.path_error = test->path_error();
+    run.largest_inertial_number = test->largest_inertial_number();
+    run.steps = test->now().step;
+    if (event == triaxial::ShearEvent::unstable) {
+      run.failure = "the motion became unstable";
+      break;
+    }
+    if (event == triaxial::ShearEvent::stopped) {
+      save();
+      run.failure = stopped_on_request;
+      break;
+    }
+    run.curve.push_back(test->now());
+    if (event == triaxial::ShearEvent::finished) {
+      test.reset();
+    } else {
+      const Schedule::Due due = schedule.at(test->now(), path);
+      if (!due.frozen)
+        continue;
+      freeze(due.probed);
+      if (due.cycled)
+        cycle();
+    }
+    save();
+    const double now = std::max(reported, share());
+    piece.meter.add((now - reported) * piece.work, title(piece, path));
+    reported = now;
   }
-
-  void report_progress() {
-    const double now = std::max(reported_, share());
-    piece_.meter.add((now - reported_) * work_, title(piece_, path_));
-    reported_ = now;
-  }
-
-  const Piece& piece_;
-  stress::ShearPath path_;
-  Store store_;
-  dem::Material material_;
-  double work_;
-  double reported_ = 0;
-  PathRun run_;
-  Schedule schedule_;
-  std::optional<triaxial::ShearTest> test_; ///< empty when the path is finished
-};
-
-} // namespace
-
-PathRun shear_run(const Piece& piece, const dem::Specimen& start, stress::ShearPath path) {
-  return ShearRecord(piece, start, path).run();
+  return run;
 }
 
 } // namespace granum::studies

@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "studies/reproduce/experiment.hpp"
+#include <granum/core/stop_request.hpp>
 
 #include "studies/running/work_sharing.hpp"
 
@@ -20,17 +22,15 @@ struct Piece {
   contact::Shape contact;
   triaxial::Density density;
   std::uint64_t seed;
+  double work; ///< predicted, in steps of the engine with friction
 };
 
 /// The frictionless packing; dense and loose specimens share it.
 [[nodiscard]] dem::Specimen packing(const Piece& piece);
 
 /// Isotropic compression of a frictionless packing.
-struct IsoRun {
-  PathRun run;
-  dem::Specimen state; ///< at the last pressure
-};
-[[nodiscard]] IsoRun isotropic_run(const Piece& piece, const dem::Specimen& packing);
+/// \param    end   gets the state at the last pressure, if it is reached
+[[nodiscard]] PathRun isotropic_run(const Piece& piece, const dem::Specimen& packing, dem::Specimen& end);
 
 /// A stress path from the end of isotropic compression.
 [[nodiscard]] PathRun shear_run(const Piece& piece, const dem::Specimen& start, stress::ShearPath path);
@@ -38,10 +38,20 @@ struct IsoRun {
 /// Name of a path in checkpoint files: "txc"; "iso" without a path, for isotropic compression.
 [[nodiscard]] std::string path_in_file_names(const std::optional<stress::ShearPath>& path);
 
-/// Predicted work of the pieces and of all of them, in steps of the engine with friction.
-[[nodiscard]] double packing_steps(const Scene& scene);
-[[nodiscard]] double isotropic_steps(const Scene& scene, contact::Shape contact, triaxial::Density density);
-[[nodiscard]] double shear_steps(const Scene& scene, contact::Shape contact, stress::ShearPath path);
-[[nodiscard]] double experiment_steps(const Scene& scene);
+/// Brings a copy of the state to rest at fixed cell, measures it, and records the results.
+/// \param    at       point of the path of the state
+/// \param    probed   whether to shear it by DEM as well
+/// \param    notes    gets a note if probes did not come to rest; the state is then without probes
+/// \throws   NotConverged if it does not come to rest, or its network is not solved; Stopped if so
+///           asked
+[[nodiscard]] StateRecord state_record(const dem::Specimen& state, const dem::Material& material,
+                                       const triaxial::PathPoint& at, bool probed,
+                                       std::vector<std::string>& notes, const StopRequest& stop_requested);
+
+/// A cycle of horizontal shear with friction at constant normal stresses. Near failure it need not come to
+/// rest: the loop is drawn as it is.
+/// \throws   Stopped on stop_requested
+[[nodiscard]] ShearLoop shear_loop(const dem::Specimen& state, const dem::Material& material, double eta,
+                                   double amplitude, const StopRequest& stop_requested);
 
 } // namespace granum::studies

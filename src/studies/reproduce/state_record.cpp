@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "state_record.hpp"
+#include "path_run.hpp"
 
 #include <granum/analysis/measure.hpp>
 #include <granum/core/text.hpp>
