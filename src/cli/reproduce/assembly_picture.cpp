@@ -40,32 +40,27 @@ Projected seen(const Vec3& p) {
 }
 
 /// Frame and scale of the drawing.
-class View {
- public:
+struct View {
+  double left = 0, right = 0, low = 0, high = 0; // the origin is a corner
+  double scale = 1;
+
   View(const Mat3& cell, double radius) {
     for (int corner = 0; corner < 8; ++corner) {
       const Projected s =
           seen(cell * Vec3{(corner & 1) * 1.0, ((corner >> 1) & 1) * 1.0, ((corner >> 2) & 1) * 1.0});
-      left_ = std::min(left_, s.x - radius);
-      right_ = std::max(right_, s.x + radius);
-      low_ = std::min(low_, s.y - radius);
-      high_ = std::max(high_, s.y + radius);
+      left = std::min(left, s.x - radius);
+      right = std::max(right, s.x + radius);
+      low = std::min(low, s.y - radius);
+      high = std::max(high, s.y + radius);
     }
-    scale_ = (size - 2 * margin) / std::max(right_ - left_, high_ - low_);
+    scale = (size - 2 * margin) / std::max(right - left, high - low);
   }
-  [[nodiscard]] double scale() const { return scale_; }
-  [[nodiscard]] double width() const { return 2 * margin + (right_ - left_) * scale_; }
-  [[nodiscard]] double height() const { return 2 * margin + (high_ - low_) * scale_; }
   [[nodiscard]] std::string x(const Projected& s) const {
-    return plot::svg_number(margin + (s.x - left_) * scale_);
+    return plot::svg_number(margin + (s.x - left) * scale);
   }
   [[nodiscard]] std::string y(const Projected& s) const {
-    return plot::svg_number(margin + (high_ - s.y) * scale_);
+    return plot::svg_number(margin + (high - s.y) * scale);
   }
-
- private:
-  double left_ = 0, right_ = 0, low_ = 0, high_ = 0; // the origin is a corner
-  double scale_ = 1;
 };
 
 std::string shade_name(int shade) { return "granum-grain-" + std::to_string(shade); }
@@ -117,12 +112,6 @@ std::string diameters(const dem::Specimen& state) {
   return (least == most ? "" : text(least) + " to ") + text(most) + " mm";
 }
 
-std::string edge(const View& view, const Vec3& from, const Vec3& to) {
-  const Projected a = seen(from), b = seen(to);
-  return plot::svg_element("line",
-                           {{"x1", view.x(a)}, {"y1", view.y(a)}, {"x2", view.x(b)}, {"y2", view.y(b)}});
-}
-
 /// The three edges that meet in the corner that is farthest from the eye, or the other nine.
 std::string edges(const View& view, const Mat3& cell, bool far) {
   std::string out;
@@ -133,8 +122,11 @@ std::string edges(const View& view, const Mat3& cell, bool far) {
       from[(axis + 2) % 3] = other >> 1;
       Vec3 to = from;
       to[axis] = 1;
-      if ((other == 0) == far)
-        out += edge(view, cell * from, cell * to);
+      if ((other == 0) != far)
+        continue;
+      const Projected a = seen(cell * from), b = seen(cell * to);
+      out += plot::svg_element("line",
+                               {{"x1", view.x(a)}, {"y1", view.y(a)}, {"x2", view.x(b)}, {"y2", view.y(b)}});
     }
   return plot::svg_group({{"stroke", "currentColor"},
                           {"stroke-opacity", far ? "0.5" : "0.9"},
@@ -167,29 +159,26 @@ plot::SvgPicture assembly_drawing(const dem::Specimen& state) {
     shade = own;
     same_shade += plot::svg_element(
         "circle",
-        {{"cx", view.x(centre)}, {"cy", view.y(centre)}, {"r", plot::svg_number(radius * view.scale())}});
+        {{"cx", view.x(centre)}, {"cy", view.y(centre)}, {"r", plot::svg_number(radius * view.scale)}});
   }
   finish_shade();
   svg += plot::svg_group({{"stroke", "#4a3a26"}, {"stroke-width", "0.4"}}, painted) +
          edges(view, state.cell, false);
-  return {.width = view.width(),
-          .height = view.height(),
+  return {.width = 2 * margin + (view.right - view.left) * view.scale,
+          .height = 2 * margin + (view.high - view.low) * view.scale,
           .finding = "Grains of a specimen in their cell, seen from above and aside.",
           .content = svg};
 }
 
 std::optional<AssemblyPicture> assembly_picture(const Experiment& experiment) {
   const ExperimentSpecimen* shown = nullptr;
-  for (const ExperimentSpecimen& specimen : experiment.specimens) {
-    const bool wanted =
-        specimen.contact == contact::Shape::sphere && specimen.density == triaxial::Density::dense;
-    if (specimen.end_of_iso.position.empty())
-      continue;
-    if (shown == nullptr || wanted)
-      shown = &specimen;
-    if (wanted)
-      break;
-  }
+  bool wanted = false;
+  for (const ExperimentSpecimen& specimen : experiment.specimens)
+    if (!wanted && !specimen.end_of_iso.position.empty()) {
+      wanted = specimen.contact == contact::Shape::sphere && specimen.density == triaxial::Density::dense;
+      if (shown == nullptr || wanted)
+        shown = &specimen;
+    }
   if (shown == nullptr)
     return std::nullopt;
   const dem::Specimen& state = shown->end_of_iso;

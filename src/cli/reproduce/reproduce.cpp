@@ -33,13 +33,14 @@ struct ReproduceOptions {
   ResultOptions results;
 };
 
-constexpr const char* scene_of_run = "scene.toml";
+constexpr const char* stored_scene = "scene.toml";
 constexpr const char* checkpoints_name = "checkpoints";
 
-/// Files and folders that write_results makes.
+/// Files and folders of a run.
 constexpr const char* written_names[] = {"states.csv",   "curves.csv",    "loops.csv",   "histograms.csv",
                                          "table2.csv",   "table4.csv",    "table5.csv",  "exponents.csv",
-                                         "verdicts.csv", "manifest.json", "report.html", "figures"};
+                                         "verdicts.csv", "manifest.json", "report.html", figures_name,
+                                         stored_scene,   checkpoints_name};
 
 /// Tables, figures, page and manifest; replaces those of an earlier run.
 /// \throws   FileError
@@ -77,89 +78,67 @@ std::string identity(studies::Scene scene) {
   return text;
 }
 
-/// State of a run: its scene and its folder, which contains the scene and a folder of checkpoints.
-struct Place {
-  studies::Scene scene;
-  fs::path folder;
-};
-
-/// Refuses to replace a folder with an unfinished run, which can be continued.
+/// Makes the folder of a new run. One with an unfinished run, which can be continued, is refused.
 /// \throws   FileError
-void suggest_resume(const ResultOptions& results) {
-  const fs::path folder = results.out;
-  if (!results.out.empty() && !results.force && io::is_taken(folder / scene_of_run) &&
-      io::is_taken(folder / checkpoints_name) && !io::is_taken(folder / "manifest.json"))
+fs::path new_folder(const ResultOptions& results, const studies::Scene& scene) {
+  const fs::path asked = results.out;
+  if (!results.out.empty() && !results.force && io::is_taken(asked / stored_scene) &&
+      io::is_taken(asked / checkpoints_name) && !io::is_taken(asked / "manifest.json"))
     throw FileError(
         results.out, 0,
         fmt::format("contains an unfinished run; continue it with: granum reproduce --resume {}, or "
                     "start again with --force",
                     results.out));
+  fs::path folder = results_folder(results.out, "reproduce", written_names, results.force);
+  studies::remove_checkpoints(folder / checkpoints_name); // present only with --force
+  fs::create_directories(folder / checkpoints_name);      // before the scene: both together are a run
+  io::write_file(folder / stored_scene, studies::toml_of(scene), results.existing());
+  return folder;
 }
 
-studies::Scene new_scene(const ReproduceOptions& options) {
-  return resolve(options.study, studies::SceneCommand::reproduce,
-                 options.paper ? paper_scene() : studies::Scene{});
-}
-
-Place new_place(const ReproduceOptions& options, const studies::Scene& scene) {
-  Place place{.scene = scene, .folder = {}};
-  std::vector<const char*> names(std::begin(written_names), std::end(written_names));
-  names.push_back(scene_of_run);
-  names.push_back(checkpoints_name);
-  suggest_resume(options.results);
-  place.folder = results_folder(options.results.out, "reproduce", names, options.results.force);
-  studies::remove_checkpoints(place.folder / checkpoints_name); // present only with --force
-  fs::create_directories(place.folder / checkpoints_name);      // before the scene: both together are a run
-  io::write_file(place.folder / scene_of_run, studies::toml_of(place.scene), options.results.existing());
-  return place;
-}
-
-/// Reads a stopped run, or a finished one whose tables and pictures are to be written again. Any other folder
-/// may hold files of the same names, which would be lost.
+/// The scene of a stopped run, or of a finished one whose tables and pictures are to be written again. Any
+/// other folder may hold files of the same names, which would be lost.
 /// \throws   FileError
-Place old_place(const ReproduceOptions& options) {
-  const StudyOptions& study = options.study;
-  const fs::path folder = options.resume;
-  Place place{.scene = read_scene((folder / scene_of_run).string(), studies::SceneCommand::reproduce),
-              .folder = folder};
+studies::Scene old_scene(const fs::path& folder, const std::optional<std::size_t>& threads) {
+  studies::Scene scene = read_scene((folder / stored_scene).string(), studies::SceneCommand::reproduce);
   if (!fs::is_directory(folder / checkpoints_name))
     throw FileError((folder / checkpoints_name).string(), 0,
                     "does not exist: --resume needs the folder of an earlier granum reproduce");
-  if (study.threads) {
-    place.scene.study.threads = *study.threads;
-    studies::require_valid(place.scene);
-  }
-  return place;
+  scene.study.threads = threads.value_or(scene.study.threads);
+  studies::require_valid(scene);
+  return scene;
 }
 
 ExitCode run(const ReproduceOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::atomic<bool>& stop = listen_for_stop();
   const bool anew = options.resume.empty();
-  const studies::Scene scene = anew ? new_scene(options) : studies::Scene{};
-  if (anew && refuses(likely_mistakes(scene), options.strict))
+  const studies::Scene scene = anew ? resolve(options.study, studies::SceneCommand::reproduce,
+                                              options.paper ? paper_scene() : studies::Scene{})
+                                    : old_scene(options.resume, options.study.threads);
+  const Validity slips = likely_mistakes(scene);
+  if (anew && refuses(slips, options.strict))
     return ExitCode::not_converged;
-  const Place place = anew ? new_place(options, scene) : old_place(options);
-  say_cost_of_sizes(place.scene);
-  const fs::path checkpoints = place.folder / checkpoints_name;
+  const fs::path folder = anew ? new_folder(options.results, scene) : fs::path(options.resume);
+  say_cost_of_sizes(scene);
   studies::Experiment experiment;
   {
     ProgressLine line(options.results.quiet);
     experiment = studies::run_experiment(
-        place.scene, {.report = [&line](const studies::Progress& p) { line.show(p); }, .stop = &stop},
-        {.folder = checkpoints, .scene_text = identity(place.scene)});
+        scene, {.report = [&line](const studies::Progress& p) { line.show(p); }, .stop = &stop},
+        {.folder = folder / checkpoints_name, .scene_text = identity(scene)});
   }
   if (stop && !experiment.complete()) {
-    say("", fmt::format("stopped; continue with: granum reproduce --resume {}", place.folder.string()));
+    say("", fmt::format("stopped; continue with: granum reproduce --resume {}", folder.string()));
     return exit_code_of_stop();
   }
   const std::vector<studies::Verdict> verdicts = studies::experiment_verdicts(experiment);
   const ExperimentDocument found =
       experiment_document(experiment, verdicts, {.seconds = seconds_since(start), .resumed = !anew});
-  const ordered_json manifest = with_warnings(json(found.document), likely_mistakes(place.scene));
-  write_results(place.folder, found, manifest);
+  const ordered_json manifest = with_warnings(json(found.document), slips);
+  write_results(folder, found, manifest);
   options.results.print(screen(found.document, false) + "report.html, tables and pictures in " +
-                            place.folder.string() + "\n",
+                            folder.string() + "\n",
                         manifest);
   const ExitCode code = judged(verdicts, options.strict);
   return experiment.complete() ? code : ExitCode::not_converged;

@@ -37,28 +37,6 @@ std::optional<Measured> exponent_of(const SpecimenResult& specimen, const Modulu
   return fitted_exponent(rows, function);
 }
 
-std::optional<Measured> exponent_over_seeds(const std::vector<const SpecimenResult*>& group,
-                                            const ModulusOf& modulus_of, const KnownScatter& scatter,
-                                            hardin::VoidRatioFunction function) {
-  std::vector<TableValue> each;
-  for (const SpecimenResult* specimen : group)
-    if (const std::optional<Measured> one = exponent_of(*specimen, modulus_of, function))
-      each.push_back({one->value, one->standard_error});
-  const std::optional<TableValue> mean = mean_over_seeds(each, scatter);
-  if (!mean)
-    return std::nullopt;
-  return Measured{mean->value, mean->standard_error.value_or(0)};
-}
-
-std::vector<const SpecimenResult*> group_of(const std::vector<SpecimenResult>& specimens,
-                                            contact::Shape contact, Density density) {
-  std::vector<const SpecimenResult*> group;
-  for (const SpecimenResult& specimen : specimens)
-    if (specimen.contact == contact && specimen.density == density)
-      group.push_back(&specimen);
-  return group;
-}
-
 /// The largest of a figure over all states that have it.
 struct Worst {
   double value = -1;
@@ -190,11 +168,16 @@ std::vector<ExponentRow> exponents(const Scene& scene, const std::vector<Specime
   std::vector<ExponentRow> rows;
   for (const contact::Shape contact : scene.study.contacts)
     for (const Density density : scene.study.densities) {
-      const auto group = group_of(specimens, contact, density);
       const auto over_seeds = [&](const ModulusOf& modulus_of, ExponentRoute route,
-                                  hardin::VoidRatioFunction function) {
-        return exponent_over_seeds(group, modulus_of,
-                                   exponent_scatter(contact, density, route, scene.study.grains), function);
+                                  hardin::VoidRatioFunction function) -> std::optional<Measured> {
+        std::vector<TableValue> each;
+        for (const SpecimenResult& specimen : specimens)
+          if (specimen.contact == contact && specimen.density == density)
+            if (const std::optional<Measured> one = exponent_of(specimen, modulus_of, function))
+              each.push_back({one->value, one->standard_error});
+        const std::optional<TableValue> mean =
+            mean_over_seeds(each, exponent_scatter(contact, density, route, scene.study.grains));
+        return mean ? std::optional(Measured{mean->value, mean->standard_error.value_or(0)}) : std::nullopt;
       };
       rows.push_back({.contact = contact,
                       .density = density,
@@ -221,32 +204,36 @@ std::optional<RelaxationCurve> relaxation_curve(const std::vector<SpecimenResult
   return RelaxationCurve{z.size(), hardin::fit_polynomial(z, ratio, 3).rms};
 }
 
-std::vector<Verdict> failed_checks(const std::vector<Verdict>& verdicts) {
-  std::vector<Verdict> out;
-  std::copy_if(verdicts.begin(), verdicts.end(), std::back_inserter(out),
-               [](const Verdict& v) { return !v.holds && !v.finding; });
+namespace {
+
+template <class Item, class Wanted>
+std::vector<Item> those(const std::vector<Item>& all, const Wanted& wanted) {
+  std::vector<Item> out;
+  std::ranges::copy_if(all, std::back_inserter(out), wanted);
   return out;
 }
 
+} // namespace
+
+std::vector<Verdict> failed_checks(const std::vector<Verdict>& verdicts) {
+  return those(verdicts, [](const Verdict& v) { return !v.holds && !v.finding; });
+}
+
 std::vector<Verdict> differing_findings(const std::vector<Verdict>& verdicts) {
-  std::vector<Verdict> out;
-  std::copy_if(verdicts.begin(), verdicts.end(), std::back_inserter(out),
-               [](const Verdict& v) { return !v.holds && v.finding; });
-  return out;
+  return those(verdicts, [](const Verdict& v) { return !v.holds && v.finding; });
 }
 
 std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResult>& specimens) {
   std::vector<Verdict> out;
-  std::vector<SpecimenResult> whole; // a part of a path gives no s to compare
-  std::copy_if(specimens.begin(), specimens.end(), std::back_inserter(whole),
-               [](const SpecimenResult& specimen) { return specimen.failure.empty(); });
-  judge_exponents(out, exponents(scene, whole));
-  std::vector<SpecimenResult> of_one_exponent; // h depends on b: no single curve if b changes with the force
-  std::copy_if(specimens.begin(), specimens.end(), std::back_inserter(of_one_exponent),
-               [&](const SpecimenResult& specimen) {
-                 return law(scene, specimen.contact).constant_exponent().has_value();
-               });
-  if (const std::optional<RelaxationCurve> curve = relaxation_curve(of_one_exponent))
+  // A part of a path gives no s to compare.
+  judge_exponents(out, exponents(scene, those(specimens, [](const SpecimenResult& specimen) {
+                                   return specimen.failure.empty();
+                                 })));
+  // h depends on b: no single curve if b changes with the force.
+  if (const std::optional<RelaxationCurve> curve =
+          relaxation_curve(those(specimens, [&](const SpecimenResult& specimen) {
+            return law(scene, specimen.contact).constant_exponent().has_value();
+          })))
     out.push_back(
         {"G/G(uniform strain) lies on one curve of z*, rms deviation 0.03 or less", curve->rms <= 0.03,
          detail::formatted("rms %.4f", curve->rms) + ", " + std::to_string(curve->states) + " states"});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/verify/local_exponents.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -11,10 +13,13 @@ namespace granum::studies {
 
 namespace {
 
-/// Moduli of one state by every method, and its contacts.
+/// G by uniform strain, rung 3, network and probe, where there is one.
+using Routes = std::array<std::optional<double>, 4>;
+
 struct StateModuli {
-  double pressure, exponent, uniform_strain;
-  std::optional<double> transition, relaxed, network, probe;
+  double exponent;
+  std::optional<double> transition;
+  Routes moduli;
 };
 
 std::optional<double> relaxed_modulus(const CompressedState& state) {
@@ -23,45 +28,21 @@ std::optional<double> relaxed_modulus(const CompressedState& state) {
   return effective::declines(answer) ? std::nullopt : std::optional(answer.stiffness.G_vh());
 }
 
-std::optional<StateModuli> moduli_of(const CompressedState& state) {
-  if (!state.packing.state || !(state.G_closed > 0))
+/// Of the state of a specimen at that pressure, if it has one.
+std::optional<StateModuli> moduli_at(double pressure, const SpecimenResult& specimen) {
+  const auto found = std::ranges::find(specimen.states, pressure, &CompressedState::pressure);
+  if (found == specimen.states.end() || !found->packing.state || !(found->G_closed > 0))
     return std::nullopt;
-  return StateModuli{
-      .pressure = state.pressure,
-      .exponent = effective::contact_exponent(*state.packing.state),
-      .uniform_strain = state.G_closed,
-      .transition = effective::transition_pressure(*state.packing.state),
-      .relaxed = relaxed_modulus(state),
-      .network = state.packing.network ? std::optional(state.network().shear_modulus()) : std::nullopt,
-      .probe = state.probes
-                   ? std::optional((state.probes->G_hh + state.probes->G_hv + state.probes->G_vh) / 3)
-                   : std::nullopt};
+  const CompressedState& state = *found;
+  Routes moduli{state.G_closed, relaxed_modulus(state)};
+  if (state.packing.network)
+    moduli[2] = state.network().shear_modulus();
+  if (state.probes)
+    moduli[3] = (state.probes->G_hh + state.probes->G_hv + state.probes->G_vh) / 3;
+  return StateModuli{.exponent = effective::contact_exponent(*state.packing.state),
+                     .transition = effective::transition_pressure(*state.packing.state),
+                     .moduli = moduli};
 }
-
-/// The exponents of one specimen between two states, gathered over the seeds.
-struct Interval {
-  std::vector<double> contact_law, transition;
-  std::vector<TableValue> uniform_strain, relaxed, network, probe;
-
-  void add(const StateModuli& low, const StateModuli& high) {
-    const double step = std::log(high.pressure / low.pressure);
-    const auto slope = [step](double before, double after) {
-      return TableValue{std::log(after / before) / step, std::nullopt};
-    };
-    const auto add_if = [&](std::vector<TableValue>& to, const std::optional<double>& before,
-                            const std::optional<double>& after) {
-      if (before && after)
-        to.push_back(slope(*before, *after));
-    };
-    contact_law.push_back((low.exponent + high.exponent) / 2);
-    if (low.transition && high.transition)
-      transition.push_back(std::sqrt(*low.transition * *high.transition));
-    uniform_strain.push_back(slope(low.uniform_strain, high.uniform_strain));
-    add_if(relaxed, low.relaxed, high.relaxed);
-    add_if(network, low.network, high.network);
-    add_if(probe, low.probe, high.probe);
-  }
-};
 
 double mean(const std::vector<double>& values) {
   double sum = 0;
@@ -70,53 +51,51 @@ double mean(const std::vector<double>& values) {
   return sum;
 }
 
-/// Pairs of neighbouring pressures of one kind of specimen.
-std::vector<LocalExponents> rows_of(const Scene& scene, contact::Shape contact, triaxial::Density density,
-                                    const std::vector<SpecimenResult>& specimens) {
-  std::vector<LocalExponents> rows;
-  const std::vector<double>& pressures = scene.study.pressures;
-  for (std::size_t k = 1; k < pressures.size(); ++k) {
-    Interval interval;
-    for (const SpecimenResult& specimen : specimens) {
-      if (specimen.contact != contact || specimen.density != density)
-        continue;
-      std::optional<StateModuli> low, high;
-      for (const CompressedState& state : specimen.states) {
-        if (state.pressure == pressures[k - 1])
-          low = moduli_of(state);
-        if (state.pressure == pressures[k])
-          high = moduli_of(state);
-      }
-      if (low && high)
-        interval.add(*low, *high);
-    }
-    if (interval.uniform_strain.empty())
+/// The exponents of one kind of specimen between two pressures, over the seeds; empty if none has both.
+std::optional<LocalExponents> between(double low, double high, contact::Shape contact,
+                                      triaxial::Density density,
+                                      const std::vector<SpecimenResult>& specimens) {
+  std::vector<double> contact_law, transition;
+  std::array<std::vector<TableValue>, std::tuple_size_v<Routes>> slopes;
+  for (const SpecimenResult& specimen : specimens) {
+    if (specimen.contact != contact || specimen.density != density)
       continue;
-    rows.push_back(
-        {.contact = contact,
-         .density = density,
-         .pressure = std::sqrt(pressures[k - 1] * pressures[k]),
-         .transition = interval.transition.empty() ? std::nullopt : std::optional(mean(interval.transition)),
-         .contact_law = mean(interval.contact_law),
-         .uniform_strain = mean_over_seeds(interval.uniform_strain).value(),
-         .relaxed = mean_over_seeds(interval.relaxed),
-         .network = mean_over_seeds(interval.network),
-         .probe = mean_over_seeds(interval.probe)});
+    const std::optional<StateModuli> from = moduli_at(low, specimen), to = moduli_at(high, specimen);
+    if (!from || !to)
+      continue;
+    const double step = std::log(high / low);
+    contact_law.push_back((from->exponent + to->exponent) / 2);
+    if (from->transition && to->transition)
+      transition.push_back(std::sqrt(*from->transition * *to->transition));
+    for (std::size_t k = 0; k < slopes.size(); ++k)
+      if (from->moduli[k] && to->moduli[k])
+        slopes[k].push_back({std::log(*to->moduli[k] / *from->moduli[k]) / step, std::nullopt});
   }
-  return rows;
+  if (contact_law.empty())
+    return std::nullopt;
+  return LocalExponents{.contact = contact,
+                        .density = density,
+                        .pressure = std::sqrt(low * high),
+                        .transition = transition.empty() ? std::nullopt : std::optional(mean(transition)),
+                        .contact_law = mean(contact_law),
+                        .uniform_strain = mean_over_seeds(slopes[0]).value(),
+                        .relaxed = mean_over_seeds(slopes[1]),
+                        .network = mean_over_seeds(slopes[2]),
+                        .probe = mean_over_seeds(slopes[3])};
 }
 
 } // namespace
 
 std::vector<LocalExponents> local_exponents(const Scene& scene,
                                             const std::vector<SpecimenResult>& specimens) {
+  const std::vector<double>& pressures = scene.study.pressures;
   std::vector<LocalExponents> rows;
   for (const contact::Shape contact : scene.study.contacts)
     if (!law(scene, contact).constant_exponent())
-      for (const triaxial::Density density : scene.study.densities) {
-        const std::vector<LocalExponents> of_kind = rows_of(scene, contact, density, specimens);
-        rows.insert(rows.end(), of_kind.begin(), of_kind.end());
-      }
+      for (const triaxial::Density density : scene.study.densities)
+        for (std::size_t k = 1; k < pressures.size(); ++k)
+          if (const auto row = between(pressures[k - 1], pressures[k], contact, density, specimens))
+            rows.push_back(*row);
   return rows;
 }
 
