@@ -195,6 +195,18 @@ std::vector<std::string> failures(const Study& study) {
   return out;
 }
 
+/// States, exponents and verdicts, as the program has them on its screen.
+std::string study_text(const Study& study) {
+  std::string out;
+  for (const studies::SpecimenResult& specimen : study.specimens)
+    out += studies::title(specimen) + "\n" + io::table_text(studies::state_columns(), specimen.states) + "\n";
+  out += "s of G ~ p^s, +- standard error\n" +
+         io::table_text(studies::exponent_columns(), studies::exponents(study.scene, study.specimens)) + "\n";
+  for (const studies::Verdict& verdict : studies::verdicts(study.scene, study.specimens))
+    out += std::string(studies::word_of(verdict)) + "  " + verdict.claim + ": " + verdict.measured + "\n";
+  return out;
+}
+
 } // namespace
 
 void bind_studies(py::module_& module) {
@@ -212,11 +224,7 @@ void bind_studies(py::module_& module) {
       .show("verdicts", "The verdict on each claim for which the study has data.",
             [](const Study& study) { return studies::verdicts(study.scene, study.specimens); })
       .show("failures", "Messages for specimens that failed or were stopped; empty if all ran.", &failures)
-      .def("__str__", [](const Study& study) {
-        return studies::states_table(study.specimens) + "\n" +
-               studies::exponents_table(studies::exponents(study.scene, study.specimens)) + "\n" +
-               studies::verdicts_table(studies::verdicts(study.scene, study.specimens));
-      });
+      .def("__str__", &study_text);
   module.def("_verify", &verify, py::arg("settings"), py::arg("progress"));
   module.def("_text_in_si", &text_in_si, py::arg("name"), py::arg("value"));
 }

@@ -11,10 +11,15 @@ key of the schema must occur in one of them at least, and faults that are plante
 import copy
 import json
 import shlex
+import shutil
 import subprocess
 import sys
+import tempfile
 
 STATE = "--void-ratio 0.6 --pressure 100kPa"
+SCENE = ("--set study.contacts=sphere --set study.densities=dense --set study.pressures=10kPa,20kPa,40kPa --set study.probe_pressures= "
+         "--set grain.density=2.65kg/m3")  # a slip, for a warning
+FOLDER = tempfile.mkdtemp()
 LINES = f"""
 estimate {STATE}
 estimate {STATE} --grain-shape sand
@@ -49,6 +54,12 @@ analyse analyse_chain_contacts.csv
 analyse ../../io/data/mercury_chain.data ../../io/data/mercury_chain.fstat
 analyse ../../io/data/lammps_chain.atoms ../../io/data/lammps_chain.contacts --stress analyse_stress_frames.csv
 analyse ../../io/data/lammps_box.atoms ../../io/data/lammps_box.contacts --window ..,..,1mm..3mm
+verify {SCENE} --grains 120 --set study.probe_pressures=20kPa
+verify {SCENE} --grains 120 --seeds 2 --set study.contacts=rough --set contact.roughness=1um --set study.probe_pressures=10kPa,20kPa
+reproduce {SCENE} --grains 80 --set shear.paths=TXC --set shear.inertial_number=1e-3 --set shear.largest_strain=0.001 --out {FOLDER}/experiment
+trade --quick --grains 40 --set study.pressures=10kPa,20kPa,40kPa --set grain.density=2.65kg/m3
+plan {SCENE} --grains 120 --set study.densities=dense,loose
+export lammps {SCENE} --grains 60 --out {FOLDER}/deck
 """
 TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "integer": int, "number": (int, float), "null": type(None)}
 
@@ -113,6 +124,7 @@ for line in filter(None, LINES.splitlines()):
         faults.append(f"{line}: no JSON, exit code {run.returncode}: {run.stderr}")
         continue
     faults += [f"{line}: {fault}" for fault in schema.faults(printed[line], whole["$defs"][line.split()[0]])]
+shutil.rmtree(FOLDER)
 faults += [f"{at} occurs in no line of this test" for at in schema.never_seen()]
 # Planted: a key too many, one too few, a value of another kind.
 for plant in (lambda x: x.update(more=1), lambda x: x.pop("notes"), lambda x: x["inputs"].update(void_ratio="0.6")):

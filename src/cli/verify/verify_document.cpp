@@ -71,21 +71,6 @@ std::optional<double> number_at(const ordered_json& json, const char* key) {
   return io::number_of(value_at(json, key));
 }
 
-/// Those of states, with the network's G over that of uniform strain.
-io::Columns<ordered_json> state_columns() {
-  io::Columns<ordered_json> columns = of_results(studies::state_columns());
-  const auto of_network = std::ranges::find(columns, "G_network_Pa", &io::Column<ordered_json>::key);
-  columns.insert(of_network + 1,
-                 {"", "",
-                  [](const ordered_json& state) -> std::optional<double> {
-                    const auto network = number_at(state, "G_network_Pa");
-                    const auto affine = number_at(state, "G_uniform_strain_Pa");
-                    return network && affine ? std::optional(*network / *affine) : std::nullopt;
-                  },
-                  io::ShownColumn{.heading = "ratio*", .width = 7, .digits = 3, .fixed = true}});
-  return columns;
-}
-
 std::vector<Verdict> verdicts_of(const ordered_json& results) {
   std::vector<Verdict> out;
   for (const ordered_json& one : results.at("verdicts"))
@@ -101,7 +86,6 @@ std::vector<Verdict> verdicts_of(const ordered_json& results) {
 RouteState route_state(const studies::Scene& scene, contact::Shape shape, const ordered_json& state) {
   const double z_star = state.at("mechanical_coordination_number").get<double>();
   const auto uniform = number_at(state, "G_closed_Pa"), vertical = number_at(state, "G_vh_network_Pa");
-  const auto network = number_at(state, "G_network_Pa"), affine = number_at(state, "G_uniform_strain_Pa");
   RouteState out{.pressure = state.at("pressure_Pa").get<double>(),
                  .mechanical_coordination_number = z_star,
                  .network = {vertical, vertical, number_at(state, "G_hh_network_Pa")},
@@ -109,6 +93,7 @@ RouteState route_state(const studies::Scene& scene, contact::Shape shape, const 
                            number_at(state, "probes/G_hh_Pa")}};
   if (uniform)
     out.relaxed.fill(*uniform * shear_relaxation(scene, shape, z_star));
+  const auto network = number_at(state, "G_network_Pa"), affine = number_at(state, "G_uniform_strain_Pa");
   if (network && affine)
     out.softening = *network / *affine;
   return out;
@@ -147,7 +132,7 @@ void add_states(Document& to, const ordered_json& results) {
     const std::string title =
         fmt::format("{}, {}, seed {}", specimen.at("contact").get<std::string>(),
                     specimen.at("density").get<std::string>(), specimen.at("seed").get<std::uint64_t>());
-    Table table = table_of("", title, state_columns(), rows_of(specimen.at("states")));
+    Table table = table_of("", title, of_results(studies::state_columns()), rows_of(specimen.at("states")));
     table.folded = true;
     to.add(Seen::always, std::move(table));
     for (const ordered_json& why : specimen.at("left_out"))
@@ -187,7 +172,7 @@ Table local_exponent_table(const ordered_json& results) {
 }
 
 Table all_states(const ordered_json& results) {
-  io::Columns<ordered_json> columns = state_columns();
+  io::Columns<ordered_json> columns = of_results(studies::state_columns());
   for (const char* key : {"seed", "density", "contact"})
     columns.insert(columns.begin(),
                    {key, "", [key](const ordered_json& state) { return value_at(state, key); }});
@@ -244,11 +229,7 @@ ordered_json results_of(const StudyOutcome& outcome, const std::string& scene_fi
 
 Table verdict_table(const std::vector<Verdict>& verdicts) {
   io::Columns<Verdict> columns = studies::verdict_columns();
-  columns.push_back({"", "",
-                     [](const Verdict& v) { return v.holds     ? "holds"
-                                                   : v.finding ? "differs"
-                                                               : "FAILS"; },
-                     io::ShownColumn{.heading = "", .width = -9}});
+  columns.push_back({"", "", studies::word_of, io::ShownColumn{.heading = "", .width = -9}});
   columns.push_back({"", "", [](const Verdict& v) { return v.claim + ": " + v.measured; },
                      io::ShownColumn{.heading = "", .width = -1}});
   Table out =

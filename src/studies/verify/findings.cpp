@@ -215,6 +215,10 @@ std::vector<Item> those(const std::vector<Item>& all, const Wanted& wanted) {
 
 } // namespace
 
+const char* word_of(const Verdict& verdict) {
+  return verdict.holds ? "holds" : verdict.finding ? "differs" : "FAILS";
+}
+
 std::vector<Verdict> failed_checks(const std::vector<Verdict>& verdicts) {
   return those(verdicts, [](const Verdict& v) { return !v.holds && !v.finding; });
 }

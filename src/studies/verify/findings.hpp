@@ -41,6 +41,8 @@ struct Verdict {
   bool finding = false; ///< about packings, which the paper may see otherwise; else a check of granum itself
 };
 
+/// "holds", "differs", or "FAILS" for a check of granum itself.
+[[nodiscard]] const char* word_of(const Verdict& verdict);
 /// Failed verdicts on granum itself.
 [[nodiscard]] std::vector<Verdict> failed_checks(const std::vector<Verdict>& verdicts);
 /// Verdicts that differ from the paper.

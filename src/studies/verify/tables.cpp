@@ -57,6 +57,10 @@ io::Columns<CompressedState> state_columns() {
        network([](const State& s) { return s.uniform_strain().bulk_modulus(); })},
       {"G_network_Pa", "G_network_Pa", network([](const State& s) { return s.network().shear_modulus(); }),
        modulus("G network", 10)},
+      {"", "G_network_over_uniform_strain", network([](const State& s) {
+         return s.network().shear_modulus() / s.uniform_strain().shear_modulus();
+       }),
+       fixed("ratio*", 3)},
       {"K_network_Pa", "K_network_Pa", network([](const State& s) { return s.network().bulk_modulus(); })},
       {"G_hh_network_Pa", "G_hh_network_Pa", network(G_hh_network)},
       {"G_vh_network_Pa", "G_vh_network_Pa", network(G_vh_network)},
