@@ -47,31 +47,4 @@ template <class Row>
   return list;
 }
 
-/// The value at the key of a column in an object made by put_members.
-[[nodiscard]] inline io::Value value_at(const nlohmann::ordered_json& object, const std::string& key) {
-  const nlohmann::ordered_json::json_pointer place("/" + key);
-  if (!object.contains(place) || object.at(place).is_null())
-    return {};
-  const nlohmann::ordered_json& at = object.at(place);
-  if (at.is_object())
-    return Measured{at.at("value").get<double>(), at.at("standard_error").get<double>()};
-  if (at.is_boolean())
-    return at.get<bool>();
-  if (at.is_number_integer())
-    return at.get<std::int64_t>();
-  return at.is_number() ? io::Value(at.get<double>()) : io::Value(at.get<std::string>());
-}
-
-/// The table of a page, restored from the objects of members_of_all; columns without a JSON key are missing.
-template <class Row>
-[[nodiscard]] std::string page_table_of(const io::Columns<Row>& columns, const nlohmann::ordered_json& rows) {
-  io::Columns<nlohmann::ordered_json> read;
-  for (const io::Column<Row>& column : columns)
-    if (!column.key.empty())
-      read.emplace_back(
-          "", "", [key = column.key](const nlohmann::ordered_json& row) { return value_at(row, key); },
-          column.shown);
-  return io::page_table(read, std::vector<nlohmann::ordered_json>(rows.begin(), rows.end()));
-}
-
 } // namespace granum::cli

@@ -13,6 +13,7 @@
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/scene_file.hpp"
 #include "cli/options/study_options.hpp"
+#include "cli/verify/verify_document.hpp"
 
 namespace granum::cli {
 
@@ -117,8 +118,7 @@ ExitCode run(const PlanOptions& options) {
   for (const triaxial::Density density : scene.study.densities)
     to.add(Seen::always, rule_items(rule_of(scene, density, options.error),
                                     std::string(studies::name(density)), options.error));
-  if (const std::string cost = studies::cost_of_sizes(scene); !cost.empty())
-    to.notes.push_back({cost});
+  add_cost_of_sizes(to, scene);
   to.warnings = likely_mistakes(scene);
   return deliver(Outlets{.output = options.output}, to);
 }

@@ -188,8 +188,7 @@ Figure shear_loops(const Experiment& experiment) {
       experiment, "Fig. 8", "Cycles of horizontal shear with friction",
       "Frozen states of TXC, sheared to one side, to the other, and to the first again at constant normal "
       "stresses, at rest at every point. Contacts may slide: a loop that encloses an area, or does not "
-      "close, "
-      "dissipates energy by friction. G_hh is the slope at its start.");
+      "close, dissipates energy by friction. G_hh is the slope at its start.");
   for (const Kind& kind : kinds(experiment))
     for (const PathRun& run : kind.specimen->runs)
       for (std::size_t k = 0; k < run.loops.size(); ++k) {

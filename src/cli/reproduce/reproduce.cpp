@@ -162,8 +162,7 @@ Command make_reproduce() {
        {.name = "--resume",
         .value = path(options->resume, "DIR"),
         .meaning = "Continue the run in this folder from its last checkpoints, with identical results; for a "
-                   "finished "
-                   "run, write its tables and pictures again",
+                   "finished run, write its tables and pictures again",
         .excludes = {{"--paper --scene --set --grains --seeds --out",
                       "--resume takes its scene and folder from the earlier run; only --threads may be given "
                       "with it"}}}});

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reproduce_document.hpp"
 
-#include <numbers>
-
-#include "studies/plan/plan.hpp"
 #include "studies/verify/tables.hpp"
 #include <fmt/format.h>
-#include <granum/core/number.hpp>
+#include <granum/core/version.hpp>
 
 #include "cli/options/scene_file.hpp"
 #include "cli/verify/compression.hpp"
@@ -18,7 +15,10 @@ namespace {
 
 using studies::Agreement;
 using studies::Cell;
+using studies::ClosedForms;
+using studies::Probes;
 using studies::TableRow;
+using triaxial::PathPoint;
 
 std::string where(const ExperimentSpecimen& specimen, const PathRun& run) {
   return fmt::format("{}, {}, seed {}, {}", name(specimen.contact), studies::name(specimen.density),
@@ -31,6 +31,163 @@ std::size_t frozen_states(const Experiment& experiment) {
     for (const PathRun& run : specimen.runs)
       count += run.points.size();
   return count;
+}
+
+// ---- files of rows
+
+/// A file with a row for each item that `items_of` returns for a run.
+template <class Item, class ItemsOf>
+std::string csv_of(const Experiment& experiment, const io::Columns<Item>& columns, const ItemsOf& items_of) {
+  struct Row {
+    const ExperimentSpecimen* specimen;
+    const PathRun* run;
+    Item item;
+  };
+  io::Columns<Row> all = {
+      {"contact", "", [](const Row& row) { return name(row.specimen->contact); }},
+      {"density", "", [](const Row& row) { return studies::name(row.specimen->density); }},
+      {"seed", "", [](const Row& row) { return row.specimen->seed; }},
+      {"path", "", [](const Row& row) { return studies::name(row.run->path); }}};
+  io::add_part(all, columns, [](const Row& row) { return &row.item; });
+  std::vector<Row> rows;
+  for (const ExperimentSpecimen& specimen : experiment.specimens)
+    for (const PathRun& run : specimen.runs)
+      for (const Item& item : items_of(run))
+        rows.push_back({&specimen, &run, item});
+  return io::csv_text(all, rows,
+                      {{"program", "granum " + std::string(version()) + " reproduce"},
+                       {"grains", std::to_string(experiment.scene.study.grains)},
+                       {"boundary", experiment.scene.specimen.walls ? "six rigid walls" : "periodic"},
+                       {"signs", "compression positive; z is the vertical axis v; eta = q/p' = "
+                                 "(s_v - s_h)/p'; s_v, s_h: vertical and horizontal stress; p or p': their "
+                                 "mean (s_v + 2 s_h)/3"}});
+}
+
+io::Columns<PathPoint> path_columns() {
+  return {{"eta", "", [](const PathPoint& p) { return p.stress.ratio(); }},
+          {"p_Pa", "", [](const PathPoint& p) { return p.stress.mean(); }},
+          {"s_v_Pa", "", [](const PathPoint& p) { return p.stress.v; }},
+          {"s_h_Pa", "", [](const PathPoint& p) { return p.stress.h; }},
+          {"axial_strain", "", &PathPoint::axial_strain},
+          {"volumetric_strain", "", &PathPoint::volumetric_strain}};
+}
+
+std::string states_csv(const Experiment& experiment) {
+  io::Columns<StateRecord> columns;
+  const auto add = [&](std::string heading, auto of) { columns.emplace_back(std::move(heading), "", of); };
+  const auto closed = [&](const char* heading, auto of) {
+    add(heading,
+        [of](const StateRecord& p) { return p.closed ? std::optional(of(*p.closed)) : std::nullopt; });
+  };
+  const auto probed = [&](const char* heading, double Probes::*of) {
+    add(heading,
+        [of](const StateRecord& p) { return p.probes ? std::optional((*p.probes).*of) : std::nullopt; });
+  };
+  const auto micro = [&](const char* heading, double analysis::Microstructure::*of) {
+    add(heading, [of](const StateRecord& p) { return p.micro.*of; });
+  };
+  const auto fabric = [&](const char* heading, int i, int j) {
+    add(heading, [i, j](const StateRecord& p) { return p.fabric(i, j); });
+  };
+  const auto matrix = [&](const std::string& prefix, std::array<double, 36> StateRecord::*of) {
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t j = i; j < 6; ++j)
+        add(fmt::format("{}{}{}_Pa", prefix, i + 1, j + 1),
+            [=](const StateRecord& p) { return (p.*of)[6 * i + j]; });
+  };
+  io::add_part(columns, path_columns(), [](const StateRecord& p) { return &p.at; });
+  add("frozen_s_v_Pa", [](const StateRecord& p) { return p.stress.v; });
+  add("frozen_s_h_Pa", [](const StateRecord& p) { return p.stress.h; });
+  add("e", &StateRecord::void_ratio);
+  add("e_interior", &StateRecord::interior_void_ratio);
+  micro("C_n", &analysis::Microstructure::coordination_number);
+  add("C_n_all_grains", &StateRecord::coordination_number_all);
+  add("C_n_all_grains_error", &StateRecord::coordination_error);
+  micro("z_star", &analysis::Microstructure::mechanical_coordination_number);
+  micro("rattler_fraction", &analysis::Microstructure::rattler_fraction);
+  micro("a", &analysis::Microstructure::fabric_anisotropy);
+  micro("a_error", &analysis::Microstructure::fabric_anisotropy_error);
+  micro("sliding_fraction", &analysis::Microstructure::sliding_fraction);
+  fabric("F11", 0, 0);
+  fabric("F22", 1, 1);
+  fabric("F33", 2, 2);
+  fabric("F23", 1, 2);
+  fabric("F13", 0, 2);
+  fabric("F12", 0, 1);
+  add("contacts", &StateRecord::contacts);
+  add("G_hh_Pa", &StateRecord::G_hh);
+  add("G_vh_Pa", &StateRecord::G_vh);
+  closed("G_hh_uniform_strain_Pa", [](const ClosedForms& c) { return c.uniform_strain.G_hh(); });
+  closed("G_vh_uniform_strain_Pa", [](const ClosedForms& c) { return c.uniform_strain.G_vh(); });
+  closed("G_hh_uniform_stress_Pa", [](const ClosedForms& c) { return c.uniform_stress.G_hh(); });
+  closed("G_vh_uniform_stress_Pa", [](const ClosedForms& c) { return c.uniform_stress.G_vh(); });
+  closed("G_hh_relaxed_Pa", [](const ClosedForms& c) { return c.relaxed.G_hh(); });
+  closed("G_hh_relaxed_error_Pa", [](const ClosedForms& c) { return c.G_hh_error * c.relaxed.G_hh(); });
+  closed("G_vh_relaxed_Pa", [](const ClosedForms& c) { return c.relaxed.G_vh(); });
+  closed("G_vh_relaxed_error_Pa", [](const ClosedForms& c) { return c.G_vh_error * c.relaxed.G_vh(); });
+  probed("G_hh_probe_Pa", &Probes::G_hh);
+  probed("G_hv_probe_Pa", &Probes::G_hv);
+  probed("G_vh_probe_Pa", &Probes::G_vh);
+  probed("probe_strain", &Probes::amplitude);
+  add("unbalanced_force_ratio", &StateRecord::unbalanced_force_ratio);
+  add("rest_steps", &StateRecord::rest_steps);
+  matrix("network_C", &StateRecord::network);
+  matrix("affine_C", &StateRecord::affine);
+  return csv_of(experiment, columns, [](const PathRun& run) { return run.points; });
+}
+
+std::string curves_csv(const Experiment& experiment) {
+  io::Columns<PathPoint> columns = path_columns();
+  columns.push_back({"work_J_per_m3", "", &PathPoint::work});
+  columns.push_back({"step", "", &PathPoint::step});
+  return csv_of(experiment, columns, [](const PathRun& run) { return run.curve; });
+}
+
+std::string loops_csv(const Experiment& experiment) {
+  using Point = std::pair<double, triaxial::LoopPoint>; // with the eta of its loop
+  return csv_of<Point>(experiment,
+                       {{"eta", "", &Point::first},
+                        {"shear_strain", "", [](const Point& p) { return p.second.shear_strain; }},
+                        {"shear_stress_Pa", "", [](const Point& p) { return p.second.shear_stress; }}},
+                       [](const PathRun& run) {
+                         std::vector<Point> points;
+                         for (const studies::ShearLoop& loop : run.loops)
+                           for (const triaxial::LoopPoint& point : loop.points)
+                             points.emplace_back(loop.eta, point);
+                         return points;
+                       });
+}
+
+/// Contacts of every frozen state by direction and by force.
+std::string histograms_csv(const Experiment& experiment) {
+  struct Bin {
+    PathPoint at;
+    const char* of;
+    double low, high;
+    std::uint32_t contacts;
+  };
+  const auto bins = [](const PathRun& run) {
+    std::vector<Bin> all;
+    for (const StateRecord& p : run.points) {
+      const auto add = [&](const char* of, const auto& counts, double width) {
+        for (std::size_t k = 0; k < counts.size(); ++k) {
+          const double low = static_cast<double>(k) * width;
+          all.push_back({p.at, of, low, low + width, counts[k]});
+        }
+      };
+      add("polar angle [deg]", p.polar_counts, 90.0 / static_cast<double>(studies::polar_bins));
+      add("f_n/<f_n>", p.force_counts, 8.0 / static_cast<double>(studies::force_bins));
+    }
+    return all;
+  };
+  return csv_of<Bin>(experiment,
+                     {{"eta", "", [](const Bin& bin) { return bin.at.stress.ratio(); }},
+                      {"axial_strain", "", [](const Bin& bin) { return bin.at.axial_strain; }},
+                      {"of", "", &Bin::of},
+                      {"bin_low", "", &Bin::low},
+                      {"bin_high", "", &Bin::high},
+                      {"contacts", "", &Bin::contacts}},
+                     bins);
 }
 
 // ---- sections
@@ -63,52 +220,6 @@ void add_facts(Document& to, const Experiment& experiment, const RunTime& time) 
                          "vertical and the horizontal stress; strains are logarithmic"},
                {"G", "of the contact network of the frozen state, without sliding in any contact; probes by "
                      "cyclic shear"}}});
-}
-
-/// "25, 50, 100".
-template <class Numbers, class Text>
-std::string listed(const Numbers& numbers, const Text& text) {
-  std::string out;
-  for (const auto& number : numbers)
-    out += (out.empty() ? "" : ", ") + std::string(text(number));
-  return out;
-}
-
-/// What was run, in words.
-Items run_items(const Experiment& experiment, const RunTime& time) {
-  const studies::Scene& scene = experiment.scene;
-  const studies::StudySection& study = scene.study;
-  Items out{.title = "what was run"};
-  const auto add = [&out](const char* what, const std::string& text) {
-    io::add_item(out.items, "", text, shown_as(what));
-  };
-  add("specimens", fmt::format("{} of {} grains: {}; {}; {}", experiment.specimens.size(), study.grains,
-                               listed(study.contacts, [](contact::Shape s) { return name(s); }),
-                               listed(study.densities, [](triaxial::Density d) { return studies::name(d); }),
-                               study.seeds == 1 ? fmt::format("seed {}", study.first_seed)
-                                                : fmt::format("seeds {} to {}", study.first_seed,
-                                                              study.first_seed + study.seeds - 1)));
-  add("boundary", scene.specimen.walls
-                      ? "six rigid walls, friction " + short_text(scene.specimen.wall_friction)
-                      : std::string("periodic cell"));
-  add("grains", fmt::format("diameter {} mm, shear modulus {} GPa, Poisson's ratio {}, friction angle {} deg",
-                            short_text(2e3 * scene.grain.radius), short_text(scene.grain.shear_modulus / 1e9),
-                            short_text(scene.grain.poisson_ratio),
-                            short_text(scene.grain.friction_angle * 180 / std::numbers::pi)));
-  add("isotropic compression",
-      listed(study.pressures, [](double pascal) { return short_text(pascal / 1e3); }) + " kPa");
-  add("paths",
-      fmt::format("{} to an axial strain of {} %, inertial number {}",
-                  listed(scene.shear.paths, [](stress::ShearPath p) { return stress::name(p); }),
-                  short_text(100 * scene.shear.largest_strain), short_text(scene.shear.inertial_number)));
-  add("frozen states",
-      fmt::format("{}, every {} of eta and every {} % of axial strain", frozen_states(experiment),
-                  short_text(scene.shear.eta_step), short_text(100 * scene.shear.strain_step)));
-  add("wall time",
-      (time.seconds < 120 ? short_text(time.seconds, 3) + " s" : short_text(time.seconds / 60, 3) + " min") +
-          (time.resumed ? ", since it was resumed" : ""));
-  add("complete", experiment.complete() ? "yes" : "no, see what was left out");
-  return out;
 }
 
 Prose left_out(const Experiment& experiment) {
@@ -153,8 +264,7 @@ constexpr const char* how_to_read[] = {
     "axes. eta = q/p' with q = sigma_v - sigma_h and p' = (sigma_v + 2 sigma_h)/3: above zero in compression "
     "(TXC, RTXC), below zero in extension (RTXE, TXE). Strains are logarithmic, from the start of each path.",
     "Symbols: e void ratio, C_n mean number of contacts of a grain, z* the same without rattlers (grains "
-    "that "
-    "carry no load), a anisotropy of the contact directions (above zero: more near the vertical).",
+    "that carry no load), a anisotropy of the contact directions (above zero: more near the vertical).",
     "Frozen states: a copy of the specimen is brought to rest with sliding prevented at all contacts. All "
     "measurements of a state are made on this copy.",
     "G of the network: linear response of the frozen contacts, every grain in equilibrium. Cyclic shear: a "
@@ -163,17 +273,14 @@ constexpr const char* how_to_read[] = {
     "Uniform strain: G if every grain followed the mean strain; it exceeds G of the network. Relaxed closed "
     "form: the same times a reduction factor that depends on the number of contacts.",
     "Exponents: G = C p_a f(e) (s_i/p_a)^m (s_j/p_a)^n, the paper's Eq. (1), with f(e) = (2.17 - e)^2/(1 + "
-    "e), "
-    "p_a = 100 kPa and s = m + n. For G_hv s_i is the horizontal stress and s_j the vertical one; G_hh is "
-    "fitted with the horizontal one alone. The paper's C is for p_a in MPa and is not compared.",
+    "e), p_a = 100 kPa and s = m + n. For G_hv s_i is the horizontal stress and s_j the vertical one; G_hh "
+    "is fitted with the horizontal one alone. The paper's C is for p_a in MPa and is not compared.",
     "+- is one standard error: the larger of the scatter between seeds and the error of each seed, divided "
-    "by "
-    "the root of the number of seeds. With one seed, the scatter between specimens is not included. Within: "
-    "whether the difference from the paper is within the limit (column reach of the CSV files); undecided if "
-    "the standard error is larger than the limit.",
+    "by the root of the number of seeds. With one seed, the scatter between specimens is not included. "
+    "Within: whether the difference from the paper is within the limit (column reach of the CSV files); "
+    "undecided if the standard error is larger than the limit.",
     "All numbers: states.csv, curves.csv, loops.csv, histograms.csv and the tables next to this page; the "
-    "data "
-    "of figures in the folder figures. Figures 1, 2 and 5 of the paper are sketches."};
+    "data of figures in the folder figures. Figures 1, 2 and 5 of the paper are sketches."};
 
 /// Fig. 3 and the others, folded.
 void add_figures(ExperimentDocument& to, const Experiment& experiment) {
@@ -272,14 +379,21 @@ std::vector<Compression> compressions(const Experiment& experiment) {
 
 ExperimentDocument experiment_document(const Experiment& experiment,
                                        const std::vector<studies::Verdict>& verdicts, const RunTime& time) {
-  ExperimentDocument out{.document = {.command = "reproduce"}, .files = row_files(experiment), .panels = {}};
+  ExperimentDocument out{.document = {.command = "reproduce"},
+                         .files = {{"states.csv", states_csv(experiment)},
+                                   {"curves.csv", curves_csv(experiment)},
+                                   {"loops.csv", loops_csv(experiment)},
+                                   {"histograms.csv", histograms_csv(experiment)}},
+                         .panels = {}};
   Document& to = out.document;
   const std::size_t specimens = experiment.specimens.size();
   to.title = fmt::format(
       "The experiment of Chung et al. 2014: {} specimen{} of {} grains, {} frozen states in "
-      "{:.1f} s on {}",
+      "{:.1f} s on {}{}{}",
       specimens, specimens == 1 ? "" : "s", experiment.scene.study.grains, frozen_states(experiment),
-      time.seconds, threads_text(studies::thread_count(experiment.scene)));
+      time.seconds, threads_text(studies::thread_count(experiment.scene)),
+      time.resumed ? ", since it was resumed" : "",
+      experiment.complete() ? "" : "; not complete, some ended early");
   out.panels = add_compression(to, experiment.scene, compressions(experiment));
   add_figures(out, experiment);
   add_facts(to, experiment, time);
@@ -299,10 +413,9 @@ ExperimentDocument experiment_document(const Experiment& experiment,
   to.add(Seen::always, verdict_table(verdicts));
   out.files.emplace_back("verdicts.csv", io::csv_text(studies::verdict_columns(), verdicts));
   to.add(Seen::data, run_table(experiment));
-  to.add(Seen::full, run_items(experiment, time));
+  to.add(Seen::full, scene_items(experiment.scene));
   to.add(Seen::full, left_out(experiment));
-  if (const std::string cost = studies::cost_of_sizes(experiment.scene); !cost.empty())
-    to.notes.push_back({cost});
+  add_cost_of_sizes(to, experiment.scene);
   to.add_notes({std::begin(how_to_read), std::end(how_to_read)});
   return out;
 }

@@ -36,9 +36,6 @@ struct ExperimentDocument {
                                                      const std::vector<studies::Verdict>& verdicts,
                                                      const RunTime& time);
 
-/// States, curves, loops and histograms: a row for each state, point or bin of every run.
-[[nodiscard]] Files row_files(const Experiment& experiment);
-
 /// Ours, its standard error, the printed number, the difference, the reach, and whether ours is within it.
 [[nodiscard]] Table table_of_cells(std::string key, std::string title,
                                    const std::vector<studies::TableRow>& rows);

@@ -102,10 +102,9 @@ Figure direction_figure(const Experiment& experiment) {
   Figure out = figure_of(
       experiment, "Fig. 16", "Directions of the contacts",
       "Contact normals per solid angle, by their angle \u03b3 from the vertical. Markers: counts n in bins "
-      "of "
-      "\u03b3, with \u221an as error; the number of bins leaves 25 contacts in the bin around the vertical. "
-      "Lines: the density E(\u03b3; a) = 3(1 + a cos 2\u03b3)/(4\u03c0(3 - a)) with the anisotropy a of the "
-      "same contacts. Isotropic contacts have E = 1/(4\u03c0) = 0.080 at every angle, a circle.");
+      "of \u03b3, with \u221an as error; the number of bins leaves 25 contacts in the bin around the "
+      "vertical. Lines: the density E(\u03b3; a) = 3(1 + a cos 2\u03b3)/(4\u03c0(3 - a)) with the anisotropy "
+      "a of the same contacts. Isotropic contacts have E = 1/(4\u03c0) = 0.080 at every angle, a circle.");
   for (const Kind& kind : kinds(experiment)) {
     Panel rose = studies::panel("fig16_" + kind.key(), kind.title(),
                                 {"gamma_rad", {.title = "\u03b3 from the vertical"}},
@@ -180,8 +179,7 @@ void add_microstructure_figures(std::vector<Figure>& to, const Experiment& exper
         "C_n is the mean number of contacts of a grain, z* the same for the grains that carry load, a the "
         "anisotropy of the contacts' directions (positive: more near the vertical). Lines up to the peak, "
         "small dots past it. Error bars on every fifth state: for C_n from the scatter of the grains' "
-        "numbers "
-        "of contacts, for a from that of independent directions.");
+        "numbers of contacts, for a from that of independent directions.");
     for (const Microstructure& quantity : quantities)
       for (const Kind& kind : kinds(experiment))
         if (kind.contact == row.shape)

@@ -243,6 +243,21 @@ Table verdict_table(const std::vector<Verdict>& verdicts) {
   return out;
 }
 
+Items scene_items(const studies::Scene& scene) {
+  Items out{.title = "the scene, in SI"};
+  const ordered_json all = json_of(scene);
+  for (const auto& [section, keys] : all.items())
+    for (const auto& [key, value] : keys.items())
+      io::add_item(out.items, "", value.is_string() ? value.get<std::string>() : json_text(value, -1),
+                   shown_as(section + "." + key));
+  return out;
+}
+
+void add_cost_of_sizes(Document& to, const studies::Scene& scene) {
+  if (const std::string cost = studies::cost_of_sizes(scene); !cost.empty())
+    to.notes.push_back({cost});
+}
+
 StudyDocument study_document(const studies::Scene& scene, const ordered_json& results) {
   StudyDocument out;
   Document& to = out.document = {.command = "verify"};
@@ -263,8 +278,8 @@ StudyDocument study_document(const studies::Scene& scene, const ordered_json& re
   for (const auto& [key, value] : results.items())
     if (!head.contains(key) && key != "notes" && key != "warnings")
       to.add(Seen::data, Data{key, value});
-  if (const std::string cost = studies::cost_of_sizes(scene); !cost.empty())
-    to.notes.push_back({cost});
+  to.add(Seen::full, scene_items(scene));
+  add_cost_of_sizes(to, scene);
   to.add_notes({"The paper is [Chung2014]; s of its G_hv is that of Table 5.",
                 "All numbers are in states.csv, exponents.csv and manifest.json, the input in scene.toml."});
   for (const ordered_json& warning : results.value("warnings", ordered_json::array()))

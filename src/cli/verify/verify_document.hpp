@@ -48,6 +48,11 @@ struct StudyDocument {
 /// Agreements with the paper, differences from it, and checks of granum itself, with how many agree.
 [[nodiscard]] Table verdict_table(const std::vector<studies::Verdict>& verdicts);
 
+/// Every key of a scene, as it was used.
+[[nodiscard]] Items scene_items(const studies::Scene& scene);
+/// Adds the note on the cost of widely different grain sizes (studies::cost_of_sizes), if there is one.
+void add_cost_of_sizes(Document& to, const studies::Scene& scene);
+
 /// Files and folders that write_results makes.
 [[nodiscard]] std::span<const char* const> study_file_names();
 /// Tables, scene, manifest, page and figures.

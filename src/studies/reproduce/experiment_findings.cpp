@@ -299,8 +299,7 @@ void judge_dense_structure(std::vector<Verdict>& out, const ExperimentSpecimen& 
   if (kept > 0)
     judge(out,
           title(specimen) +
-              ": past the peak C_n has decreased and a grown towards the larger stress on every "
-              "path",
+              ": past the peak C_n has decreased and a grown towards the larger stress on every path",
           kept < 0.9 && turned > 0.1,
           detail::formatted("at most %.2f of C_n is left, a is %.2f or more", kept, turned));
 }
