@@ -15,24 +15,29 @@ namespace {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// Two specimens of power laws, the second of which ended early.
-StudyOutcome outcome() {
-  const std::vector<double> pressures{10e3, 100e3 / 3, 100e3};
-  StudyOutcome out;
-  out.scene.study.contacts = {Shape::sphere, Shape::flat};
-  out.specimens = {studies::test::power_law_specimen(Shape::sphere, Density::dense, 7, 0.34, pressures),
-                   studies::test::power_law_specimen(Shape::flat, Density::loose, 8, 0.21, pressures)};
-  out.specimens[1].failure = "stopped on request";
-  out.exponents = studies::exponents(out.scene, out.specimens);
-  out.verdicts = {{"this", true, "1"}, {"that", false, "2"}, {"from theirs", false, "3", true}};
-  return out;
-}
+/// A study of two specimens of power laws, where the second ended early.
+struct Study {
+  studies::Scene scene = {};
+  std::vector<studies::SpecimenResult> specimens = {};
+  std::vector<Verdict> verdicts = {
+      {"this", true, "1"}, {"that", false, "2"}, {"from theirs", false, "3", true}};
+
+  Study() {
+    const std::vector<double> pressures{10e3, 100e3 / 3, 100e3};
+    scene.study.contacts = {Shape::sphere, Shape::flat};
+    specimens = {studies::test::power_law_specimen(Shape::sphere, Density::dense, 7, 0.34, pressures),
+                 studies::test::power_law_specimen(Shape::flat, Density::loose, 8, 0.21, pressures)};
+    specimens[1].failure = "stopped on request";
+  }
+  [[nodiscard]] StudyDocument document(const StudyOptions& options = {}, const Validity& slips = {}) const {
+    return study_document(scene, results_of(scene, specimens, verdicts, 1.5, options, slips));
+  }
+};
 
 } // namespace
 
 TEST_CASE("verify: the screen names each specimen, its end, the exponents and the verdicts") {
-  const StudyOutcome found = outcome();
-  const std::string text = screen(study_document(found.scene, results_of(found, "", {}, {})).document, false);
+  const std::string text = screen(Study().document().document, false);
   for (const char* part :
        {"some ended early", "\nsphere, dense, seed 7\n", "\nflat, loose, seed 8\n",
         "flat, loose, seed 8: ended early: stopped on request", "0.800", // G network over uniform strain
@@ -42,16 +47,20 @@ TEST_CASE("verify: the screen names each specimen, its end, the exponents and th
 }
 
 TEST_CASE("verify: what is read again from its JSON gives the same page, and the same JSON") {
-  const StudyOutcome found = outcome();
+  const Study found;
   Validity slips;
   slips.add("beware");
-  const StudyDocument first = study_document(found.scene, results_of(found, "a.toml", {"x=1"}, slips));
+  StudyOptions options;
+  options.scene_file = "a.toml";
+  options.settings = {"x=1"};
+  const StudyDocument first = found.document(options, slips);
   const nlohmann::ordered_json manifest = with_warnings(json(first.document), slips);
   const StudyDocument again = study_document(found.scene, nlohmann::ordered_json::parse(json_text(manifest)));
   CHECK(page(again.document) == page(first.document));
   CHECK(json(again.document) == json(first.document));
   CHECK(has(page(again.document), "beware"));
   CHECK(manifest.at("specimens").at(1).at("failure") == "stopped on request");
-  CHECK(manifest.at("exponents").at(0).at("network").at("value") == found.exponents[0].network->value);
+  CHECK(manifest.at("exponents").at(0).at("network").at("value") ==
+        studies::exponents(found.scene, found.specimens)[0].network->value);
   CHECK(first.panels.size() == 6);
 }

@@ -51,7 +51,7 @@ struct AssemblyPicture {
 
 // ---- parts of the figures
 
-/// A contact and a density, of which the first seed is drawn.
+/// A contact and a density; the first seed is drawn.
 struct Kind {
   contact::Shape contact = contact::Shape::sphere;
   triaxial::Density density = triaxial::Density::dense;

@@ -27,38 +27,11 @@ struct VerifyOptions {
   ResultOptions results;
 };
 
-StudyOutcome run_and_judge(const studies::Scene& scene, const std::atomic<bool>& stop, bool quiet) {
-  StudyOutcome outcome;
-  outcome.scene = scene;
-  const auto start = std::chrono::steady_clock::now();
-  ProgressLine line(quiet);
-  outcome.specimens = studies::run_study(
-      scene, {.report = [&line](const studies::Progress& p) { line.show(p); }, .stop = &stop});
-  outcome.seconds = seconds_since(start);
-  outcome.stopped = stop;
-  outcome.exponents = studies::exponents(scene, outcome.specimens);
-  outcome.local_exponents = studies::local_exponents(scene, outcome.specimens);
-  outcome.verdicts = studies::verdicts(scene, outcome.specimens);
-  return outcome;
-}
-
 ExitCode report_again(const VerifyOptions& options) {
   rewrite_page(options.report);
   options.results.print(fmt::format("report.html and figures in {}\n", options.report),
                         {{"report", (fs::path(options.report) / "report.html").string()}});
   return ExitCode::ok;
-}
-
-/// The exit code of an incomplete run, or of its verdicts.
-ExitCode code_of(const StudyOutcome& outcome, bool strict) {
-  if (outcome.complete())
-    return judged(outcome.verdicts, strict);
-  if (outcome.stopped) {
-    say("", "stopped; claims that need the remaining specimens were not checked");
-    return exit_code_of_stop();
-  }
-  (void)judged(outcome.verdicts, strict); // reports specimens that ended early
-  return ExitCode::not_converged;
 }
 
 ExitCode run(const VerifyOptions& options) {
@@ -74,16 +47,30 @@ ExitCode run(const VerifyOptions& options) {
   const bool writes = results.writes_files();
   const fs::path folder =
       writes ? results_folder(results.out, "verify", study_file_names(), results.force) : fs::path();
-  const StudyOutcome outcome = run_and_judge(scene, stop, results.quiet);
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<studies::SpecimenResult> specimens;
+  {
+    ProgressLine line(results.quiet);
+    specimens = studies::run_study(
+        scene, {.report = [&line](const studies::Progress& p) { line.show(p); }, .stop = &stop});
+  }
+  const double seconds = seconds_since(start);
+  const bool stopped = stop;
+  const std::vector<studies::Verdict> verdicts = studies::verdicts(scene, specimens);
   const StudyDocument study =
-      study_document(scene, results_of(outcome, options.study.scene_file, options.study.settings, slips));
+      study_document(scene, results_of(scene, specimens, verdicts, seconds, options.study, slips));
   const nlohmann::ordered_json manifest = with_warnings(json(study.document), slips);
   if (writes)
     write_results(folder, scene, study, manifest, results.existing());
   const std::string where =
       writes ? "report.html, pictures, CSV and manifest in " + folder.string() + "\n" : "";
   results.print(screen(study.document, false) + where, manifest);
-  return code_of(outcome, options.strict);
+  if (stopped && !complete(specimens)) {
+    say("", "stopped; claims that need the remaining specimens were not checked");
+    return exit_code_of_stop();
+  }
+  const ExitCode code = judged(verdicts, options.strict); // reports specimens that ended early too
+  return complete(specimens) ? code : ExitCode::not_converged;
 }
 
 } // namespace

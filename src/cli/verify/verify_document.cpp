@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "studies/plan/plan.hpp"
+#include "studies/verify/local_exponents.hpp"
 #include "studies/verify/tables.hpp"
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
@@ -11,7 +12,6 @@
 
 #include "cli/frame/json_members.hpp"
 #include "cli/options/scene_file.hpp"
-#include "cli/options/study_options.hpp"
 #include "compression.hpp"
 
 namespace granum::cli {
@@ -192,19 +192,20 @@ std::string csv_of(Table table, std::vector<std::pair<std::string, std::string>>
 
 } // namespace
 
-bool StudyOutcome::complete() const {
-  return std::ranges::all_of(specimens, [](const auto& s) { return s.failure.empty(); });
+bool complete(const std::vector<studies::SpecimenResult>& specimens) {
+  return std::ranges::all_of(specimens, [](const auto& specimen) { return specimen.failure.empty(); });
 }
 
-ordered_json results_of(const StudyOutcome& outcome, const std::string& scene_file,
-                        const std::vector<std::string>& settings, const Validity& slips) {
+ordered_json results_of(const studies::Scene& scene, const std::vector<studies::SpecimenResult>& specimens,
+                        const std::vector<Verdict>& verdicts, double seconds, const StudyOptions& options,
+                        const Validity& slips) {
   ordered_json json = {
-      {"wall_time_s", outcome.seconds},
-      {"complete", outcome.complete()},
-      {"scene_file", scene_file},
-      {"settings", settings},
-      {"scene", json_of(outcome.scene)},
-      {"threads_used", studies::thread_count(outcome.scene)},
+      {"wall_time_s", seconds},
+      {"complete", complete(specimens)},
+      {"scene_file", options.scene_file},
+      {"settings", options.settings},
+      {"scene", json_of(scene)},
+      {"threads_used", studies::thread_count(scene)},
       {"conventions",
        {{"units", "SI, as in the names"},
         {"signs", "compression positive; overlap is the full approach of two centres; z is vertical"},
@@ -212,18 +213,18 @@ ordered_json results_of(const StudyOutcome& outcome, const std::string& scene_fi
          "translation: none, density times volume; rotational inertia m R^2 instead of 0.4 m R^2"},
         {"time_step", "0.8 of 2/omega with a strict upper bound on omega, chosen by the program"},
         {"damping", "mass-proportional on the non-affine motion, twice the lowest frequency seen"}}},
-      {"exponents", members_of_all(studies::exponent_columns(), outcome.exponents)}};
-  if (!outcome.local_exponents.empty())
-    json["local_exponents"] = members_of_all(studies::local_exponent_columns(), outcome.local_exponents);
-  json["verdicts"] = members_of_all(studies::verdict_columns(), outcome.verdicts);
-  ordered_json& specimens = json["specimens"] = ordered_json::array();
-  for (const studies::SpecimenResult& specimen : outcome.specimens)
-    specimens.push_back({{"contact", contact::name(specimen.contact)},
-                         {"density", studies::name(specimen.density)},
-                         {"seed", specimen.seed},
-                         {"failure", specimen.failure},
-                         {"left_out", specimen.left_out},
-                         {"states", members_of_all(studies::state_columns(), specimen.states)}});
+      {"exponents", members_of_all(studies::exponent_columns(), studies::exponents(scene, specimens))}};
+  if (const auto local = studies::local_exponents(scene, specimens); !local.empty())
+    json["local_exponents"] = members_of_all(studies::local_exponent_columns(), local);
+  json["verdicts"] = members_of_all(studies::verdict_columns(), verdicts);
+  ordered_json& each = json["specimens"] = ordered_json::array();
+  for (const studies::SpecimenResult& specimen : specimens)
+    each.push_back({{"contact", contact::name(specimen.contact)},
+                    {"density", studies::name(specimen.density)},
+                    {"seed", specimen.seed},
+                    {"failure", specimen.failure},
+                    {"left_out", specimen.left_out},
+                    {"states", members_of_all(studies::state_columns(), specimen.states)}});
   return with_warnings(std::move(json), slips);
 }
 

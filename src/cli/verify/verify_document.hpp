@@ -8,33 +8,24 @@
 
 #include "studies/report/panel.hpp"
 #include "studies/verify/findings.hpp"
-#include "studies/verify/local_exponents.hpp"
 #include <granum/io/output_file.hpp>
 
 #include "cli/document/document.hpp"
+#include "cli/options/study_options.hpp"
 
 /// What `granum verify` found, as a document and files.
 namespace granum::cli {
 
-/// A finished or stopped study with its results.
-struct StudyOutcome {
-  studies::Scene scene;
-  std::vector<studies::SpecimenResult> specimens;
-  std::vector<studies::ExponentRow> exponents;
-  std::vector<studies::LocalExponents> local_exponents; ///< for laws with a force scale
-  std::vector<studies::Verdict> verdicts;
-  double seconds = 0;
-  bool stopped = false; ///< on request
-
-  [[nodiscard]] bool complete() const;
-};
+/// Whether every specimen was run to its end.
+[[nodiscard]] bool complete(const std::vector<studies::SpecimenResult>& specimens);
 
 /// The results of a study as objects of JSON, from which all that is printed of it is made: again, if asked.
-/// \param    scene_file, settings   as given by the options
-/// \param    slips                  of the scene, which are warned of
-[[nodiscard]] nlohmann::ordered_json results_of(const StudyOutcome& outcome, const std::string& scene_file,
-                                                const std::vector<std::string>& settings,
-                                                const Validity& slips);
+/// \param    options   as given, for their scene file and settings
+/// \param    slips     of the scene, which are warned of
+[[nodiscard]] nlohmann::ordered_json results_of(const studies::Scene& scene,
+                                                const std::vector<studies::SpecimenResult>& specimens,
+                                                const std::vector<studies::Verdict>& verdicts, double seconds,
+                                                const StudyOptions& options, const Validity& slips);
 
 /// The document of such results, and the panels of its pictures.
 struct StudyDocument {
