@@ -88,6 +88,12 @@ std::string html_of(const Table& table) {
       if (column.shown)
         column.shown->width = 1; // each is a column of the page too
   }
+  for (io::Column<Cells>& column : columns)
+    column.of = [of = column.of](const Cells& cells) -> io::Value {
+      io::Value value = of(cells);
+      const auto* text = std::get_if<std::string>(&value);
+      return text == nullptr ? value : plot::printed_signs(*text);
+    };
   const std::string content =
       io::page_table(columns, table.rows) + (table.remark.empty() ? "" : plot::html_paragraph(table.remark));
   return table.folded ? plot::html_folded(table.title, content) : titled(table.title, content);

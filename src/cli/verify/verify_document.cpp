@@ -249,8 +249,11 @@ Items scene_items(const studies::Scene& scene) {
   const ordered_json all = json_of(scene);
   for (const auto& [section, keys] : all.items())
     for (const auto& [key, value] : keys.items())
-      io::add_item(out.items, "", value.is_string() ? value.get<std::string>() : json_text(value, -1),
-                   shown_as(section + "." + key));
+      if (value.is_number_float())
+        io::add_item(out.items, "", value.get<double>(), shown_as(section + "." + key));
+      else
+        io::add_item(out.items, "", value.is_string() ? value.get<std::string>() : json_text(value, -1),
+                     shown_as(section + "." + key));
   return out;
 }
 

@@ -2,6 +2,7 @@
 #include "path_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <system_error>
 #include <utility>
@@ -127,30 +128,8 @@ struct Multiples {
   }
 };
 
-/// When a specimen on a shear path is frozen.
-struct Schedule {
-  Multiples eta, strain, probe_eta;
-  Multiples loop_eta{.step = 0.5};
-
-  [[nodiscard]] bool same_steps(const Schedule& other) const {
-    return eta.step == other.eta.step && strain.step == other.strain.step &&
-           probe_eta.step == other.probe_eta.step && loop_eta.step == other.loop_eta.step;
-  }
-
-  struct Due {
-    bool frozen = false;
-    bool probed = false;
-    bool cycled = false;
-  };
-  Due at(const triaxial::PathPoint& now, stress::ShearPath path) {
-    const double ratio = now.stress.ratio() * (stress::is_compression(path) ? 1 : -1);
-    const bool by_eta = eta.passes(ratio);
-    const bool by_strain = strain.passes(std::abs(now.axial_strain));
-    const bool probed = probe_eta.passes(ratio);
-    const bool cycled = loop_eta.passes(ratio);
-    return {by_eta || by_strain || probed || cycled, probed, cycled};
-  }
-};
+/// When a specimen on a shear path is frozen: by eta, by axial strain, to be probed, and to be cycled.
+using Schedule = std::array<Multiples, 4>;
 
 triaxial::PathPoint isotropic_point(const triaxial::Snapshot& snapshot, const Mat3& first_cell) {
   const Mat3& stress = snapshot.report.stress();
@@ -252,8 +231,7 @@ PathRun shear_run(const Piece& piece, const dem::Specimen& start, stress::ShearP
   const StopRequest stop_requested = piece.meter.stop_request();
   PathRun run;
   run.path = path;
-  Schedule schedule{
-      .eta = {shear.eta_step}, .strain = {shear.strain_step}, .probe_eta = {shear.probe_eta_step}};
+  Schedule schedule{{{shear.eta_step}, {shear.strain_step}, {shear.probe_eta_step}, {0.5}}};
   std::optional<triaxial::ShearTest> test; // empty when the path is finished
   double reported = 0;                     // share of the work
   const auto share = [&] {
@@ -290,7 +268,7 @@ PathRun shear_run(const Piece& piece, const dem::Specimen& start, stress::ShearP
     ByteReader from(*bytes, store.name());
     const bool under_way = from.get<bool>();
     const Schedule planned = std::exchange(schedule, from.get<Schedule>());
-    if (!planned.same_steps(schedule))
+    if (!std::ranges::equal(planned, schedule, {}, &Multiples::step, &Multiples::step))
       from.fail("was written for other distances between its states");
     run = load_run(from, path);
     if (under_way)
@@ -328,11 +306,14 @@ PathRun shear_run(const Piece& piece, const dem::Specimen& start, stress::ShearP
     if (event == triaxial::ShearEvent::finished) {
       test.reset();
     } else {
-      const Schedule::Due due = schedule.at(test->now(), path);
-      if (!due.frozen)
+      const double eta = test->now().stress.ratio() * (stress::is_compression(path) ? 1 : -1);
+      const bool by_eta = schedule[0].passes(eta);
+      const bool by_strain = schedule[1].passes(std::abs(test->now().axial_strain));
+      const bool probed = schedule[2].passes(eta), cycled = schedule[3].passes(eta);
+      if (!by_eta && !by_strain && !probed && !cycled)
         continue;
-      freeze(due.probed);
-      if (due.cycled)
+      freeze(probed);
+      if (cycled)
         cycle();
     }
     save();
