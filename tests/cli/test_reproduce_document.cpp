@@ -105,7 +105,7 @@ TEST_CASE("reproduce: our number with its error is next to the printed one, on s
 
 TEST_CASE("reproduce: a cell that is too uncertain is undecided, and null in JSON") {
   studies::Cell cell{.quantity = "s of G_hv", .ours = {0.53, 0.05}, .printed = 0.53, .reach = 0.04};
-  const Table table = table_of_cells("cells", "", {{.cells = {cell}}});
+  const Table table = table_of_cells("cells", "", {cell});
   CHECK(has(io::csv_text(table.columns, table.rows), ",0.04,undecided\n"));
   CHECK(members_of({{Seen::always, table}}).at("cells").at(0).at("within").is_null());
 }

@@ -17,7 +17,6 @@ using studies::Agreement;
 using studies::Cell;
 using studies::ClosedForms;
 using studies::Probes;
-using studies::TableRow;
 using triaxial::PathPoint;
 
 std::string where(const ExperimentSpecimen& specimen, const PathRun& run) {
@@ -302,8 +301,8 @@ void add_figures(ExperimentDocument& to, const Experiment& experiment) {
 
 /// A table beside the paper's, and its file.
 void add_cells(ExperimentDocument& to, const char* key, const char* title, const char* remark,
-               const char* file, const std::vector<TableRow>& rows) {
-  Table table = table_of_cells(key, title, rows);
+               const char* file, const std::vector<Cell>& cells) {
+  Table table = table_of_cells(key, title, cells);
   to.files.emplace_back(file, io::csv_text(table.columns, table.rows));
   table.remark = remark;
   table.folded = true;
@@ -312,63 +311,55 @@ void add_cells(ExperimentDocument& to, const char* key, const char* title, const
 
 } // namespace
 
-Table table_of_cells(std::string key, std::string title, const std::vector<TableRow>& rows) {
-  using Row = std::pair<const TableRow*, const Cell*>;
+Table table_of_cells(std::string key, std::string title, const std::vector<Cell>& cells) {
   const auto look = [](const char* heading, int width) {
     return io::ShownColumn{.heading = heading, .width = width};
   };
-  const io::Columns<Row> columns = {
-      {"contact", "contact", [](const Row& row) { return name(row.first->contact); }, look("contact", -9)},
-      {"density", "density", [](const Row& row) { return studies::name(row.first->density); },
+  const io::Columns<Cell> columns = {
+      {"contact", "contact", [](const Cell& cell) { return name(cell.contact); }, look("contact", -9)},
+      {"density", "density", [](const Cell& cell) { return studies::name(cell.density); },
        look("density", -8)},
-      {"quantity", "quantity", [](const Row& row) { return row.second->quantity; }, look("quantity", -28)},
-      {"granum", "granum", [](const Row& row) { return row.second->ours.value; }},
+      {"quantity", "quantity", &Cell::quantity, look("quantity", -28)},
+      {"granum", "granum", [](const Cell& cell) { return cell.ours.value; }},
       {"", "",
-       [](const Row& row) {
-         const studies::TableValue& ours = row.second->ours;
-         return ours.standard_error ? io::Value(Measured{ours.value, *ours.standard_error})
-                                    : io::Value(ours.value);
+       [](const Cell& cell) {
+         const auto [value, error] = cell.ours;
+         return error ? io::Value(Measured{value, *error}) : io::Value(value);
        },
        look("granum", 18)},
       {"standard_error", "standard_error",
-       io::or_null([](const Row& row) { return row.second->ours.standard_error; })},
-      {"paper", "paper", io::or_null([](const Row& row) { return row.second->printed; }), look("paper", 6)},
+       io::or_null([](const Cell& cell) { return cell.ours.standard_error; })},
+      {"paper", "paper", io::or_null(&Cell::printed), look("paper", 6)},
       {"difference", "",
-       [](const Row& row) {
-         return row.second->printed ? std::optional(row.second->ours.value - *row.second->printed)
-                                    : std::nullopt;
+       [](const Cell& cell) {
+         return cell.printed ? std::optional(cell.ours.value - *cell.printed) : std::nullopt;
        }},
-      {"reach", "reach", io::or_null([](const Row& row) { return row.second->reach; })},
+      {"reach", "reach", io::or_null(&Cell::reach)},
       {"within", "",
-       [](const Row& row) {
+       [](const Cell& cell) {
          constexpr const char* words[] = {"", "yes", "no", "undecided"}; // as Agreement
-         return words[static_cast<std::size_t>(row.second->agreement())];
+         return words[static_cast<std::size_t>(cell.agreement())];
        },
        look("within", 10)},
-      {"", "within", [](const Row& row) { // null without a limit, or if undecided
-         const Agreement agreement = row.second->agreement();
+      {"", "within", [](const Cell& cell) { // null without a limit, or if undecided
+         const Agreement agreement = cell.agreement();
          return agreement == Agreement::within   ? io::Value(true)
                 : agreement == Agreement::beyond ? io::Value(false)
                                                  : io::Value(nullptr);
        }}};
-  std::vector<Row> cells;
-  for (const TableRow& row : rows)
-    for (const Cell& cell : row.cells)
-      cells.emplace_back(&row, &cell);
   return table_of(std::move(key), std::move(title), columns, cells);
 }
 
 std::vector<Compression> compressions(const Experiment& experiment) {
-  const std::vector<TableRow> exponents = table_5(experiment);
+  const std::vector<Cell> exponents = table_5(experiment);
   std::vector<Compression> out;
   for (const Kind& kind : kinds(experiment)) {
     Compression one{.contact = kind.contact,
                     .density = kind.density,
                     .contact_exponent = contact_exponent(experiment.scene, kind.contact)};
-    for (const TableRow& row : exponents)
-      for (const Cell& cell : row.cells)
-        if (row.contact == kind.contact && row.density == kind.density && cell.quantity == "s of G_hv")
-          one.exponent = Measured{cell.ours.value, cell.ours.standard_error.value_or(0)};
+    for (const Cell& cell : exponents)
+      if (cell.contact == kind.contact && cell.density == kind.density && cell.quantity == "s of G_hv")
+        one.exponent = Measured{cell.ours.value, cell.ours.standard_error.value_or(0)};
     if (const PathRun* run = find_run(*kind.specimen, std::nullopt))
       for (const StateRecord& point : run->points)
         one.states.push_back(route_state(point));

@@ -38,7 +38,7 @@ struct ExperimentDocument {
 
 /// Ours, its standard error, the printed number, the difference, the reach, and whether ours is within it.
 [[nodiscard]] Table table_of_cells(std::string key, std::string title,
-                                   const std::vector<studies::TableRow>& rows);
+                                   const std::vector<studies::Cell>& cells);
 
 /// Isotropic compression of the first specimen of each kind; s of G_hv as in Table 5.
 [[nodiscard]] std::vector<Compression> compressions(const Experiment& experiment);

@@ -26,7 +26,7 @@ using studies::Quantity;
 
 /// s of one modulus, ours or the printed one, shifted along the axis so that equal values do not hide one
 /// another.
-plot::Series exponents(const Experiment& experiment, const std::vector<studies::TableRow>& table,
+plot::Series exponents(const Experiment& experiment, const std::vector<studies::Cell>& table,
                        triaxial::Density density, const std::string& modulus, bool paper) {
   const bool horizontal = modulus == "G_hh";
   plot::Series out{.name = modulus + (paper ? ", paper" : ", granum"),
@@ -34,16 +34,15 @@ plot::Series exponents(const Experiment& experiment, const std::vector<studies::
                    .style = horizontal ? 0 : 1,
                    .tone = paper ? Tone::hollow : Tone::full,
                    .colour = horizontal ? plot::Colour::horizontal : plot::Colour::vertical};
-  for (const studies::TableRow& specimen : table)
-    for (const studies::Cell& cell : specimen.cells)
-      if (specimen.density == density && cell.quantity == "s of " + modulus && (!paper || cell.printed)) {
-        const double x = contact_exponent(experiment.scene, specimen.contact) + (horizontal ? -0.008 : 0.008);
-        if (paper)
-          out.add(x, *cell.printed);
-        else
-          out.add(x, cell.ours.value,
-                  cell.ours.standard_error.value_or(std::numeric_limits<double>::quiet_NaN()));
-      }
+  for (const studies::Cell& cell : table)
+    if (cell.density == density && cell.quantity == "s of " + modulus && (!paper || cell.printed)) {
+      const double x = contact_exponent(experiment.scene, cell.contact) + (horizontal ? -0.008 : 0.008);
+      if (paper)
+        out.add(x, *cell.printed);
+      else
+        out.add(x, cell.ours.value,
+                cell.ours.standard_error.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
   return out;
 }
 
@@ -55,7 +54,7 @@ Figure exponent_figure(const Experiment& experiment) {
                  "0.6, with its standard error; hollow markers: values of the paper. The line is the "
                  "exponent of the single contact. Markers of G_hh are drawn slightly to the left, "
                  "those of G_hv to the right."};
-  const std::vector<studies::TableRow> table = table_5(experiment);
+  const std::vector<studies::Cell> table = table_5(experiment);
   for (const triaxial::Density density : experiment.scene.study.densities) {
     Panel panel =
         studies::panel(fmt::format("fig15_{}", studies::name(density)), std::string(studies::name(density)),

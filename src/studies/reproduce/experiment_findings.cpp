@@ -68,11 +68,10 @@ struct Column {
   double reach_dense = 0, reach_loose = reach_dense;
 };
 
-std::vector<TableRow> table(const Experiment& experiment, const std::vector<Column>& columns) {
-  std::vector<TableRow> rows;
+std::vector<Cell> table(const Experiment& experiment, const std::vector<Column>& columns) {
+  std::vector<Cell> cells;
   for (const contact::Shape contact : experiment.scene.study.contacts)
     for (const Density density : experiment.scene.study.densities) {
-      TableRow& row = rows.emplace_back(TableRow{.contact = contact, .density = density, .cells = {}});
       const std::optional<PrintedSpecimen> paper = printed(contact, density);
       for (const Column& column : columns) {
         std::vector<TableValue> each;
@@ -83,14 +82,14 @@ std::vector<TableRow> table(const Experiment& experiment, const std::vector<Colu
         const std::optional<TableValue> mean = mean_over_seeds(each);
         if (!mean)
           continue;
-        Cell& cell = row.cells.emplace_back(Cell{column.quantity, *mean, {}, {}});
+        Cell& cell = cells.emplace_back(Cell{contact, density, column.quantity, *mean});
         if (paper && column.print)
           cell.printed = column.print(*paper);
         if (cell.printed)
           cell.reach = density == Density::dense ? column.reach_dense : column.reach_loose;
       }
     }
-  return rows;
+  return cells;
 }
 
 /// A quantity of the first frozen state.
@@ -149,7 +148,7 @@ Agreement Cell::agreement() const {
   return std::abs(ours.value - *printed) <= *reach ? Agreement::within : Agreement::beyond;
 }
 
-std::vector<TableRow> table_2(const Experiment& experiment) {
+std::vector<Cell> table_2(const Experiment& experiment) {
   return table(experiment,
                {{"C_n", at_start([](const StateRecord& point) {
                    return TableValue{point.coordination_number_all, point.coordination_error};
@@ -162,7 +161,7 @@ std::vector<TableRow> table_2(const Experiment& experiment) {
                  [](const PrintedSpecimen& paper) { return paper.void_ratio; }, 0.02}});
 }
 
-std::vector<TableRow> table_4(const Experiment& experiment) {
+std::vector<Cell> table_4(const Experiment& experiment) {
   std::vector<Column> columns;
   for (std::size_t k = 0; k < stress::all_shear_paths.size(); ++k) {
     const stress::ShearPath path = stress::all_shear_paths[k];
@@ -179,7 +178,7 @@ std::vector<TableRow> table_4(const Experiment& experiment) {
   return table(experiment, columns);
 }
 
-std::vector<TableRow> table_5(const Experiment& experiment) {
+std::vector<Cell> table_5(const Experiment& experiment) {
   return table(experiment, {{"s of G_hh", fitted(network_G_hh, exponent_s, false), printed_hh, 0.04, 0.08},
                             {"m of G_hv", fitted(network_G_vh, exponent_m),
                              [](const PrintedSpecimen& paper) { return paper.hv.m; }, 0.05, 0.10},
@@ -189,7 +188,7 @@ std::vector<TableRow> table_5(const Experiment& experiment) {
                             {"C of G_hv", fitted(network_G_vh, coefficient)}});
 }
 
-std::vector<TableRow> further_exponents(const Experiment& experiment) {
+std::vector<Cell> further_exponents(const Experiment& experiment) {
   return table(experiment,
                {{exponent_h_of_G_hh, fitted(network_G_hh, exponent_m)},
                 {exponent_v_of_G_hh, fitted(network_G_hh, exponent_n)},
@@ -223,12 +222,11 @@ struct Near {
   [[nodiscard]] std::string text() const { return detail::formatted("%.0f of %.0f", within, cells); }
 };
 
-Near near(const std::vector<TableRow>& rows, double distance, const std::string& quantity = {}) {
+Near near(const std::vector<Cell>& cells, double distance, const std::string& quantity = {}) {
   Near out;
-  for (const TableRow& row : rows)
-    for (const Cell& cell : row.cells)
-      if (cell.printed && (quantity.empty() || cell.quantity == quantity))
-        out.take(cell, std::abs(cell.ours.value - *cell.printed) <= distance);
+  for (const Cell& cell : cells)
+    if (cell.printed && (quantity.empty() || cell.quantity == quantity))
+      out.take(cell, std::abs(cell.ours.value - *cell.printed) <= distance);
   return out;
 }
 
@@ -238,24 +236,23 @@ void judge_all_near(std::vector<Verdict>& out, const std::string& claim, const N
 }
 
 void judge_tables(std::vector<Verdict>& out, const Experiment& experiment) {
-  const std::vector<TableRow> initial = table_2(experiment), peaks = table_4(experiment);
+  const std::vector<Cell> initial = table_2(experiment), peaks = table_4(experiment);
   judge_all_near(out, "Table 2: C_n within 0.4 of the paper", near(initial, 0.4, "C_n"));
   judge_all_near(out, "Table 2: e within 0.02 of the paper", near(initial, 0.02, "e"));
   if (const Near close = near(peaks, 1.5); close.cells > 0)
     judge(out, "Table 4: five of six friction angles within 1.5 deg of the paper",
           6 * close.within >= 5 * close.cells, close.text());
   judge_all_near(out, "Table 4: all friction angles within 2.5 deg of the paper", near(peaks, 2.5));
-  const std::vector<TableRow> fits = table_5(experiment);
+  const std::vector<Cell> fits = table_5(experiment);
   for (const auto& [letters, of_dense, of_loose] :
        {std::tuple{std::string("s"), "s within 0.04", "s within 0.08"},
         std::tuple{std::string("mn"), "m and n within 0.05", "m and n within 0.10"}})
     for (const Density density : experiment.scene.study.densities) {
       Near all;
-      for (const TableRow& row : fits)
-        for (const Cell& cell : row.cells)
-          if (row.density == density && letters.find(cell.quantity.front()) != std::string::npos &&
-              cell.agreement() != Agreement::not_asked)
-            all.take(cell, cell.agreement() == Agreement::within);
+      for (const Cell& cell : fits)
+        if (cell.density == density && letters.find(cell.quantity.front()) != std::string::npos &&
+            cell.agreement() != Agreement::not_asked)
+          all.take(cell, cell.agreement() == Agreement::within);
       judge_all_near(out,
                      "Table 5, " + std::string(name(density)) + ": " +
                          (density == Density::dense ? of_dense : of_loose) + " of the paper",
@@ -316,17 +313,18 @@ void judge_flat(std::vector<Verdict>& out, const ExperimentSpecimen& specimen) {
 
 /// In the paper G_hh depends on sigma_h only.
 void judge_horizontal_shear(std::vector<Verdict>& out, const Experiment& experiment) {
-  for (const TableRow& row : further_exponents(experiment)) {
-    const auto vertical = std::ranges::find(row.cells, exponent_v_of_G_hh, &Cell::quantity),
-               horizontal = std::ranges::find(row.cells, exponent_h_of_G_hh, &Cell::quantity);
-    if (row.density != Density::dense || vertical == row.cells.end() || horizontal == row.cells.end())
-      continue;
-    const double error = vertical->ours.standard_error.value_or(0);
-    judge(out, "dense " + std::string(name(row.contact)) + ": G_hh does not depend on sigma_v",
-          std::abs(vertical->ours.value) <= 2 * error,
-          detail::formatted("exponent of sigma_v %.3f +- %.3f, of sigma_h %.3f", vertical->ours.value, error,
-                            horizontal->ours.value));
-  }
+  const std::vector<Cell> cells = further_exponents(experiment);
+  for (const Cell& vertical : cells)
+    for (const Cell& horizontal : cells)
+      if (vertical.density == Density::dense && horizontal.density == Density::dense &&
+          vertical.contact == horizontal.contact && vertical.quantity == exponent_v_of_G_hh &&
+          horizontal.quantity == exponent_h_of_G_hh) {
+        const double exponent = vertical.ours.value, error = vertical.ours.standard_error.value_or(0);
+        judge(out, "dense " + std::string(name(vertical.contact)) + ": G_hh does not depend on sigma_v",
+              std::abs(exponent) <= 2 * error,
+              detail::formatted("exponent of sigma_v %.3f +- %.3f, of sigma_h %.3f", exponent, error,
+                                horizontal.ours.value));
+      }
 }
 
 /// Largest difference of G_hv and G_vh by cyclic shear before 0.9 of failure.

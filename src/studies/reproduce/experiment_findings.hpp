@@ -33,38 +33,33 @@ enum class Agreement {
   undecided, ///< the standard error of ours is larger than the reach
 };
 
-/// One cell of a table, with the paper's value.
+/// One cell of a table, of a contact and a density over all seeds, with the paper's value.
 struct Cell {
+  contact::Shape contact = contact::Shape::sphere;
+  triaxial::Density density = triaxial::Density::dense;
   std::string quantity; ///< "C_n", "e", "friction angle TXC [deg]", "s of G_hv", ...
   TableValue ours;
-  std::optional<double> printed;
-  std::optional<double> reach; ///< limit of |ours - printed|
+  std::optional<double> printed = {};
+  std::optional<double> reach = {}; ///< limit of |ours - printed|
 
   [[nodiscard]] Agreement agreement() const;
 };
 
-/// The cells of one specimen, over all its seeds.
-struct TableRow {
-  contact::Shape contact = contact::Shape::sphere;
-  triaxial::Density density = triaxial::Density::dense;
-  std::vector<Cell> cells;
-};
-
 /// C_n of all grains and e at the first pressure, e between walls two diameters inside. The error of C_n of
 /// one specimen is that of the mean number of contacts of a grain.
-[[nodiscard]] std::vector<TableRow> table_2(const Experiment& experiment);
+[[nodiscard]] std::vector<Cell> table_2(const Experiment& experiment);
 
 /// Friction angles mobilised at the peak of each path [deg].
-[[nodiscard]] std::vector<TableRow> table_4(const Experiment& experiment);
+[[nodiscard]] std::vector<Cell> table_4(const Experiment& experiment);
 
 /// Eq. (1) with f(e) = (2.17 - e)^2/(1 + e), fitted as in the paper (unweighted residuals of G) to the
 /// network moduli of isotropic compression and of all paths for |eta| <= 0.6: s of G_hh; m, n, s and C of
 /// G_hv, C with p_a = 100 kPa. G_vh is the same number as G_hv in a network, with m and n exchanged.
-[[nodiscard]] std::vector<TableRow> table_5(const Experiment& experiment);
+[[nodiscard]] std::vector<Cell> table_5(const Experiment& experiment);
 
 /// The same exponents from the cyclic shear of the probed states, if at least 4 were probed, and that of
 /// sigma_v in G_hh ~ sigma_h^m sigma_v^n.
-[[nodiscard]] std::vector<TableRow> further_exponents(const Experiment& experiment);
+[[nodiscard]] std::vector<Cell> further_exponents(const Experiment& experiment);
 
 /// Verdict on each claim of the paper for which the experiment has data.
 [[nodiscard]] std::vector<Verdict> experiment_verdicts(const Experiment& experiment);
