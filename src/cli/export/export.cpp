@@ -37,21 +37,10 @@ struct ExportOptions {
   bool strict = false;
 };
 
-/// One deck is one specimen of the scene.
-struct Specimen {
-  triaxial::Density density;
-  std::uint64_t seed;
-
-  [[nodiscard]] std::string folder() const { return fmt::format("{}-{}", studies::name(density), seed); }
-};
-
-std::vector<Specimen> specimens_of(const studies::Scene& scene) {
-  std::vector<Specimen> specimens;
-  for (const triaxial::Density density : scene.study.densities)
-    for (std::uint64_t seed = scene.study.first_seed; seed < scene.study.first_seed + scene.study.seeds;
-         ++seed)
-      specimens.push_back({density, seed});
-  return specimens;
+/// One deck is one specimen of the scene, and has a folder.
+using Specimen = studies::SpecimenName;
+std::string folder_of(const Specimen& specimen) {
+  return fmt::format("{}-{}", studies::name(specimen.density), specimen.seed);
 }
 
 void require_spheres(const studies::Scene& scene) {
@@ -122,7 +111,7 @@ std::vector<io::DeckFile> deck_of(const studies::Scene& scene, const Specimen& s
 
 /// Makes the folders. The files of a deck have the same names for every specimen, found with a small one.
 void prepare_folders(studies::Scene scene, const ExportOptions& options) {
-  const std::vector<Specimen> specimens = specimens_of(scene);
+  const std::vector<Specimen> specimens = studies::specimens_of(scene);
   ExportOptions small = options;
   small.start = "scattered";
   scene.study.grains = triaxial::least_grains(scene.grain.sizes);
@@ -131,7 +120,7 @@ void prepare_folders(studies::Scene scene, const ExportOptions& options) {
   for (const io::DeckFile& file : deck)
     names.push_back(file.name.c_str());
   for (const Specimen& specimen : specimens)
-    prepare_folder(fs::path(options.out) / specimen.folder(), names, options.force);
+    prepare_folder(fs::path(options.out) / folder_of(specimen), names, options.force);
 }
 
 ExitCode run(const ExportOptions& options) {
@@ -146,8 +135,8 @@ ExitCode run(const ExportOptions& options) {
   Document to{.command = "export lammps", .title = "input files of LAMMPS"};
   nlohmann::ordered_json written = nlohmann::ordered_json::array();
   Prose folders;
-  for (const Specimen& specimen : specimens_of(scene)) {
-    const fs::path folder = fs::path(options.out) / specimen.folder();
+  for (const Specimen& specimen : studies::specimens_of(scene)) {
+    const fs::path folder = fs::path(options.out) / folder_of(specimen);
     for (const io::DeckFile& file : deck_of(scene, specimen, options, stop_requested)) {
       io::write_file(folder / file.name, file.text, existing(options.force));
       written.push_back((folder / file.name).string());

@@ -76,14 +76,11 @@ class Pieces {
       : scene_(scene), checkpoints_(checkpoints), meter_(control, experiment_steps(scene)) {}
 
   std::vector<ExperimentSpecimen> run() && {
-    const StudySection& study = scene_.study;
-    for (std::size_t shape = 0; shape < study.contacts.size(); ++shape)
-      for (const triaxial::Density density : study.densities)
-        for (std::size_t k = 0; k < study.seeds; ++k) {
-          specimens_.push_back({study.contacts[shape], density, study.first_seed + k, {}, {}});
-          packing_of_.push_back(shape * study.seeds + k);
-        }
-    packings_.resize(study.contacts.size() * study.seeds);
+    for (const SpecimenName& of : specimens_of(scene_)) {
+      specimens_.push_back({of.contact, of.density, of.seed, {}, {}});
+      packing_of_.push_back(of.packing);
+    }
+    packings_.resize(scene_.study.contacts.size() * scene_.study.seeds);
     std::vector<Job> jobs(packings_.size());
     for (std::size_t k = 0; k < specimens_.size(); ++k) {
       const ExperimentSpecimen& of = specimens_[k];

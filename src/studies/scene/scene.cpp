@@ -153,6 +153,16 @@ void require_inside(const Scene& scene) {
 
 } // namespace
 
+std::vector<SpecimenName> specimens_of(const Scene& scene) {
+  const StudySection& study = scene.study;
+  std::vector<SpecimenName> out;
+  for (std::size_t shape = 0; shape < study.contacts.size(); ++shape)
+    for (const triaxial::Density density : study.densities)
+      for (std::size_t k = 0; k < study.seeds; ++k)
+        out.push_back({study.contacts[shape], density, study.first_seed + k, shape * study.seeds + k});
+  return out;
+}
+
 void require_periodic_cell(const Scene& scene) {
   if (scene.specimen.walls)
     throw InvalidArgument("specimen.boundary = walls: this command works in the periodic cell only; granum "

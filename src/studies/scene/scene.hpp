@@ -89,6 +89,16 @@ void require_valid(const Scene& scene);
 ///           the periodic cell alone
 void require_periodic_cell(const Scene& scene);
 
+/// A specimen of a scene, and the packing that it starts from: one for each contact and seed.
+struct SpecimenName {
+  contact::Shape contact;
+  triaxial::Density density;
+  std::uint64_t seed;
+  std::size_t packing; ///< its number, from 0
+};
+/// In the order contact, density, seed.
+[[nodiscard]] std::vector<SpecimenName> specimens_of(const Scene& scene);
+
 /// Number of threads: as given, or one per core if 0.
 [[nodiscard]] std::size_t thread_count(std::size_t asked);
 /// The same of scene.study.threads.

@@ -182,32 +182,28 @@ std::vector<SpecimenResult> run_study(const Scene& scene, const RunControl& cont
   require_valid(scene);
   require_periodic_cell(scene);
   Meter meter(control, total_work(scene));
-  std::vector<Packing> packings;
+  const std::vector<SpecimenName> names = specimens_of(scene);
+  std::vector<Packing> packings(scene.study.contacts.size() * scene.study.seeds);
   std::vector<SpecimenResult> specimens;
-  std::vector<std::size_t> packing_of;
-  for (std::size_t shape = 0; shape < scene.study.contacts.size(); ++shape) {
-    for (std::size_t k = 0; k < scene.study.seeds; ++k)
-      packings.push_back({scene.study.contacts[shape], scene.study.first_seed + k, {}, {}});
-    for (const triaxial::Density density : scene.study.densities)
-      for (std::size_t k = 0; k < scene.study.seeds; ++k) {
-        specimens.push_back({scene.study.contacts[shape], density, scene.study.first_seed + k, {}, {}});
-        packing_of.push_back(shape * scene.study.seeds + k);
-      }
-  }
-  std::vector<Job> jobs;
-  for (Packing& packing : packings)
-    jobs.push_back(
-        {.work = [&] { prepare(scene, packing, meter); }, .cost = preparation_work(scene), .after = {}});
-  for (std::size_t k = 0; k < specimens.size(); ++k)
+  std::vector<Job> jobs(packings.size());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const SpecimenName& of = names[k];
+    Packing& packing = packings[of.packing];
+    packing.contact = of.contact;
+    packing.seed = of.seed;
+    jobs[of.packing] = {
+        .work = [&] { prepare(scene, packing, meter); }, .cost = preparation_work(scene), .after = {}};
+    specimens.push_back({of.contact, of.density, of.seed, {}, {}});
     jobs.push_back({.work =
                         [&, k] {
-                          const std::string failure = failure_or_stop_of(
-                              [&] { run_specimen(scene, packings[packing_of[k]], specimens[k], meter); });
+                          const std::string failure =
+                              failure_or_stop_of([&] { run_specimen(scene, packing, specimens[k], meter); });
                           if (!failure.empty())
                             specimens[k].failure = failure;
                         },
-                    .cost = specimen_work(scene, specimens[k].density, specimens[k].contact),
-                    .after = packing_of[k]});
+                    .cost = specimen_work(scene, of.density, of.contact),
+                    .after = of.packing});
+  }
   side_by_side(jobs, thread_count(scene));
   return specimens;
 }
