@@ -20,7 +20,6 @@ namespace {
 
 using plot::Mark;
 using plot::Tone;
-using studies::Quantity;
 
 // ---- exponents
 

@@ -136,9 +136,9 @@ void add_states(Document& to, const ordered_json& results) {
     table.folded = true;
     to.add(Seen::always, std::move(table));
     for (const ordered_json& why : specimen.at("left_out"))
-      left_out.lines.push_back(title + ": left out: at " + why.get<std::string>());
+      left_out.lines.push_back(fmt::format("{}: left out: at {}", title, why.get<std::string>()));
     if (const auto failure = specimen.at("failure").get<std::string>(); !failure.empty())
-      left_out.lines.push_back(title + ": ended early: " + failure);
+      left_out.lines.push_back(fmt::format("{}: ended early: {}", title, failure));
   }
   if (!left_out.lines.empty())
     to.add(Seen::always, std::move(left_out));
@@ -248,12 +248,14 @@ Items scene_items(const studies::Scene& scene) {
   Items out{.title = "the scene, in SI"};
   const ordered_json all = json_of(scene);
   for (const auto& [section, keys] : all.items())
-    for (const auto& [key, value] : keys.items())
+    for (const auto& [key, value] : keys.items()) {
+      const io::ShownColumn look = shown_as(fmt::format("{}.{}", section, key));
       if (value.is_number_float())
-        io::add_item(out.items, "", value.get<double>(), shown_as(section + "." + key));
+        io::add_item(out.items, "", value.get<double>(), look);
       else
         io::add_item(out.items, "", value.is_string() ? value.get<std::string>() : json_text(value, -1),
-                     shown_as(section + "." + key));
+                     look);
+    }
   return out;
 }
 

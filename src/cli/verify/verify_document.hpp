@@ -13,7 +13,7 @@
 #include "cli/document/document.hpp"
 #include "cli/options/study_options.hpp"
 
-/// What `granum verify` found, as a document and files.
+/// What `granum verify` found, as a document and files.  Checked by tests/cli/test_verify_document.cpp
 namespace granum::cli {
 
 /// Whether every specimen was run to its end.

@@ -23,9 +23,9 @@ std::optional<double> network_G_vh(const StateRecord& point) { return point.G_vh
 
 namespace {
 
-template <double Probes::*of>
+template <double Probes::*Of>
 std::optional<double> probed(const StateRecord& point) {
-  return point.probes ? std::optional((*point.probes).*of) : std::nullopt;
+  return point.probes ? std::optional((*point.probes).*Of) : std::nullopt;
 }
 
 } // namespace
@@ -42,8 +42,8 @@ using Points = std::vector<const StateRecord*>;
 /// eta up to which the paper fits its Table 5 and calls a dense specimen's structure constant.
 constexpr double early_eta = 0.6;
 /// Cells of further_exponents that a claim needs.
-constexpr const char* exponent_h_of_G_hh = "exponent of sigma_h in G_hh";
-constexpr const char* exponent_v_of_G_hh = "exponent of sigma_v in G_hh";
+constexpr const char* exponent_of_horizontal = "exponent of sigma_h in G_hh";
+constexpr const char* exponent_of_vertical = "exponent of sigma_v in G_hh";
 
 /// Frozen states of the shear paths with |eta| <= early_eta, not counting those past the peak.
 Points early_points(const ExperimentSpecimen& specimen) {
@@ -190,8 +190,8 @@ std::vector<Cell> table_5(const Experiment& experiment) {
 
 std::vector<Cell> further_exponents(const Experiment& experiment) {
   return table(experiment,
-               {{exponent_h_of_G_hh, fitted(network_G_hh, exponent_m)},
-                {exponent_v_of_G_hh, fitted(network_G_hh, exponent_n)},
+               {{exponent_of_horizontal, fitted(network_G_hh, exponent_m)},
+                {exponent_of_vertical, fitted(network_G_hh, exponent_n)},
                 {"s of G_hh, probes", fitted(probe_G_hh, exponent_s, false), printed_hh, 0.04, 0.08},
                 {"s of G_hv, probes", fitted(probe_G_hv, exponent_s), printed_hv, 0.04, 0.08},
                 {"s of G_vh, probes", fitted(probe_G_vh, exponent_s), printed_vh, 0.04, 0.08}});
@@ -317,8 +317,8 @@ void judge_horizontal_shear(std::vector<Verdict>& out, const Experiment& experim
   for (const Cell& vertical : cells)
     for (const Cell& horizontal : cells)
       if (vertical.density == Density::dense && horizontal.density == Density::dense &&
-          vertical.contact == horizontal.contact && vertical.quantity == exponent_v_of_G_hh &&
-          horizontal.quantity == exponent_h_of_G_hh) {
+          vertical.contact == horizontal.contact && vertical.quantity == exponent_of_vertical &&
+          horizontal.quantity == exponent_of_horizontal) {
         const double exponent = vertical.ours.value, error = vertical.ours.standard_error.value_or(0);
         judge(out, "dense " + std::string(name(vertical.contact)) + ": G_hh does not depend on sigma_v",
               std::abs(exponent) <= 2 * error,
