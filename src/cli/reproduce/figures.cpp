@@ -11,8 +11,8 @@
 #include "studies/reproduce/experiment_findings.hpp"
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
-#include <granum/core/number.hpp>
-#include <granum/elastic/projection.hpp>
+#include <granum/core/text.hpp>
+#include <granum/elastic/isotropic.hpp>
 
 namespace granum::cli {
 

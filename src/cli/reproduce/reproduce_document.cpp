@@ -407,7 +407,7 @@ ExperimentDocument experiment_document(const Experiment& experiment,
   to.add(Seen::full, scene_items(experiment.scene));
   to.add(Seen::full, left_out(experiment));
   add_cost_of_sizes(to, experiment.scene);
-  to.add_notes({std::begin(how_to_read), std::end(how_to_read)});
+  to.add_notes(std::vector<std::string>(std::begin(how_to_read), std::end(how_to_read)));
   return out;
 }
 

@@ -8,8 +8,8 @@
 #include "studies/paper/paper.hpp"
 #include "studies/reproduce/experiment_findings.hpp"
 #include <fmt/format.h>
+#include <granum/fabric/estimates.hpp>
 #include <granum/fabric/orientation.hpp>
-#include <granum/fabric/rose.hpp>
 
 #include "cli/verify/compression.hpp"
 #include "figures.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <granum/core/number.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/relaxation.hpp>
 
 namespace granum::cli {

@@ -8,7 +8,7 @@
 
 #include "studies/report/panel.hpp"
 #include "studies/scene/scene.hpp"
-#include <granum/core/measured.hpp>
+#include <granum/core/numerics.hpp>
 
 #include "cli/document/document.hpp"
 

@@ -286,8 +286,9 @@ StudyDocument study_document(const studies::Scene& scene, const ordered_json& re
       to.add(Seen::data, Data{key, value});
   to.add(Seen::full, scene_items(scene));
   add_cost_of_sizes(to, scene);
-  to.add_notes({"The paper is [Chung2014]; s of its G_hv is that of Table 5.",
-                "All numbers are in states.csv, exponents.csv and manifest.json, the input in scene.toml."});
+  to.add_notes(std::vector<std::string>{
+      "The paper is [Chung2014]; s of its G_hv is that of Table 5.",
+      "All numbers are in states.csv, exponents.csv and manifest.json, the input in scene.toml."});
   for (const ordered_json& warning : results.value("warnings", ordered_json::array()))
     to.warnings.add(warning.get<std::string>());
   return out;

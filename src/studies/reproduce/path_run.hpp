@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "studies/reproduce/experiment.hpp"
-#include <granum/core/stop_request.hpp>
+#include <granum/core/stop.hpp>
 
 #include "studies/running/work_sharing.hpp"
 
