@@ -344,15 +344,19 @@ Answer possible_answer(const Question& question, std::span<const Spread> spreads
   Answer all(with(question, contacts.middle));
   all.middle_ = middle.values;
   add_calibration(all.effects_, question, contacts.middle, middle, exponents);
-  const auto counted = [&](const ContactCounts& counts, const effective::Growth& of_counts) {
-    Values values = solution(question, counts).values;
+  const auto counted = [&](const Question& q, const ContactCounts& counts,
+                           const effective::Growth& of_counts) {
+    Values values = solution(q, counts).values;
     if (exponents)
-      set_exponents(values, question, counts, of_counts, middle.values);
+      set_exponents(values, q, counts, of_counts, middle.values);
     return values;
   };
+  Question densest = question; // the most contacts are those of a dense packing, and so are its forces
+  if (!question.knows_contacts() && question.preparation.kind == effective::Preparation::Kind::unknown)
+    densest.preparation.kind = effective::Preparation::Kind::dense;
   all.effects_.push_back(effect_of("contacts", !question.knows_contacts(), middle.values,
-                                   counted(contacts.fewer, growth.fewer),
-                                   counted(contacts.more, growth.more)));
+                                   counted(question, contacts.fewer, growth.fewer),
+                                   counted(densest, contacts.more, growth.more)));
   // Numbers that do not depend on the input are not computed again.
   const auto moved = [&](const Question& q) {
     require_possible(q);

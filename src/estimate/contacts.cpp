@@ -136,10 +136,7 @@ KnownContacts contacts_of(const Question& q) {
     return exactly({.mechanical_coordination_number = *z, .rattler_fraction = *x});
   if (C_n && z)
     return exactly(of_z_and_C_n(*z, *C_n));
-  effective::Preparation preparation = q.preparation;
-  if (q.sand.least_void_ratio)
-    preparation.densest_void_ratio = *q.sand.least_void_ratio;
-  const ContactPrior prior = effective::contact_prior(q.state, preparation);
+  const ContactPrior prior = effective::contact_prior(q.state, q.preparation);
   return z     ? contacts_by_z(*z, prior)
          : C_n ? contacts_by_C_n(*C_n, prior)
          : x   ? contacts_by_rattlers(*x, prior, q.state.contacts == sizes::ContactMeans{})

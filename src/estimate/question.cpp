@@ -285,8 +285,12 @@ Question question_of(const InputValues& values) {
   // A row of a table may contain all three numbers of contacts: C_n and z* are enough.
   const bool enough = values[Input::coordination_number].source == Source::table &&
                       values[Input::mechanical_coordination_number].source == Source::table;
+  effective::Preparation preparation = values.preparation;
+  if (known_shape(values) == GrainShape::sphere &&
+      values.stated(Input::least_void_ratio)) // that of a named sand is of no spheres
+    preparation.densest_void_ratio = values.number(Input::least_void_ratio);
   return {.state = state_of(values, stresses_of(values)),
-          .preparation = values.preparation,
+          .preparation = preparation,
           .rattler_fraction = enough || !values.given(Input::rattler_fraction)
                                   ? std::nullopt
                                   : std::optional(values.within(Input::rattler_fraction)),

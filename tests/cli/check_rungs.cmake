@@ -17,7 +17,11 @@ foreach(known "" --preparation=dense --rattler-fraction=3% --coordination-number
   set(first "${out}")
   string(JSON C_n GET "${first}" answer coordination_number value)
   string(JSON z GET "${first}" answer mechanical_coordination_number value)
-  estimate(--coordination-number ${C_n} --mechanical-coordination-number ${z})
+  set(prepared "")
+  if(known MATCHES "preparation") # which knows more than the contacts
+    set(prepared ${known})
+  endif()
+  estimate(--coordination-number ${C_n} --mechanical-coordination-number ${z} ${prepared})
   foreach(form uniform_strain uniform_stress relaxed)
     foreach(key C11 C33 C12 C13 C44 K G_hh G_vh E_v E_h m n s)
       string(JSON a GET "${first}" ${form} ${key})

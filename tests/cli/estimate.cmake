@@ -227,7 +227,7 @@ granum_cli_test("estimate: unknown rattlers count in a stated error" EXIT 0 STDE
 granum_cli_test("estimate: rungs 1 and 2 miss the fabric" EXIT 0 STDERR "not met" JSON "ladder/rungs/1/verdict=^inputs_missing$"
   "ladder/rungs/2/missing/0=fabric" "ladder/rungs/0/missing=^\\[ *\\]$" ARGS estimate ${dense} --tolerance 5% --json)
 granum_cli_test("estimate: the error of uncounted contacts" EXIT 4 STDERR "10 % is not met"
-  JSON "ladder/rungs/3/relative_error/G_vh=^0\\.5[0-9]" "ladder/rungs/3/error_source=contacts 50 %" "ladder/rungs/0/relative_error/G_vh=^[1-9]"
+  JSON "ladder/rungs/3/relative_error/G_vh=^0\\.5[0-9]" "ladder/rungs/3/error_source=contacts 5[0-9] %" "ladder/rungs/0/relative_error/G_vh=^[1-9]"
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --tolerance 10% --strict --json)
 granum_cli_test("estimate: below the isostatic point the error is unknown" EXIT 0 JSON "ladder/rungs/0/relative_error=^$"
   STDERR "may not be rigid" ARGS estimate ${dense} --mechanical-coordination-number 3.5 --tolerance 5% --json)

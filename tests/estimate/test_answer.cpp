@@ -50,10 +50,11 @@ Question with_grain(Question q, double shear_modulus) {
 
 } // namespace
 
-TEST_CASE("answer: glass beads without further inputs are within a factor of 3.1, and include 150 MPa") {
+TEST_CASE("answer: glass beads without further inputs are within a factor of 3.2, and include 150 MPa") {
   const Answer a = estimate::answer(beads());
   CHECK(holds(a[Field::shear_modulus], 150e6, 187e6));
-  CHECK(a[Field::shear_modulus].high / a[Field::shear_modulus].low <= 3.1);
+  CHECK(a[Field::shear_modulus].high / a[Field::shear_modulus].low <=
+        3.2); // dense packings are the upper end
   CHECK(a.validity().ok());
 }
 

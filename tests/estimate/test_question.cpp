@@ -89,9 +89,9 @@ TEST_CASE("question: a packing is not below the pressure of its preparation, whi
                          unknown = estimate::answer(prepared(0));
   CHECK(old[Field::shear_modulus].value > 1.04 * fresh[Field::shear_modulus].value);
   CHECK(fresh[Field::stress_exponent].value > old[Field::stress_exponent].value + 0.01);
-  CHECK(old[Field::shear_modulus].relative_error() < 0.9 * unknown[Field::shear_modulus].relative_error());
+  CHECK(old[Field::shear_modulus].relative_error() < unknown[Field::shear_modulus].relative_error());
   CHECK(old.state().unevenness.has_value());
-  CHECK_FALSE(unknown.state().unevenness.has_value());
+  CHECK(unknown.state().unevenness->standard_error > 3 * old.state().unevenness->standard_error);
 }
 
 TEST_CASE("question: limits of the void ratio that no soil has are refused") {

@@ -261,7 +261,7 @@ Items scene_items(const studies::Scene& scene) {
 
 void add_cost_of_sizes(Document& to, const studies::Scene& scene) {
   if (const std::string cost = studies::cost_of_sizes(scene); !cost.empty())
-    to.notes.push_back({cost});
+    to.add_notes(std::vector<std::string>{cost});
 }
 
 StudyDocument study_document(const studies::Scene& scene, const ordered_json& results) {
