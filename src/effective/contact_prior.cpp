@@ -208,12 +208,16 @@ void note_overlap(double overlap, Validity& validity) {
 
 } // namespace
 
-Preparation preparation_of(std::string_view text) {
+Preparation preparation_of(std::string_view given) {
+  std::string text(given);
+  for (std::size_t k = 0; k < text.size() && text[k] != ':'; ++k) // units keep their letters
+    if (text[k] >= 'A' && text[k] <= 'Z')
+      text[k] = static_cast<char>(text[k] - 'A' + 'a');
+  constexpr std::string_view friction = "friction:", dense = "dense:";
   if (text == "dense")
     return {.kind = Preparation::Kind::dense};
   if (text == "loose")
     return {.kind = Preparation::Kind::loose};
-  constexpr std::string_view friction = "friction:", dense = "dense:";
   if (text.starts_with(dense))
     return {.kind = Preparation::Kind::dense,
             .pressure = require_positive(
@@ -272,14 +276,14 @@ ContactPrior contact_prior(const State& state, const Preparation& preparation) {
       .rattler_error = unequal(state) ? unequal_rattler_error : kernel::rattler_scatter,
       .relative_overlap = overlap,
       .validity = {}};
-  note_density(state.void_ratio, rigid, beyond, prior.validity);
+  note_density(state.void_ratio, densest_known ? state.void_ratio : rigid, beyond, prior.validity);
   note_friction(state, preparation, rigid, prior.validity);
   note_sizes(state, prior.validity);
   note_overlap(overlap, prior.validity);
   if (preparation.densest_void_ratio > loosest_densest)
-    prior.validity.add(detail::formatted("void ratio %.3g is none of the densest packing of spheres, at most "
-                                         "%.3g: it is not used for contacts",
-                                         preparation.densest_void_ratio, loosest_densest));
+    prior.validity.add(detail::formatted(
+        "least void ratio %.4g: spheres packed without friction have at most %.3g; it is not used",
+        preparation.densest_void_ratio, loosest_densest));
   return prior;
 }
 

@@ -355,10 +355,20 @@ Unevenness dense_unevenness(const State& state, std::optional<double> preparatio
                ratio = (state.stress_v - state.stress_h) / p,
                by_share = kernel::dense_unevenness[2] * b * (1 - b);
   const auto& [of_equal, of_others] = kernel::dense_unevenness_scatter;
-  return {.value = kernel::unevenness_of_dense(b, left, v, ratio, kernel::dense_unevenness),
-          .standard_error = std::hypot(of_equal, of_others * std::sqrt(v),
-                                       preparation_pressure ? 0.0 : share_error * by_share),
-          .by_pressure = -2 * kernel::overlap_exponent(state.law, force) * by_share * left};
+  Unevenness dense{.value = kernel::unevenness_of_dense(b, left, v, ratio, kernel::dense_unevenness),
+                   .standard_error = std::hypot(of_equal, of_others * std::sqrt(v),
+                                                preparation_pressure ? 0.0 : share_error * by_share),
+                   .by_pressure = -2 * kernel::overlap_exponent(state.law, force) * by_share * left};
+  const double z = state.mechanical_coordination_number.value_or(kernel::dense_coordination);
+  const double share = kernel::smooth_step((z - kernel::least_dense_coordination) /
+                                           (kernel::dense_coordination - kernel::least_dense_coordination));
+  if (share == 1)
+    return dense;
+  const double h =
+      relaxing_factors(z, state.tangential_ratio, contacts_of(state), v, scatters(0)).shear.value;
+  return {.value = mixed(kernel::usual_unevenness(h, b, z, v, kernel::shear_gain), dense.value, share),
+          .standard_error = mixed(kernel::usual_unevenness_scatter, dense.standard_error, share),
+          .by_pressure = share * dense.by_pressure};
 }
 
 RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number) {

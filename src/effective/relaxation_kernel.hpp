@@ -228,14 +228,30 @@ T unevenness_of_dense(const T& b, const T& faded, double v, double stress_ratio,
   return stiffening * T(c[0] + c[1] * b + c[2] * faded + c[4] * (stress_ratio * stress_ratio)) + c[3] * v;
 }
 
+/// 0 up to 0, 1 from 1 on, without a corner.
+template <class T>
+T smooth_step(const T& x) {
+  return x >= 1.0 ? T(1.0) : x <= 0.0 ? T(0.0) : T(x * x * (3.0 - 2.0 * x));
+}
+
 /// Share of that gain which is applied: all above the lower of these z*, none below the other, where packings
 /// are so soft that other things decide.
 inline constexpr double lowest_uneven_coordination = 4.2, lowest_even_coordination = 4.4;
 template <class T>
 T share_of_unevenness(const T& z) {
-  const T share = (z - lowest_uneven_coordination) / (lowest_even_coordination - lowest_uneven_coordination);
-  return share >= 1.0 ? T(1.0) : share <= 0.0 ? T(0.0) : share;
+  return smooth_step(
+      T((z - lowest_uneven_coordination) / (lowest_even_coordination - lowest_uneven_coordination)));
 }
+
+/// The Q for which gain_by_unevenness is 0: that of packings as uneven as the ones of the fit.
+inline double usual_unevenness(double h, double b, double z, double v,
+                               const UnevennessCoefficients<double>& c) {
+  return -gain_by_unevenness(0.0, h, b, z, v, c) / (c[0] + c[1] * std::sqrt(v));
+}
+/// Scatter of Q about it, and the z* of packings that were compressed without friction: from the first on,
+/// none below the other.
+inline constexpr double usual_unevenness_scatter = 0.016;
+inline constexpr double least_dense_coordination = 5.5, dense_coordination = 5.8;
 
 /// Overlap over the diameter up to which branches are shortened: beyond, grains are no longer grains.
 inline constexpr double longest_shortening = 0.1;

@@ -317,9 +317,9 @@ std::vector<InputRow> text_rows() {
       {.input = Input::preparation,
        .key = "preparation",
        .group = contacts_group,
-       .meaning = "How the packing was made, which determines its contacts: dense, loose (friction 0.3 to "
-                  "0.5), friction:0.3; dense:10kPa if grains were compressed without friction to 10 kPa and "
-                  "with friction from there, as in DEM, which makes G more accurate",
+       .meaning = "How the packing was made, which determines its contacts: dense (without friction), "
+                  "dense:10kPa (without friction to 10 kPa, then with friction, as in DEM; G is then more "
+                  "accurate), loose (friction 0.3 to 0.5), friction:0.3",
        .kind = Kind::word,
        .synonyms = {{"mu friction frictioncoefficient"}},
        .words = {"dense", "dense:PRESSURE", "loose", "friction:NUMBER"},

@@ -29,7 +29,7 @@ TEST_CASE("relaxed: known forces change G and K by the gain, fading out towards 
         const effective::RelaxedEstimate usual = relaxed(s, z);
         const double b = s.law.constant_exponent().value(), B = b * (1 - b),
                      left = 1 - relaxation(z, s.tangential_ratio, b).shear.value,
-                     share = std::clamp((z - 4.2) / 0.2, 0.0, 1.0);
+                     x = std::clamp((z - 4.2) / 0.2, 0.0, 1.0), share = x * x * (3 - 2 * x);
         s.unevenness = effective::Unevenness{.value = Q};
         const effective::RelaxedEstimate known = relaxed(s, z);
         const auto gain = [&](const UnevennessCoefficients<double>& c) {
@@ -107,6 +107,16 @@ TEST_CASE("dense unevenness: forces of a dense packing remember the pressure of 
   CHECK(unknown.value > effective::dense_unevenness(packed, 1e5).value);
   CHECK(unknown.standard_error > 3 * effective::dense_unevenness(packed, 1e4).standard_error);
   CHECK(unknown.by_pressure > 0);
+  // A packing of fewer contacts was not made without friction: from z* = 5.5 down nothing is known.
+  State loose = packed;
+  for (const double z : {4.5, 5.0, 5.5}) {
+    loose.mechanical_coordination_number = z;
+    const effective::RelaxedEstimate usual = relaxed(loose, z);
+    State taken = loose;
+    taken.unevenness = effective::dense_unevenness(loose, 1e4);
+    CHECK(relaxed(taken, z).stiffness.G_vh() == relative(usual.stiffness.G_vh(), 1e-10));
+    CHECK(relaxed(taken, z).relative_error.G_vh > 0.9 * usual.relative_error.G_vh);
+  }
   // Equal springs carry uneven forces without being softer.
   CHECK(effective::dense_unevenness(state_of(infinity, 0, 0.15, 1e5, 1e5), 1e4).value == 0);
 }

@@ -99,13 +99,15 @@ struct RelaxedEstimate {
 };
 
 /// Q of a dense packing whose grains were compressed without friction up to a pressure and with friction from
-/// there. Without friction the forces of a packing of equal grains scatter by half of their mean; friction
-/// holds the grains, so that the increments of all overlaps are even, and the relative scatter fades as the
-/// overlap grows: Q = b(1-b)(-0.041 - 0.052 b - 0.26 (w_0/w)^2 - 0.14 (q/p)^2) + 0.18 v, with w the mean
-/// overlap, w_0 that at the pressure of preparation, v the relative variance of the lengths of branches and
-/// q = stress_v - stress_h. [validation/relaxation]
+/// there. Without friction the relative variance of the forces of equal grains is about 0.55; friction holds
+/// the grains, so that the increments of all overlaps are even, and the variance fades as the overlap grows:
+/// Q = b(1-b)(-0.041 - 0.052 b - 0.26 (w_0/w)^2 - 0.14 (q/p)^2) + 0.18 v, with w the mean overlap, w_0 that
+/// at the pressure of preparation, v the relative variance of the lengths of branches and q = stress_v -
+/// stress_h. Packings with fewer contacts, z* below 5.8, were not made so: down to 5.5 their Q passes over to
+/// that of the fit of rung 3, with its scatter. [validation/relaxation]
 /// Assumes   the packing was not reloaded since, w below 1 %.
-/// \param    state                  with its coordination number, isotropic or sheared from there
+/// \param    state                  with its coordination number, isotropic or sheared from there; without
+///                                 z* as if that were 6
 /// \param    preparation_pressure   in (0, p] [Pa]; without it (w_0/w)^2 is taken as 0.1 +- 0.25, as of
 ///                                 packings that are used at three times that pressure or more
 /// \throws   InvalidArgument as mean_contact_force, or for a pressure out of this range
@@ -126,9 +128,9 @@ struct RelaxedEstimate {
 /// available. Overlaps shorten branches by w, the overlap at the mean force over the diameter, which uniform
 /// strain leaves out: all moduli are multiplied by (1 - w)^(2-b), w at most 0.1. For power laws of b beyond
 /// 1/2, which are given by k_n(f) alone, it is the overlap of b = 1/2 at the same stiffness.
-/// Where the unevenness Q of the forces is known, from z* = 4.2 on, ln G grows by 1.08 Q + (1 - h) 0.024 +
-/// b(1-b) (0.27 - 0.08 (z* - 5)) and ln K by 0.43 Q + ... likewise, because uneven contacts are softer, and
-/// the stated errors are smaller.
+/// Where the unevenness Q of the forces is known, ln G grows by 1.06 Q + 0.028 (1 - h) + b(1-b) (0.26 - 0.076
+/// (z* - 5)) and ln K by 0.45 Q + ... likewise, because uneven contacts are softer, and the stated errors are
+/// smaller: wholly from z* = 4.4 on, not below 4.2.
 /// Assumes   as relaxation and uniform_strain; moduli of a packing at rest, not during shear.
 /// \param    state    of the packing; its coordination_number counts all grains
 /// \param    mechanical_coordination_number   z* >= 0, see the function of that name [1]

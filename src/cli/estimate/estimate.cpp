@@ -2,6 +2,7 @@
 // granum estimate: the answer to one state as a document.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 
 #include <fmt/format.h>
@@ -343,11 +344,12 @@ Document document_of(const Options& o, const AnswerCase& c) {
   return to;
 }
 
-/// The void ratio of a packing of these grains that is compressed without friction.
+/// The mean void ratio of packings of these grains that are compressed without friction.
 double made_void_ratio(const InputValues& values) {
   if (known_shape(values) != GrainShape::sphere)
     throw InvalidArgument("--densest made is for beads: add --grain-shape sphere");
-  constexpr std::size_t fewest = 700; // beyond, void ratios differ by less than 0.003 between seeds
+  constexpr std::size_t fewest = 1000;
+  constexpr std::uint64_t packings = 8; // whose void ratios differ by 0.003
   const double radius = radius_of(values);
   const sizes::Distribution sizes = values.sizes.value_or(sizes::Distribution::equal());
   triaxial::SpecimenRecipe recipe{.material = {.law = law_of(values, grain_of(values), radius)},
@@ -356,7 +358,10 @@ double made_void_ratio(const InputValues& values) {
                                   .grains = std::max(fewest, triaxial::least_grains(sizes))};
   if (values.preparation.pressure > 0)
     recipe.first_pressure = values.preparation.pressure;
-  return dem::void_ratio(triaxial::frictionless_specimen(recipe).state);
+  double sum = 0;
+  for (recipe.seed = 1; recipe.seed <= packings; ++recipe.seed)
+    sum += dem::void_ratio(triaxial::frictionless_specimen(recipe).state);
+  return sum / static_cast<double>(packings);
 }
 
 ExitCode run(Options o) {
@@ -405,8 +410,9 @@ Command make_estimate() {
         .synonyms = {{"cementation bond"}}},
        {.name = "--densest",
         .value = choice({"made"}, options->densest),
-        .meaning = "For beads: make the densest packing of these grains, 700 without friction, in about a "
-                   "second, and estimate z* from the void ratio above its own",
+        .meaning = "For beads: make the densest packing of these grains, eight of 1000 without friction, in "
+                   "seconds, and estimate z* from the void ratio above theirs; packings of 500 grains are "
+                   "looser by 0.002, of 4000 denser by 0.004",
         .excludes = {{"--least-void-ratio"}}},
        uncertainty_row(options->uncertain)});
   add_outlets(command, options->outlets,

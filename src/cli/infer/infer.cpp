@@ -117,6 +117,7 @@ void add_infer_options(Command& command, InferOptions& o) {
   add_input(command, o.inputs, Input::k0);
   for (const char* asked : {"--coordination-number", "--mechanical-coordination-number", "--preparation"})
     command.remove(asked);
+  command.row("--least-void-ratio").meaning = "Smallest void ratio e_min, for --relative-density";
   add_prediction_options(command, o);
   add_output_options(command, o.output);
   add_picture(command, o.picture, "Draw data, fit and prediction over the mean stress");
