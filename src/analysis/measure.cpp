@@ -312,7 +312,7 @@ class Measuring {
   [[nodiscard]] std::optional<double> unevenness() const {
     const auto pulls = [](const packing::Contact& c) { return c.normal_force < 0; };
     if (!forces_known_ || bodies_ || !given_.materials.empty() ||
-        std::ranges::any_of(assembly_.contacts, pulls))
+        std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(), pulls))
       return std::nullopt;
     return force_unevenness(counted_part(assembly_, *out_.law), *out_.law,
                             out_.sizes.equivalent * out_.sizes.contacts.pair_radius);

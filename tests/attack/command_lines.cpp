@@ -241,8 +241,8 @@ class Attack {
   /// The same question as the last row of a table, some of its options being columns; the rows before are of
   /// other void ratios and pressures.
   void ask_row(const Line& line, const Ended& ended) {
-    for (const char* other :
-         {"--uncertainty", "--tolerance", "--bounds", "--cement", "--cement-friction", "--report", "--full"})
+    for (const char* other : {"--uncertainty", "--tolerance", "--bounds", "--cement", "--cement-friction",
+                              "--report", "--full", "--densest"})
       if (line.has(other)) // which sweep does not take, or answers otherwise
         return;
     constexpr std::size_t others = 6;

@@ -10,7 +10,7 @@ granum_cli_test("depth: states" EXIT 0 JSON "states/2/depth=^4(\\.0)?$" "states/
   ARGS ${ground} --points 16 --json)
 granum_cli_test("depth: ground in JSON" EXIT 0 JSON "ground/saturated_unit_weight=^19912\\.40" ARGS ${ground} --json)
 granum_cli_test("depth: table" EXIT 0
-  STDOUT "\ndepth +s_v +u +s'_v +s'_h +p' +G \\(low-high\\) +V_s +V_p\n +m( +kPa)+ +MPa +m/s +m/s\n.*\n    4 77\\.82 19\\.57 58\\.25 29\\.13 38\\.83 +85\\.5 \\(37-136\\) +205 \\(135-259\\) +1639 \\(1588-1677\\)\n"
+  STDOUT "\ndepth +s_v +u +s'_v +s'_h +p' +G \\(low-high\\) +V_s +V_p\n +m( +kPa)+ +MPa +m/s +m/s\n.*\n    4 77\\.82 19\\.57 58\\.25 29\\.13 38\\.83 +85\\.5 \\(37-135\\) +205 \\(135-258\\) +1639 \\(1588-1677\\)\n"
   ARGS ${ground} --points 16)
 granum_cli_test("depth: assumptions" EXIT 0 STDOUT "- 75\\.1 % .*--saturation.*19\\.91 kN/m3: grains of 2650 kg/m3.*--saturated-unit-weight.*assumed --k0 0\\.5"
   ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 0m..30m --unit-weight 19kN/m3 --water-table 2m)

@@ -100,7 +100,7 @@ TEST_CASE("dense unevenness: forces of a dense packing remember the pressure of 
     s.coordination_number = 0;
     CHECK_THROWS_AS((void)Q(1e4), InvalidArgument);
   }
-  // Without the pressure it is that of packings well above it, with an error that reaches from even forces on.
+  // Without the pressure it is that of packings well above it, with a wide error.
   const State packed = state_of(2, 0, 0.15, 1e5, 1e5);
   const effective::Unevenness unknown = effective::dense_unevenness(packed, std::nullopt);
   CHECK(unknown.value < effective::dense_unevenness(packed, 1e4).value);
