@@ -64,7 +64,7 @@ granum_cli_test("estimate --uncertainty: impossible values are moved less far" E
 # Beyond all that is possible a deviation reaches the limits, -1 and 0.5 of nu_g, however large it is.
 foreach(deviation 10 1e12)
   granum_cli_test("estimate --uncertainty: nu_g by ${deviation}" EXIT 0
-    JSON "answer/shear_modulus/low=^52353[34]" "answer/shear_modulus/high=^189031[0-9]" "answer/shares/grain-poisson-ratio=^0\\.1974"
+    JSON "answer/shear_modulus/low=^52353[34]" "answer/shear_modulus/high=^18903[01][0-9]" "answer/shares/grain-poisson-ratio=^0\\.1974"
     ARGS estimate --void-ratio 0.6 --pressure 100kPa --grain-shape sphere --grain-shear-modulus 30GPa --fabric 0
       --uncertainty grain-poisson-ratio=${deviation} --json)
 endforeach()
