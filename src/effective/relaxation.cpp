@@ -114,9 +114,8 @@ struct Scatters {
   kernel::FactorScatter shear, bulk;
 };
 
-double mixed(double a, double b, double share) { return a + share * (b - a); }
 kernel::Scatter mixed(const kernel::Scatter& a, const kernel::Scatter& b, double share) {
-  return {mixed(a.base, b.base, share), mixed(a.gain, b.gain, share)};
+  return {std::lerp(a.base, b.base, share), std::lerp(a.gain, b.gain, share)};
 }
 kernel::FactorScatter mixed(const kernel::FactorScatter& a, const kernel::FactorScatter& b, double share) {
   return {mixed(a.recipes, b.recipes, share), mixed(a.packings, b.packings, share),
@@ -366,8 +365,8 @@ Unevenness dense_unevenness(const State& state, std::optional<double> preparatio
     return dense;
   const double h =
       relaxing_factors(z, state.tangential_ratio, contacts_of(state), v, scatters(0)).shear.value;
-  return {.value = mixed(kernel::usual_unevenness(h, b, z, v, kernel::shear_gain), dense.value, share),
-          .standard_error = mixed(kernel::usual_unevenness_scatter, dense.standard_error, share),
+  return {.value = std::lerp(kernel::usual_unevenness(h, b, z, v, kernel::shear_gain), dense.value, share),
+          .standard_error = std::lerp(kernel::usual_unevenness_scatter, dense.standard_error, share),
           .by_pressure = share * dense.by_pressure};
 }
 

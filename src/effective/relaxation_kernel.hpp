@@ -213,9 +213,11 @@ inline double bulk_size_measure(double variance) { return std::pow(variance, 0.7
 template <class T>
 T gain_by_unevenness(const T& Q, const T& h, const T& b, const T& z, double v,
                      const UnevennessCoefficients<T>& c) {
-  const T left = 1.0 - h, stiffening = b * (1.0 - b);
+  constexpr double most_contacts = 8.7; // of the packings of the fit: beyond, nothing is drawn out
+  const T left = 1.0 - h, stiffening = b * (1.0 - b),
+          above = z < most_contacts ? T(z - 5.0) : T(most_contacts - 5.0);
   const T uneven = (c[0] + c[1] * std::sqrt(v)) * Q;
-  const T usual = c[2] * left + stiffening * T(c[3] + c[4] * T(z - 5.0));
+  const T usual = c[2] * left + stiffening * T(c[3] + c[4] * above);
   return uneven + usual + v * T(c[5] + c[6] * left);
 }
 
