@@ -11,7 +11,7 @@ namespace granum::plot {
 
 namespace {
 
-// What stands in the head of every page.
+// The head of every page.
 
 const char* page_style() {
   return R"(

@@ -128,7 +128,7 @@ std::vector<Tick> AxisRange::logarithmic_ticks() const {
 
 namespace {
 
-/// Where numbers stand on an axis, up to a shift [pixels].
+/// Positions of the numbers on an axis, up to a shift [pixels].
 class Places {
  public:
   /// Between the smallest and the largest number that can be drawn; an axis is that long or longer.

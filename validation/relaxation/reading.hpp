@@ -102,7 +102,7 @@ inline State at_mean_force(State state) {
   return state;
 }
 
-/// Q of a packing, of which G under uniform strain is recorded beside that of the closed form.
+/// Q of a packing, from its recorded G under uniform strain and that of the closed form.
 inline double unevenness(const Packing& p, double G_of_contacts, double G_of_closed_form) {
   return std::log(G_of_contacts / G_of_closed_form /
                   granum::effective::kernel::shortened_branches(p.relative_overlap, p.exponent()));
