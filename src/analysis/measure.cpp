@@ -14,6 +14,8 @@
 #include <granum/packing/coordination.hpp>
 #include <granum/packing/forces.hpp>
 
+#include "materials.hpp"
+
 namespace granum::analysis {
 
 namespace {
@@ -259,11 +261,13 @@ class Measuring {
   void take_materials() {
     if (assembly_.contacts.empty())
       return;
-    out_.grain = mean_pair_material(assembly_, given_.materials);
+    mixed_ = mixed_contacts(assembly_, given_.materials);
+    out_.grain = mixed_.mean;
     out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent);
-    out_.notes.push_back("several materials: closed forms use the mean over the contacts, G_g = " +
+    out_.notes.push_back("several materials: rungs 0 to 2 use the mean over the contacts, G_g = " +
                          pretty(out_.grain->shear_modulus, Dimension::pressure) +
-                         ", nu_g = " + short_text(out_.grain->poisson_ratio));
+                         ", nu_g = " + short_text(out_.grain->poisson_ratio) +
+                         "; in rung 3 soft contacts take more of the strain");
     if (forces_known_ && wanted_.law_check)
       out_.law_check = check_law(assembly_, given_.law_family, given_.materials);
   }
@@ -308,14 +312,19 @@ class Measuring {
     return contact::mindlin_stiffness_ratio(nu);
   }
 
-  /// Q of the counted contacts; not of several materials, nor of bodies, nor where contacts pull.
+  /// Q of the counted contacts; not of bodies, nor where contacts pull.
   [[nodiscard]] std::optional<double> unevenness() const {
     const auto pulls = [](const packing::Contact& c) { return c.normal_force < 0; };
-    if (!forces_known_ || bodies_ || !given_.materials.empty() ||
+    if (!forces_known_ || bodies_ ||
         std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(), pulls))
       return std::nullopt;
-    return force_unevenness(counted_part(assembly_, *out_.law), *out_.law,
-                            out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
+    const packing::Assembly counted = counted_part(assembly_, *out_.law);
+    const std::vector<double> relative =
+        mixed_.kinds.empty()
+            ? std::vector<double>{}
+            : relative_stiffnesses(counted, given_.materials, mixed_.mean);
+    return force_unevenness(counted, *out_.law, out_.sizes.equivalent * out_.sizes.contacts.pair_radius,
+                            relative);
   }
 
   /// Input of the closed forms, or a note about missing data.
@@ -339,7 +348,8 @@ class Measuring {
                            .fabric_anisotropy = micro.fabric_anisotropy,
                            .stress_v = load.v,
                            .stress_h = load.h,
-                           .contacts = out_.sizes.contacts};
+                           .contacts = out_.sizes.contacts,
+                           .pair_shares = mixed_.kinds};
     if (const std::optional<double> Q = unevenness()) {
       state.unevenness = effective::Unevenness{.value = *Q};
       if (out_.forces)
@@ -426,6 +436,7 @@ class Measuring {
   bool forces_known_;
   double rounded_;                  ///< share by which overlaps may be off
   bool stiffness_of_ratio_ = false; ///< k_n is 1.5 f/d
+  effective::MixedContacts mixed_;  ///< of several materials
   Measurement out_;
 };
 

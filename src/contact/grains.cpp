@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/contact/grains.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -10,6 +11,7 @@
 
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
+#include <granum/core/units.hpp>
 
 namespace granum::contact {
 
@@ -41,6 +43,44 @@ const Mineral& mineral(std::string_view key) {
     known.emplace_back(m.key);
   }
   throw InvalidArgument(unknown_word("grain", key, known));
+}
+
+std::vector<MineralShare> mineral_shares(std::string_view text) {
+  if (text.find_first_of(":,") == std::string_view::npos)
+    return {{.mineral = &mineral(text), .share = 1}};
+  std::vector<MineralShare> parts;
+  double sum = 0;
+  for (std::string_view rest = text;;) {
+    const std::string_view part = rest.substr(0, rest.find(','));
+    const std::size_t colon = part.find(':');
+    if (colon == std::string_view::npos)
+      throw InvalidArgument("'" + std::string(part) +
+                            "' lacks its share: several minerals are quartz:70%,calcite:30%");
+    const Mineral* const found = &mineral(part.substr(0, colon));
+    if (std::any_of(parts.begin(), parts.end(), [=](const MineralShare& p) { return p.mineral == found; }))
+      throw InvalidArgument(std::string(found->key) + " is named twice");
+    const std::string name = "share of " + std::string(found->key);
+    parts.push_back(
+        {.mineral = found,
+         .share = require_positive(
+             name, parse_quantity(name, part.substr(colon + 1), Dimension::dimensionless))});
+    sum += parts.back().share;
+    if (part.size() == rest.size())
+      break;
+    rest.remove_prefix(part.size() + 1);
+  }
+  constexpr double rounding = 1e-6;
+  if (!(std::abs(sum - 1) <= rounding))
+    throw InvalidArgument("sum of the shares of the minerals", sum, "", "1");
+  return parts;
+}
+
+std::string text_of(std::span<const MineralShare> minerals) {
+  std::string text;
+  for (const MineralShare& part : minerals)
+    text += (text.empty() ? "" : ",") + std::string(part.mineral->key) +
+            (minerals.size() > 1 ? ":" + short_text(100 * part.share) + "%" : "");
+  return text;
 }
 
 double bulk_modulus(const GrainMaterial& grain) {

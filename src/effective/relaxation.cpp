@@ -14,6 +14,7 @@
 #include <granum/fabric/orientation.hpp>
 
 #include "kernels.hpp"
+#include "mixture_kernel.hpp"
 #include "relaxation_kernel.hpp"
 
 namespace granum::effective {
@@ -297,6 +298,16 @@ RelaxingFactors relaxing_factors(const State& s, double z) {
   return factors;
 }
 
+/// Multiplies both factors by what several materials leave of the mean stiffness of their contacts.
+void add_mixture(const State& s, double z, RelaxingFactors& factors) {
+  for (const auto& [factor, mixing] :
+       {std::pair{&factors.shear, &kernel::shear_mixing}, std::pair{&factors.bulk, &kernel::bulk_mixing}}) {
+    const double share = kernel::mixed_share(s.pair_shares, z, *mixing).share;
+    factor->value *= share;
+    factor->error = std::hypot(factor->error, mixing->error * std::log(share));
+  }
+}
+
 /// The stiffness at branches that overlaps shorten.
 kernel::RelaxedConstants<double> with_shortened_branches(const kernel::RelaxedConstants<double>& c,
                                                          double overlap, double b) {
@@ -373,8 +384,11 @@ Unevenness dense_unevenness(const State& state, std::optional<double> preparatio
 RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number) {
   const Estimate uniform = uniform_strain(state);
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
-  const auto [shear, bulk] = relaxing_factors(state, z);
-  const Stretch stretch = stretch_of(state, shear.value);
+  RelaxingFactors factors = relaxing_factors(state, z);
+  const Stretch stretch = stretch_of(state, factors.shear.value);
+  if (!state.pair_shares.empty())
+    add_mixture(state, z, factors);
+  const auto& [shear, bulk] = factors;
   RelaxedEstimate estimate{.stiffness = {}, .relative_error = {}, .validity = uniform.validity};
   estimate.validity.merge(notes_of(z, state.tangential_ratio));
   const double overlap = kernel::mean_overlap(state);

@@ -13,6 +13,7 @@
 
 #include "contact_prior_kernel.hpp"
 #include "kernels.hpp"
+#include "mixture_kernel.hpp"
 #include "relaxation_kernel.hpp"
 #include "stress_derivatives.hpp"
 
@@ -102,6 +103,11 @@ kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth
   const Dual log_stress(std::log(s.stress_v / s.stress_h), Vector2d(1, -1));
   const Dual stretch = kernel::log_stretch(shear, kernel::up_to_half(b), constant(std::log(F.F33 / F.F11)),
                                            log_stress, kernel::constants<Dual>(kernel::stretch_coefficients));
+  for (const auto& [factor, mixing] :
+       {std::pair{&shear, &kernel::shear_mixing}, std::pair{&bulk, &kernel::bulk_mixing}}) {
+    const kernel::Mixed mixed = kernel::mixed_share(s.pair_shares, z, *mixing);
+    *factor *= Dual(mixed.share, mixed.by_coordination * z_star.derivatives());
+  }
   const kernel::RelaxedConstants<Dual> c =
       kernel::relax<Dual>(uniform_constants(s, growth), bulk, shear, stretch);
   const Dual left = shortened_branches(s, b, growth);

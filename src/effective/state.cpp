@@ -10,6 +10,7 @@
 
 #include "core/root.hpp"
 #include "kernels.hpp"
+#include "mixture_kernel.hpp"
 
 namespace granum::effective {
 
@@ -40,6 +41,8 @@ constexpr double largest_contact_radius = 0.1; // of the grain radius
   require_non_negative("stress_h", s.stress_h, "Pa");
   if (s.unevenness)
     require_possible(*s.unevenness);
+  if (!s.pair_shares.empty())
+    kernel::require_relative(s.pair_shares);
   if (s.stress_v == 0 && s.stress_h == 0)
     return;
   require_positive("stress_v", s.stress_v, "Pa");

@@ -11,6 +11,7 @@
 
 #include "core/root.hpp"
 #include "kernels.hpp"
+#include "mixture_kernel.hpp"
 
 namespace granum::effective {
 
@@ -22,6 +23,12 @@ using kernel::Spin;
 
 TransverselyIsotropic transversely_isotropic(const kernel::Constants<double>& c) {
   return {.C11 = c.C11, .C33 = c.C33, .C12 = c.C12, .C13 = c.C13, .C44 = c.C44};
+}
+
+/// What grains of several materials leave of uniform stress, in which every contact has its force: the
+/// harmonic mean of their stiffnesses over the mean.
+double share_under_stress(const State& s) {
+  return s.pair_shares.empty() ? 1 : kernel::medium_of(s.pair_shares, 1).stiffness;
 }
 
 /// Means of (k_n/k_ref)^sign over the directions, sign = 1 or -1.
@@ -113,7 +120,8 @@ UniformContacts uniform_contacts(const State& state) {
           .normal_stiffness = stiffness,
           .tangential_stiffness = state.tangential_ratio * stiffness,
           .fabric_anisotropy = state.fabric_anisotropy,
-          .branch_evenness = std::min(1.0, state.contacts.branch * state.contacts.branch /
+          .branch_evenness = share_under_stress(state) *
+                             std::min(1.0, state.contacts.branch * state.contacts.branch /
                                                state.contacts.branch_square)}; // but for rounding
 }
 
@@ -123,7 +131,7 @@ Estimate free_spin(const State& state) { return strained(state, Spin::free); }
 
 Estimate uniform_stress(const State& state) {
   kernel::CheckedState checked = kernel::checked(state);
-  const double scale = checked.geometry.static_prefactor * checked.stiffness;
+  const double scale = checked.geometry.static_prefactor * checked.stiffness * share_under_stress(state);
   const auto moments = contact_moments(state, checked, -1);
   const auto fabric = kernel::fabric_moments(state.fabric_anisotropy);
   Estimate estimate{.stiffness = transversely_isotropic(
@@ -286,7 +294,7 @@ Estimate uniform_stress_kinematic(const State& s) {
   Field f = field(s);
   const auto moments = strain_moments(s, f.solution.t, -1);
   const auto fabric = kernel::fabric_moments(s.fabric_anisotropy);
-  const double scale = f.checked.geometry.static_prefactor * f.stiffness;
+  const double scale = f.checked.geometry.static_prefactor * f.stiffness * share_under_stress(s);
   return estimate(std::move(f), kernel::uniform_stress(scale, s.tangential_ratio, fabric, moments));
 }
 

@@ -104,14 +104,37 @@ std::optional<GrainShape> known_shape(const InputValues& values) {
     return values.grain_shape;
   if (values.known_sand != nullptr)
     return GrainShape::sand;
-  const std::string_view mineral = values.mineral != nullptr ? values.mineral->key : "";
-  if (mineral == "glass" || mineral == "steel")
+  const auto made = [](const contact::MineralShare& part) {
+    const std::string_view key = part.mineral->key;
+    return key == "glass" || key == "steel";
+  };
+  if (!values.minerals.empty() && std::all_of(values.minerals.begin(), values.minerals.end(), made))
     return GrainShape::sphere;
   for (const GrainShape shape : {GrainShape::sand, GrainShape::sphere})
     if (std::any_of(inputs().begin(), inputs().end(),
                     [&](const InputRow& row) { return row.implies == shape && values.given(row.input); }))
       return shape;
   return values.ground ? std::optional(GrainShape::sand) : std::nullopt;
+}
+
+effective::MixedContacts mixed_contacts_of(const InputValues& values) {
+  if (values.minerals.size() < 2)
+    return {};
+  for (const Input own : {Input::grain_shear_modulus, Input::grain_poisson_ratio, Input::grain_bulk_modulus})
+    if (values.stated(own))
+      throw InvalidArgument("several minerals set the moduli of the grains: leave out " + values.name(own));
+  std::vector<contact::GrainMaterial> materials;
+  std::vector<double> shares;
+  for (const auto& [mineral, share] : values.minerals) {
+    materials.push_back(mineral->material);
+    shares.push_back(share);
+  }
+  constexpr double any_radius = 1e-3;
+  const std::optional<double> b = law_of(values, materials.front(), any_radius).constant_exponent();
+  if (!b)
+    throw InvalidArgument("several minerals need a contact law whose exponent is the same at every force, not " +
+                          std::string(contact::name(values.contact)));
+  return effective::mixed_contacts(materials, shares, *b);
 }
 
 // ---- what values imply
@@ -122,8 +145,8 @@ void imply_by_sand(InputValues& values) {
   if (values.known_sand == nullptr)
     return;
   const sands::KnownSand& sand = *values.known_sand;
-  if (values.mineral == nullptr)
-    values.mineral = &contact::mineral(sand.mineral);
+  if (values.minerals.empty())
+    values.minerals = contact::mineral_shares(sand.mineral);
   const bool sized = (values.given(Input::radius) && !values.law) || values.stated(Input::d50) ||
                      (values.sizes && values.sizes->mean_radius());
   if (sand.d50 && !sized)
@@ -135,16 +158,22 @@ void imply_by_sand(InputValues& values) {
 }
 
 void imply_by_mineral(InputValues& values) {
-  if (values.mineral == nullptr && known_shape(values) == GrainShape::sand)
-    values.mineral = &contact::mineral("quartz");
-  if (values.mineral == nullptr)
+  if (values.minerals.empty() && known_shape(values) == GrainShape::sand)
+    values.minerals = contact::mineral_shares("quartz");
+  if (values.minerals.empty())
     return;
-  const contact::Mineral& mineral = *values.mineral;
-  const double modulus = mineral.material.shear_modulus;
-  values.imply(Input::grain_shear_modulus, modulus, mineral.modulus_spread * modulus);
-  values.imply(Input::grain_poisson_ratio, mineral.material.poisson_ratio);
+  double density = 0, square = 0; // of the relative spread of the moduli, which differ independently
+  for (const auto& [mineral, share] : values.minerals) {
+    density += share * mineral->density;
+    square += share * share * mineral->modulus_spread * mineral->modulus_spread;
+  }
+  const contact::GrainMaterial material =
+      values.minerals.size() == 1 ? values.minerals.front().mineral->material : mixed_contacts_of(values).mean;
+  values.imply(Input::grain_shear_modulus, material.shear_modulus,
+               std::sqrt(square) * material.shear_modulus);
+  values.imply(Input::grain_poisson_ratio, material.poisson_ratio);
   if (!values.without_density)
-    values.imply(Input::grain_density, mineral.density);
+    values.imply(Input::grain_density, density);
 }
 
 } // namespace

@@ -98,10 +98,11 @@ std::optional<Note> assumed_density(const InputValues& values, std::span<const U
 namespace {
 
 void add_names(Notes& notes, const InputValues& values) {
-  if (values.mineral != nullptr)
+  for (const auto& [mineral, share] : values.minerals)
     add_sentence(notes,
-                 "grains of " + std::string(values.mineral->name) + " [" + values.mineral->source + "]",
-                 values.mineral->source);
+                 (values.minerals.size() > 1 ? short_text(100 * share) + " % of the " : "") + "grains of " +
+                     mineral->name + " [" + mineral->source + "]",
+                 mineral->source);
   if (values.known_sand == nullptr)
     return;
   const sands::KnownSand& sand = *values.known_sand;

@@ -252,7 +252,8 @@ effective::State state_of(const InputValues& values, const stress::AxialStress& 
       .fabric_anisotropy = values.number(Input::fabric),
       .stress_v = stress.v,
       .stress_h = stress.h,
-      .contacts = contact_means_of(values)};
+      .contacts = contact_means_of(values),
+      .pair_shares = mixed_contacts_of(values).kinds};
   effective::require_valid(state);
   return state;
 }
@@ -281,8 +282,10 @@ sands::Sand sand_of(const InputValues& values) {
   sand.least_void_ratio = values.if_given(Input::least_void_ratio);
   sand.largest_void_ratio = values.if_given(Input::largest_void_ratio);
   sand.relative_density = values.if_given(Input::relative_density);
-  const std::string_view mineral = values.mineral != nullptr ? values.mineral->key : "quartz";
-  sand.quartz = mineral == "quartz" || mineral == "feldspar";
+  sand.quartz = std::all_of(values.minerals.begin(), values.minerals.end(), [](const auto& part) {
+    const std::string_view mineral = part.mineral->key;
+    return mineral == "quartz" || mineral == "feldspar";
+  });
   return sand;
 }
 

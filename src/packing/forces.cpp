@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include <granum/contact/grains.hpp>
@@ -244,19 +245,33 @@ double released_energy(const Assembly& assembly, const PairLaws& law, double str
 
 } // namespace
 
-double force_unevenness(const Assembly& assembly, const contact::NormalLaw& law, double law_radius) {
+double force_unevenness(const Assembly& assembly, const contact::NormalLaw& law, double law_radius,
+                        std::span<const double> relative_stiffness) {
   require_valid(assembly);
   require_positive("law_radius", law_radius, "m");
+  const bool one_kind = relative_stiffness.empty();
+  if (!one_kind && relative_stiffness.size() != assembly.contacts.size())
+    throw InvalidArgument("force_unevenness: there must be one relative stiffness for each contact");
+  struct Kind {
+    double squares = 0, work = 0, lengths = 0;
+  };
   const PairLaws law_of(assembly, law, law_radius);
-  double stiffness = 0, squares = 0, work = 0, lengths = 0;
-  for (const Contact& c : assembly.contacts) {
-    const double length = norm(c.branch), force = std::max(c.normal_force, 0.0);
-    stiffness += law_of(c.i, c.j).stiffness_at_force(force) * (length * length);
-    squares += length * length;
-    work += force * length;
-    lengths += length;
+  double stiffness = 0;
+  std::map<double, Kind> kinds;
+  for (std::size_t k = 0; k < assembly.contacts.size(); ++k) {
+    const Contact& c = assembly.contacts[k];
+    const double length = norm(c.branch), force = std::max(c.normal_force, 0.0),
+                 relative = one_kind ? 1 : require_positive("relative_stiffness", relative_stiffness[k]);
+    Kind& kind = kinds[relative];
+    stiffness += relative * law_of(c.i, c.j).stiffness_at_force(force) * (length * length);
+    kind.squares += length * length;
+    kind.work += force * length;
+    kind.lengths += length;
   }
-  return work > 0 ? std::log(stiffness / (law.stiffness_at_force(work / lengths) * squares)) : 0;
+  double even = 0;
+  for (const auto& [relative, kind] : kinds)
+    even += relative * (law.stiffness_at_force(kind.work / kind.lengths) * kind.squares);
+  return even > 0 ? std::log(stiffness / even) : 0;
 }
 
 double pressure_by_cell_work(const Assembly& assembly, const contact::NormalLaw& law, double law_radius) {

@@ -130,20 +130,4 @@ void assign_twisting_stiffness(Assembly& assembly, const TurningSpring& spring) 
   assign_turning(assembly, spring, &Contact::twisting_stiffness);
 }
 
-contact::GrainMaterial mean_pair_material(const Assembly& assembly,
-                                          std::span<const contact::GrainMaterial> materials) {
-  require_materials(assembly, materials);
-  if (assembly.contacts.empty())
-    throw InvalidArgument("a packing without contacts has no mean material of its pairs");
-  double stiffness = 0, ratio = 0;
-  const double count = static_cast<double>(assembly.contacts.size());
-  for (const Contact& c : assembly.contacts) {
-    const contact::GrainMaterial grain = contact::pair_material(materials[c.i], materials[c.j]);
-    stiffness += std::pow(grain.shear_modulus / (1 - grain.poisson_ratio), 2.0 / 3) / count;
-    ratio += contact::mindlin_stiffness_ratio(grain.poisson_ratio) / count;
-  }
-  const double nu = (2 - 2 * ratio) / (2 - ratio); // k_t/k_n = 2(1-nu)/(2-nu)
-  return {.shear_modulus = (1 - nu) * std::pow(stiffness, 1.5), .poisson_ratio = nu};
-}
-
 } // namespace granum::packing

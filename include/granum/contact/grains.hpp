@@ -2,7 +2,9 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <granum/contact/normal_law.hpp>
 #include <granum/contact/power_law.hpp>
@@ -29,6 +31,19 @@ struct Mineral {
 /// \throws   InvalidArgument for an unknown key; the text lists the known ones
 /// Checked by tests/contact/test_minerals.cpp
 [[nodiscard]] const Mineral& mineral(std::string_view key);
+
+/// The part of a mineral in grains of several.
+struct MineralShare {
+  const Mineral* mineral = nullptr;
+  double share = 1; ///< by volume [1]
+};
+/// Grains of one mineral, "quartz", or of several, each grain of one of them: "quartz:70%,calcite:30%".
+/// \throws   InvalidArgument for an unknown key, a share that is not above 0, a mineral that is named twice, and
+///           shares that do not add up to 1
+/// Checked by tests/contact/test_minerals.cpp
+[[nodiscard]] std::vector<MineralShare> mineral_shares(std::string_view text);
+/// The text of these shares.
+[[nodiscard]] std::string text_of(std::span<const MineralShare> minerals);
 
 /// K_s = 2 G_g (1 + nu_g)/(3 (1 - 2 nu_g)) of a grain's solid [Pa]; the largest number for nu_g = 0.5.
 /// \throws   InvalidArgument if the material is out of range

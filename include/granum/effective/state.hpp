@@ -3,9 +3,11 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include <granum/contact/normal_law.hpp>
 #include <granum/core/error.hpp>
+#include <granum/effective/mixture.hpp>
 #include <granum/sizes/contact_means.hpp>
 
 /// Effective stiffness of a packing from the average over its contacts.
@@ -42,6 +44,8 @@ struct State {
   /// Where it is known, from forces (packing::force_unevenness) or from the preparation (dense_unevenness);
   /// without it rung 3 is that of packings as uneven as those of its fit.
   std::optional<Unevenness> unevenness = std::nullopt;
+  /// Of grains of several materials (mixed_contacts), whose mean the law is; empty where there is one.
+  std::vector<PairShare> pair_shares = {};
 
   /// p = (stress_v + 2 stress_h)/3 [Pa].
   [[nodiscard]] double mean_stress() const { return (stress_v + 2 * stress_h) / 3; }

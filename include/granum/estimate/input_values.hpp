@@ -79,7 +79,8 @@ class InputValues {
 
   contact::Shape contact = contact::Shape::sphere;
   effective::Preparation preparation = {};
-  const contact::Mineral* mineral = nullptr;     ///< of the grains, if given by name or implied
+  /// Of the grains, if given by name or implied: one, or several by their shares.
+  std::vector<contact::MineralShare> minerals = {};
   const sands::KnownSand* known_sand = nullptr;  ///< if given by name
   std::optional<GrainShape> grain_shape = {};    ///< if given
   std::optional<sizes::Distribution> sizes = {}; ///< of unequal grains
@@ -111,6 +112,9 @@ class InputValues {
 /// \throws   InvalidArgument as completed
 [[nodiscard]] InputValues as_sand(InputValues values);
 
+/// The contacts of grains of several minerals that are mixed at random; without kinds where there is one.
+/// \throws   InvalidArgument for a contact law whose exponent depends on the force
+[[nodiscard]] effective::MixedContacts mixed_contacts_of(const InputValues& values);
 /// The material of the grains: the shear modulus, and Poisson's ratio or the bulk modulus.
 /// \throws   InvalidArgument if both are given, or for impossible moduli
 [[nodiscard]] contact::GrainMaterial grain_of(const InputValues& values);

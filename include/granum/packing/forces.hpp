@@ -97,11 +97,15 @@ struct ForceDistribution {
 /// \param    law          of the pair that stands for all
 /// \param    law_radius   of the two equal grains that the law is of [m]; pairs of others by
 ///                       contact::of_sizes
+/// \param    relative_stiffness   of grains of several materials, k_n of each contact over that of the law at
+///                       the same force [1]: contacts of one such number are compared with each other, at
+///                       the mean force of their own; empty: all are of the law
 /// \return   0 without a contact that presses; contacts that do not press have k_n at zero force
-/// \throws   InvalidArgument for an assembly that require_valid rejects
+/// \throws   InvalidArgument for an assembly that require_valid rejects, a relative stiffness that is not
+///           positive, and unless there is one for each contact
 /// Accuracy  that of the law.  Checked by tests/packing/test_force_moments.cpp
 [[nodiscard]] double force_unevenness(const Assembly& assembly, const contact::NormalLaw& law,
-                                      double law_radius);
+                                      double law_radius, std::span<const double> relative_stiffness = {});
 
 /// Two-sided bound on a bulk modulus [Pa].
 struct BulkModulusBounds {

@@ -54,12 +54,6 @@ void assign_hertz_stiffness(Assembly& assembly, std::span<const contact::GrainMa
 /// Accuracy  that of the overlaps.  Checked by tests/packing/test_stiffness.cpp
 void assign_stiffness_of_ratio(Assembly& assembly, double ratio);
 
-/// The one material of equal grains whose k_n and k_t at a force are those of a packing of several, in the
-/// mean over its contacts: (G/(1-nu))^(2/3) and k_t/k_n are means.
-/// \throws   InvalidArgument for no contacts, or unless there is one material for each grain
-[[nodiscard]] contact::GrainMaterial mean_pair_material(const Assembly& assembly,
-                                                        std::span<const contact::GrainMaterial> materials);
-
 /// Moment over angle of contacts that resist rolling or twisting, as given in DEM codes.
 struct TurningSpring {
   enum class Of {

@@ -113,9 +113,9 @@ std::string source_of_shape(const InputValues& values) {
   if (values.known_sand != nullptr)
     return fmt::format("--sand {}", values.known_sand->key);
   InputValues unnamed = values;
-  unnamed.mineral = nullptr;
+  unnamed.minerals.clear();
   if (known_shape(unnamed) != known_shape(values))
-    return fmt::format("--grain {}", values.mineral->key);
+    return fmt::format("--grain {}", contact::text_of(values.minerals));
   for (const estimate::InputRow& row : estimate::inputs())
     if (row.implies == known_shape(values) && values.given(row.input))
       return row.input == Input::contact ? fmt::format("{} {}", row.option(), name(values.contact))

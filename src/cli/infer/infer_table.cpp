@@ -102,7 +102,7 @@ std::string material_text(const InputValues& values, Input input) {
   case Input::grain_shape:
     return values.grain_shape ? std::string(name(*values.grain_shape)) : "";
   case Input::grain:
-    return values.mineral != nullptr ? values.mineral->key : "";
+    return contact::text_of(values.minerals);
   case Input::relative_density: // with its limits it is one more density
     if (values.given(Input::least_void_ratio) && values.given(Input::largest_void_ratio))
       return "";
