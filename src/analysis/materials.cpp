@@ -29,10 +29,12 @@ effective::MixedContacts mixed_contacts(const packing::Assembly& assembly,
     throw InvalidArgument("there must be one material for each grain");
   std::vector<effective::MaterialPair> pairs;
   pairs.reserve(assembly.contacts.size());
-  for (const packing::Contact& c : assembly.contacts)
+  for (const packing::Contact& c : assembly.contacts) {
+    const double length = assembly.radius[c.i] + assembly.radius[c.j];
     pairs.push_back({.material = touching(c, materials),
-                     .weight = dot(c.branch, c.branch),
+                     .weight = length * length,
                      .force = std::max(c.normal_force, 0.0)});
+  }
   return effective::mixed_contacts(pairs, hertz_exponent);
 }
 

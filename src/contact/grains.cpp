@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <granum/core/error.hpp>
@@ -103,6 +104,8 @@ GrainMaterial pair_material(const GrainMaterial& i, const GrainMaterial& j) {
   }
   if (i.shear_modulus == j.shear_modulus && i.poisson_ratio == j.poisson_ratio)
     return i;
+  if (std::tie(j.shear_modulus, j.poisson_ratio) < std::tie(i.shear_modulus, i.poisson_ratio))
+    return pair_material(j, i); // to the same bits in either order
   // Both conditions are linear in the compliance s = 1/G and in nu s: s - nu s and 2 s - nu s are the means
   // of the two grains'.
   const double share = j.shear_modulus / (i.shear_modulus + j.shear_modulus); // of 1/G_i in the sum of both

@@ -160,7 +160,7 @@ Mixed mixed_share(std::span<const PairShare> kinds, double z, const Mixing& mixi
   if (kinds.empty())
     return {};
   const Medium medium = medium_of(kinds, exchange_at(z, mixing));
-  const double bound = &mixing == &bulk_mixing ? stiffness_of_forces(kinds) : 0;
+  const double bound = mixing.by_forces ? stiffness_of_forces(kinds) : 0;
   if (bound > medium.stiffness)
     return {.share = bound, .by_coordination = 0};
   const double exchange = exchange_at(z, mixing), slope = exchange < 1 ? -mixing.power * exchange / z : 0;

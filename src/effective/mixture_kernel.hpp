@@ -18,9 +18,10 @@ struct Mixing {
   double exchange;
   int power; ///< of 4/z*
   double error;
+  bool by_forces; ///< stiffness_of_forces is a lower bound
 };
-inline constexpr Mixing shear_mixing{0.743, 1, 0.05};
-inline constexpr Mixing bulk_mixing{0.781, 2, 0.10};
+inline constexpr Mixing shear_mixing{0.743, 1, 0.05, false};
+inline constexpr Mixing bulk_mixing{0.781, 2, 0.10, true};
 
 /// How far the other contacts follow one that is softened: the fewer contacts, the more. At least 0, at most
 /// 1.

@@ -41,3 +41,20 @@ TEST_CASE("minerals: the bulk modulus of the incompressible limit is the largest
   CHECK(bulk_modulus({1e9, 0.25}) == doctest::Approx(5e9 / 3));
   CHECK_THROWS_AS((void)bulk_modulus({1e9, 0.6}), InvalidArgument);
 }
+
+TEST_CASE("minerals: one, or several by their shares") {
+  const auto parts = mineral_shares("quartz:0.7,calcite:30%");
+  REQUIRE(parts.size() == 2);
+  CHECK(parts[0].mineral == &mineral("quartz"));
+  CHECK(parts[1].mineral == &mineral("calcite"));
+  CHECK(parts[0].share == 0.7);
+  CHECK(parts[1].share == 0.3);
+  CHECK(text_of(parts) == "quartz:70%,calcite:30%");
+  CHECK(text_of(mineral_shares("glass")) == "glass");
+  CHECK(mineral_shares("glass")[0].share == 1);
+  CHECK(text_of({}).empty());
+  for (const char* bad : {"", "quartz:0.7", "quartz:0.7,calcite:0.4", "quartz:0.5,quartz:0.5", "quartz,calcite",
+                          "quartz:-1,calcite:2", "quartz:1,calcite:0", "quartz:0.5,cheese:0.5", "quartz:,",
+                          "quartz:0.5,calcite:0.5,", "quartz:70kPa,calcite:30%", "quartz:nan,calcite:0.5"})
+    CHECK_THROWS_AS((void)mineral_shares(bad), InvalidArgument);
+}

@@ -58,6 +58,13 @@ TEST_CASE("two grains of one material are that material to the bit") {
   CHECK(pair_material(hard, feldspar).poisson_ratio == relative(feldspar.poisson_ratio, 1e-12));
 }
 
+TEST_CASE("two grains of different materials are one to the bit, whichever comes first") {
+  for (const double ratio : {0.1, 0.3, 3.0, 7.0, 1e5}) {
+    const GrainMaterial other{.shear_modulus = ratio * quartz.shear_modulus, .poisson_ratio = 0.2};
+    CHECK(pair_material(quartz, other) == pair_material(other, quartz));
+  }
+}
+
 TEST_CASE("a material that cannot be is refused by name") {
   CHECK_THROWS_WITH_AS((void)pair_material(quartz, {.shear_modulus = 0, .poisson_ratio = 0.1}),
                        "grain_shear_modulus = 0 Pa is outside (0, inf)", InvalidArgument);

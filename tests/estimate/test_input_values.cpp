@@ -2,6 +2,7 @@
 #include <granum/estimate/input_values.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -57,6 +58,41 @@ const UncertainInput& of(const std::vector<UncertainInput>& all, const std::stri
 }
 
 } // namespace
+
+TEST_CASE("inputs: several minerals are the mixture of their contacts, and set the moduli") {
+  InputValues values = usual();
+  values.give(Input::grain, "quartz:70%,calcite:30%");
+  values.grain_shape = GrainShape::sphere;
+  const Question q = question_of(completed(values));
+  const auto quartz = contact::mineral("quartz"), calcite = contact::mineral("calcite");
+  const auto mixed = effective::mixed_contacts(std::array{quartz.material, calcite.material},
+                                               std::array{0.7, 0.3}, 1.0 / 3);
+  const doctest::Approx modulus = doctest::Approx(mixed.mean.shear_modulus).epsilon(1e-12);
+  CHECK(q.state.law.grain().shear_modulus == modulus);
+  REQUIRE(q.state.pair_shares.size() == 3);
+  CHECK(q.state.pair_shares[0].stiffness == doctest::Approx(mixed.kinds[0].stiffness).epsilon(1e-12));
+  CHECK(q.state.pair_shares[2].share == doctest::Approx(mixed.kinds[2].share).epsilon(1e-12));
+  CHECK(q.grain_density.value() == doctest::Approx(0.7 * quartz.density + 0.3 * calcite.density));
+  const double spread = std::hypot(0.7 * quartz.modulus_spread, 0.3 * calcite.modulus_spread);
+  CHECK(completed(values)[Input::grain_shear_modulus].deviation ==
+        doctest::Approx(spread * mixed.mean.shear_modulus));
+  CHECK(refusal(values).empty());
+  for (const Input own : {Input::grain_shear_modulus, Input::grain_poisson_ratio, Input::grain_bulk_modulus}) {
+    InputValues more = values;
+    more.give(own, own == Input::grain_poisson_ratio ? 0.1 : 30e9);
+    CHECK(refusal(more).find(more.name(own)) != std::string::npos);
+  }
+  InputValues rough = values;
+  rough.give(Input::contact, "rough");
+  for (const InputRow& row : inputs())
+    if (row.law != nullptr && row.law->shape == rough.contact)
+      rough.give(row.input, 1e-7);
+  CHECK(refusal(rough).find("exponent") != std::string::npos);
+  // The one mineral of a sand stays one; grains of glass and steel are spheres.
+  InputValues balls = usual();
+  balls.give(Input::grain, "glass:50%,steel:50%");
+  CHECK(known_shape(balls) == GrainShape::sphere);
+}
 
 TEST_CASE("input values: each number beyond its limits is refused with its name at the door") {
   for (const InputRow& row : inputs()) {

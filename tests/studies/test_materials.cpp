@@ -4,6 +4,7 @@
 #include "studies/analyse/materials.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -63,7 +64,7 @@ TEST_CASE("materials: LAMMPS' forces between two materials are those of pair_mat
   CHECK(frame.packing.law_check->worst_misfit < 1e-11);
   CHECK(frame.packing.law_check->coefficient_ratio.value() == relative(1, 1e-11));
   CHECK_FALSE(says(frame.warnings, "do not follow the contact law"));
-  CHECK(says(frame.packing.notes, "several materials: closed forms use the mean"));
+  CHECK(says(frame.packing.notes, "several materials"));
   // grains alone have the same forces from their overlaps
   io::ImportedPacking alone = packing;
   alone.assembly.contacts.clear();
@@ -73,6 +74,48 @@ TEST_CASE("materials: LAMMPS' forces between two materials are those of pair_mat
   for (std::size_t k = 0; k < again.assembly.contacts.size(); ++k)
     CHECK(again.assembly.contacts[k].normal_force ==
           relative(packing.assembly.contacts[k].normal_force, 1e-10));
+}
+
+TEST_CASE("materials: the kinds of contacts and their forces reach the closed forms") {
+  const io::ImportedPacking packing = read("lammps_types.contacts");
+  const Given given = with_materials(packing);
+  const effective::State state = studies::measure_frame(packing, given).packing.state.value();
+  REQUIRE(state.pair_shares.size() == 3); // the softest pair first
+  const packing::Assembly& assembly = packing.assembly;
+  const double all = static_cast<double>(assembly.contacts.size());
+  double force = 0, forces[3] = {}, work[3] = {}, lengths[3] = {}, uneven = 0, even[3] = {};
+  std::array<int, 3> count = {};
+  const auto kind_of = [&](const packing::Contact& c) {
+    return 2 - (packing.type[c.i] == 2) - (packing.type[c.j] == 2);
+  };
+  for (const packing::Contact& c : assembly.contacts) {
+    const auto k = static_cast<std::size_t>(kind_of(c));
+    ++count[k];
+    forces[k] += c.normal_force;
+    force += c.normal_force / all;
+  }
+  for (const packing::Contact& c : assembly.contacts) {
+    const auto k = static_cast<std::size_t>(kind_of(c));
+    const double l = norm(c.branch), stiffness = state.pair_shares[k].stiffness;
+    uneven += stiffness * std::cbrt(c.normal_force) * (l * l);
+    even[k] += stiffness * (l * l);
+    work[k] += c.normal_force * l;
+    lengths[k] += l;
+  }
+  double mean = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(state.pair_shares[k].share == relative(count[k] / all, 1e-12));
+    CHECK(state.pair_shares[k].force == relative(forces[k] / count[k] / force, 1e-12));
+    mean += even[k] * std::cbrt(work[k] / lengths[k]);
+  }
+  CHECK(state.unevenness.value().value == relative(std::log(uneven / mean), 1e-9));
+  // One material for every grain is that material, to the bit.
+  Given one{.grain_shear_modulus = 30e9}, each = one;
+  each.materials.assign(assembly.grain_count(), {30e9, 0.15});
+  const effective::State as_one = studies::measure_frame(packing, one).packing.state.value(),
+                         as_each = studies::measure_frame(packing, each).packing.state.value();
+  CHECK(as_each.pair_shares.empty());
+  CHECK(as_each.unevenness.value().value == as_one.unevenness.value().value);
 }
 
 TEST_CASE("materials: without them the cause is named, and 1.5 f/d needs none") {

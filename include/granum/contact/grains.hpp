@@ -85,7 +85,8 @@ requires requires(const Kernel& kernel) { kernel(0.0); }
 ///                                                                                  [Hertz1882; Mindlin1949]
 /// Assumes   no coupling of normal and tangential displacement, which unlike materials have a little of.
 /// \throws   InvalidArgument if a material is out of range
-/// Accuracy  4 ulp; exactly the material of two equal grains.  Checked by tests/contact/test_pair.cpp
+/// Accuracy  4 ulp; exactly the material of two equal grains, the same bits in either order.
+/// Checked by tests/contact/test_pair.cpp
 [[nodiscard]] GrainMaterial pair_material(const GrainMaterial& i, const GrainMaterial& j);
 
 /// Coulomb friction between grains: |f_t| <= mu f_n with mu = tan(angle).
