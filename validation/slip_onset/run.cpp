@@ -3,11 +3,14 @@
 // with contacts that may slide: the record that effective::slip_loss is held to (report.cpp).
 // Appends a specimen to the file:
 //     slip_onset_run states.csv GRAINS SEED dense|loose PRESSURE_Pa LARGEST_STRAIN
+// Appends its closed loops, whose areas are its damping, up to a loss of about 5 %:
+//     slip_onset_run loops.csv GRAINS SEED dense|loose PRESSURE_Pa loops
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -69,6 +72,35 @@ class Cycles {
   }
   [[nodiscard]] bool converged() const { return converged_; }
 
+  /// A cycle that is recorded.
+  struct Loop {
+    double modulus = 0; ///< secant [Pa]
+    double damping = 0; ///< area over 4 pi times the elastic energy, D [1]
+    double gap = 0;     ///< stress by which it does not close over its amplitude [1]
+  };
+  Loop loop() {
+    constexpr std::size_t points = 16; // of each branch
+    const double top = top_, step = 2 * amplitude_ / points;
+    std::vector<double> stress{top};
+    for (const double sign : {-1.0, 1.0})
+      for (std::size_t k = 0; k < points; ++k)
+        stress.push_back(top_ = sheared(sign * step));
+    const double down = stress[points], height = (top - down) / 2;
+    // Both branches are curved alike: the chords of all points, and of every second one, give the arcs.
+    const auto area = [&](std::size_t every) {
+      double sum = 0;
+      for (std::size_t k = 0; k < points; k += every)
+        sum -= (stress[k] + stress[k + every]) / 2;
+      for (std::size_t k = points; k < 2 * points; k += every)
+        sum += (stress[k] + stress[k + every]) / 2;
+      return sum * step * static_cast<double>(every);
+    };
+    const double enclosed = (4 * area(1) - area(2)) / 3;
+    return {.modulus = height / amplitude_,
+            .damping = enclosed / (2 * std::numbers::pi * height * amplitude_),
+            .gap = (top_ - top) / height};
+  }
+
  private:
   double sheared(double by) {
     Mat3 gradient;
@@ -109,16 +141,59 @@ io::CsvContent content_of(const std::string& path, std::size_t grains) {
   return csv;
 }
 
+/// The specimen, and what is counted in it.
+struct Prepared {
+  dem::Specimen state;
+  triaxial::SpecimenRecipe with;
+  analysis::Microstructure micro;
+  double sliding = 0, G0 = 0;
+
+  explicit Prepared(const Asked& asked)
+      : state(compressed(recipe(asked.grains, asked.seed), asked.dense, asked.pressure)),
+        with(recipe(asked.grains, asked.seed)) {
+    const packing::Assembly network = dem::contact_network(state, with.material);
+    micro = analysis::measure(network, {.law = with.material.law,
+                                        .tangential_ratio = with.material.tangential_ratio})
+                .microstructure();
+    sliding = packing::sliding_fraction(network, slip_onset::friction);
+    G0 = triaxial::probe(state, with.material, triaxial::ShearMode::vh).shear_modulus();
+  }
+};
+
+/// The third and the tenth cycle of each amplitude, until a loss of 5 %.
+void record_loops(const Asked& asked, const std::string& path) {
+  const Prepared specimen(asked);
+  io::CsvContent csv = content_of(path, asked.grains);
+  csv.headings = {"density", "seed",  "p_Pa",    "e",       "C_n",   "z_star",   "sliding", "G0_Pa", "strain_1",
+                  "cycle",   "G_Pa",  "D",       "gap",     "at_rest"};
+  for (double k = 0; k <= 16; ++k) {
+    const double strain = 2e-6 * std::pow(10, k / 6);
+    Cycles cycles(specimen.state, specimen.with.material, strain);
+    double modulus = 0;
+    for (const int cycle : {3, 10}) {
+      for (int before = cycle == 3 ? 1 : 4; before < cycle; ++before)
+        cycles.next();
+      const Cycles::Loop loop = cycles.loop();
+      modulus = loop.modulus;
+      csv.rows.push_back({std::string(asked.dense ? "dense" : "loose"), static_cast<double>(asked.seed),
+                          asked.pressure, dem::void_ratio(specimen.state), specimen.micro.coordination_number,
+                          specimen.micro.mechanical_coordination_number, specimen.sliding, specimen.G0, strain,
+                          static_cast<double>(cycle), loop.modulus, loop.damping, loop.gap,
+                          std::string(cycles.converged() ? "yes" : "no")});
+      std::printf("%.2e %d %.4f %.5f %.4f\n", strain, cycle, loop.modulus / specimen.G0, loop.damping, loop.gap);
+      std::fflush(stdout);
+    }
+    if (modulus < 0.95 * specimen.G0)
+      break;
+  }
+  io::write_file(path, io::csv_text(csv), io::Existing::replace);
+}
+
 /// All amplitudes of one specimen, below the rows of the file.
 void record(const Asked& asked, const std::string& path) {
   io::CsvContent csv = content_of(path, asked.grains);
-  const triaxial::SpecimenRecipe with = recipe(asked.grains, asked.seed);
-  const dem::Specimen state = compressed(with, asked.dense, asked.pressure);
-  const packing::Assembly network = dem::contact_network(state, with.material);
-  const auto micro = analysis::measure(network, {.law = with.material.law,
-                                                 .tangential_ratio = with.material.tangential_ratio})
-                         .microstructure();
-  const double G0 = triaxial::probe(state, with.material, triaxial::ShearMode::vh).shear_modulus();
+  const Prepared specimen(asked);
+  const auto& [state, with, micro, sliding, G0] = specimen;
   for (double k = 0; k <= 12; ++k) {
     const double strain = 1e-6 * std::pow(10, k / 4);
     if (strain > 1.001 * asked.largest_strain)
@@ -133,8 +208,7 @@ void record(const Asked& asked, const std::string& path) {
     csv.rows.push_back({std::string(asked.dense ? "dense" : "loose"), static_cast<double>(asked.seed),
                         asked.pressure, dem::void_ratio(state), micro.coordination_number,
                         micro.mechanical_coordination_number,
-                        packing::sliding_fraction(network, slip_onset::friction), G0, strain, first, third,
-                        tenth, std::string(cycles.converged() ? "yes" : "no")});
+                        sliding, G0, strain, first, third, tenth, std::string(cycles.converged() ? "yes" : "no")});
     std::printf("%.2e %.4f %.4f %.4f\n", strain, first / G0, third / G0, tenth / G0);
     std::fflush(stdout);
   }
@@ -147,11 +221,14 @@ int main(int argc, char** argv) {
   const std::string density = argc == 7 ? argv[4] : "";
   if (density != "dense" && density != "loose") {
     std::fprintf(stderr,
-                 "usage: slip_onset_run states.csv GRAINS SEED dense|loose PRESSURE_Pa LARGEST_STRAIN\n");
+                 "usage: slip_onset_run states.csv GRAINS SEED dense|loose PRESSURE_Pa "
+                 "LARGEST_STRAIN|loops\n");
     return 2;
   }
   try {
-    record({.grains = std::strtoul(argv[2], nullptr, 10),
+    const std::string last = argv[6];
+    const auto make = last == "loops" ? record_loops : record;
+    make({.grains = std::strtoul(argv[2], nullptr, 10),
             .seed = std::strtoul(argv[3], nullptr, 10),
             .dense = density == "dense",
             .pressure = std::strtod(argv[5], nullptr),
