@@ -46,7 +46,7 @@ double relative_overlap(const State& s, double pressure, double coordination_num
   const double R = s.radius, branch = s.contacts.branch;
   const double load =
       4 * std::numbers::pi * R * R * (1 + s.void_ratio) * pressure * (s.contacts.grain_volume / branch);
-  return kernel::closing_overlap(s.law, load / coordination_number) / (2 * R * branch);
+  return s.law.closing_law().overlap(load / coordination_number) / (2 * R * branch);
 }
 
 ContactCounts with_rattlers(double z, double overlap) {
@@ -102,7 +102,7 @@ double as_of_equal(double rigid_void_ratio, std::optional<double> densest) {
 
 /// What the shape of contacts and the sizes of grains add to z* of packings compressed with friction.
 double shift_by_grains(const State& s) {
-  const double b = kernel::up_to_half(kernel::closing_law(s.law).exponent_at_force(0));
+  const double b = kernel::up_to_half(s.law.closing_law().exponent_at_force(0));
   return 0.058 - 0.161 * b - 0.42 * std::sqrt(kernel::branch_variance(s.contacts));
 }
 
@@ -345,8 +345,8 @@ ExpectedRattlers expected_rattlers(const State& state, double mechanical_coordin
   // difference.
   for (int round = 0; round < 60; ++round) {
     const State with = with_contacts(state, z, fraction);
-    const double overlap = kernel::closing_overlap(with.law, mean_contact_force(with)) /
-                           (2 * with.radius * with.contacts.branch);
+    const double overlap =
+        with.law.closing_law().overlap(mean_contact_force(with)) / (2 * with.radius * with.contacts.branch);
     const double before = fraction;
     fraction = kernel::rattlers_of_contacts(z, overlap, kernel::rattler_coefficients);
     if (std::abs(fraction - before) <= 1e-15 * fraction)

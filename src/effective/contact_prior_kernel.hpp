@@ -13,19 +13,6 @@
 
 namespace granum::effective::kernel {
 
-/// The law whose overlap brings further grains into contact. Of smooth grains their own; of rough ones that
-/// of smooth spheres: what roughness adds to the overlap, up to 70 times as much where forces are small,
-/// makes no contact that counts (validation/contact_prior).
-inline contact::NormalLaw closing_law(const contact::NormalLaw& law) {
-  const contact::RoughSphere* const rough = law.rough_sphere();
-  return rough != nullptr ? contact::NormalLaw(rough->smooth()) : law;
-}
-
-/// Its overlap.
-inline double closing_overlap(const contact::NormalLaw& law, double force) {
-  return closing_law(law).overlap(force);
-}
-
 /// Coefficients of the contacts, in this order: e_d, e_l, bend, squeeze, growth, further growth, mu_0, its
 /// power, closing, opening.
 template <class T>
