@@ -201,6 +201,7 @@ std::vector<InputRow> number_rows() {
        .group = grains_group,
        .meaning = "Density rho_s of the grain mineral, for wave speeds",
        .dimension = Dimension::density,
+       .belongs = Belongs::to_answer,
        .symbols = "rho_s",
        .synonyms = {{"Gs gs", "a specific gravity of 2.65 is the density 2.65g/cm3"},
                     {"specificgravity rhos rhog soliddensity gamma gammad gammasat bulkunitweight"},
@@ -216,6 +217,7 @@ std::vector<InputRow> number_rows() {
        .meaning =
            "Relative density D_r, such as 60%, instead of --void-ratio; more accurate with e_min and e_max, "
            "or --sand",
+       .belongs = Belongs::to_answer,
        .share = true,
        .symbols = "D_r Dr I_D ID",
        .synonyms = {{"dr id rd densityindex"}},
@@ -227,6 +229,7 @@ std::vector<InputRow> number_rows() {
        .group = state_group,
        .meaning = "Smallest void ratio e_min, for --relative-density; of beads also that of the same grains "
                   "packed without friction, up to 0.58: z* is then estimated from the void ratio above it",
+       .belongs = Belongs::to_answer,
        .symbols = "e_min emin",
        .synonyms = {{"emin"}},
        .limits = {.low = 0.1, .high = 4.95, .reason = words_for_limits},
@@ -237,6 +240,7 @@ std::vector<InputRow> number_rows() {
        .key = "largest_void_ratio",
        .group = state_group,
        .meaning = "Largest void ratio e_max, for --relative-density",
+       .belongs = Belongs::to_answer,
        .symbols = "e_max emax",
        .synonyms = {{"emax"}},
        .limits = {.low = 0.15, .high = 5, .reason = words_for_limits},
@@ -248,6 +252,7 @@ std::vector<InputRow> number_rows() {
        .group = state_group,
        .meaning = "Degree of saturation S_r; at 100% V_p follows Gassmann's equation, at 99% and less V_p is "
                   "nearly that of the dry packing",
+       .belongs = Belongs::to_answer,
        .share = true,
        .symbols = "S_r Sr",
        .synonyms = {{"s sr"}},
@@ -258,6 +263,7 @@ std::vector<InputRow> number_rows() {
        .key = "k0",
        .group = state_group,
        .meaning = "K_0 = sigma_h/sigma_v, instead of --stress-h",
+       .belongs = Belongs::to_state,
        .symbols = "K_0 K0",
        .synonyms = {{"k0 ko stressratio", "sigma_h = K_0 sigma_v"}},
        .limits = {.low = stress::least_stress_ratio,
@@ -267,6 +273,7 @@ std::vector<InputRow> number_rows() {
        .key = "strain",
        .group = state_group,
        .meaning = "For sands: also G at this shear strain, such as 0.01%; small strain is 0.001% and less",
+       .belongs = Belongs::to_state,
        .share = true,
        .symbols = "shear_strain gamma",
        .synonyms = {{"shearstrain"}},
@@ -321,6 +328,7 @@ std::vector<InputRow> text_rows() {
                   "dense:10kPa (without friction to 10 kPa, then with friction, as in DEM; G is then more "
                   "accurate), loose (friction 0.3 to 0.5), friction:0.3",
        .kind = Kind::word,
+       .belongs = Belongs::to_answer,
        .synonyms = {{"mu friction frictioncoefficient"}},
        .words = {"dense", "dense:PRESSURE", "loose", "friction:NUMBER"},
        .take = [](InputValues& values,
@@ -330,6 +338,7 @@ std::vector<InputRow> text_rows() {
        .group = grains_group,
        .meaning = "Mineral of the grains: sets G_g, nu_g and density unless they are given",
        .kind = Kind::word,
+       .belongs = Belongs::to_answer,
        .synonyms = {{"mineral material solid"}},
        .words = keys_of(contact::minerals()),
        .take = [](InputValues& values,
@@ -339,6 +348,7 @@ std::vector<InputRow> text_rows() {
        .group = grains_group,
        .meaning = "A known sand: its mineral, d50, C_u, e_min and e_max, where they are published",
        .kind = Kind::word,
+       .belongs = Belongs::to_answer,
        .implies = GrainShape::sand,
        .words = keys_of(sands::known_sands()),
        .take = [](InputValues& values,
@@ -349,6 +359,7 @@ std::vector<InputRow> text_rows() {
        .meaning = "sand: result from laws measured on sands; sphere: result from the model of spheres; by "
                   "default as implied by other options, else both results",
        .kind = Kind::word,
+       .belongs = Belongs::to_answer,
        .words = {"sphere", "sand"},
        .take = [](InputValues& values,
                   const std::string& text) { values.grain_shape = grain_shape_of(text); }},
