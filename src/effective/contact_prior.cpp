@@ -252,7 +252,31 @@ double scatter_of(const State& s, const Preparation& preparation) {
 
 } // namespace
 
+void require_valid(const Preparation& preparation, const State& state) {
+  const double p = state.mean_stress();
+  if (preparation.pressure > 0 && p > 0 && !(preparation.pressure <= p))
+    throw InvalidArgument("pressure of preparation", preparation.pressure, "Pa",
+                          "(0, " + pretty(p, Dimension::pressure) +
+                              "], the mean stress: a packing that was unloaded has other forces");
+  if (const double densest = preparation.densest_void_ratio; densest > 0) {
+    constexpr double densest_equal = 0.5, densest_of_sizes = 0.2; // packed without friction
+    constexpr double overlaps = 1.02;                             // which make packings denser under pressure
+    const double least = unequal(state) ? densest_of_sizes : densest_equal;
+    const double most = overlaps * (1 + state.void_ratio) - 1;
+    if (!(densest >= least && densest <= most))
+      throw InvalidArgument("least_void_ratio", densest, "",
+                            detail::closed_range(least, most, densest) +
+                                ", from that of spheres packed without friction to the void ratio");
+  }
+}
+
 ContactPrior contact_prior(const State& state, const Preparation& preparation) {
+  require_prior_inputs(state);
+  require_valid(preparation, state);
+  return kernel::possible_contact_prior(state, preparation);
+}
+
+ContactPrior kernel::possible_contact_prior(const State& state, const Preparation& preparation) {
   require_prior_inputs(state);
   const auto [most, least] = frictions_of(preparation);
   const std::optional<double> densest_known = known_densest(state, preparation);

@@ -7,11 +7,14 @@
 #include <array>
 #include <cmath>
 
-#include <granum/contact/normal_law.hpp>
+#include <granum/effective/contact_prior.hpp>
 
 #include "relaxation_kernel.hpp"
 
 namespace granum::effective::kernel {
+
+/// contact_prior of a state that a standard deviation may have moved beyond what its preparation allows.
+ContactPrior possible_contact_prior(const State& state, const Preparation& preparation);
 
 /// Coefficients of the contacts, in this order: e_d, e_l, bend, squeeze, growth, further growth, mu_0, its
 /// power, closing, opening.
