@@ -136,8 +136,8 @@ plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<
   return chart;
 }
 
-/// The first state whose answers are complete, or else the first with an answer; 0 where none has one: an error
-/// of the packing occurs at every state, and is reported once.
+/// The first state whose answers are complete, or else the first with an answer; 0 where none has one: an
+/// error of the packing occurs at every state, and is reported once.
 std::size_t first_answered(const std::vector<SweptState>& states) {
   std::size_t first = 0;
   for (std::size_t k = states.size(); k-- > 0;)
