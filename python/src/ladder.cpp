@@ -186,13 +186,10 @@ void bind_ladder(py::module_& module) {
 void bind_contact_prior(py::module_& module) {
   using Means = std::optional<sizes::ContactMeans>;
   bind_classes(module);
-  define(module, "contact_prior",
-         grains_keywords() +
-             std::vector{optional(
-                 "preparation", "str",
-                 "\"dense\", \"loose\", or \"friction:0.3\", a friction coefficient; without it unknown.")},
+  define(module, "contact_prior", grains_keywords() + std::vector{preparation_keyword()},
          {"Possible coordination numbers of a packing if only void ratio and stress are known.",
-          "ContactPrior", "For impossible numbers, or another preparation.",
+          "ContactPrior",
+          "For impossible numbers, another preparation, or a pressure of preparation above `pressure`.",
           "Calibrated on granum's own packings of all recipes, with their scatter: validation/contact_prior.",
           "effective::contact_prior", "effective/contact_prior.hpp"},
          [](const contact::NormalLaw& law, double radius, double void_ratio, double pressure,

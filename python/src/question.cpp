@@ -22,14 +22,6 @@ using estimate::InputValues;
 /// The numbers that a question may have beside those of state_keywords.
 constexpr Input numbers_beside_state[] = {Input::grain_density, Input::saturation, Input::shear_strain};
 
-Keyword word_of_input(Input input) {
-  const InputRow& row = estimate::row_of(input);
-  std::string words;
-  for (const std::string& word : row.words)
-    words += (words.empty() ? "" : ", ") + word;
-  return optional(row.key, "str", "One of " + words + ".");
-}
-
 } // namespace
 
 std::vector<Keyword> sand_keywords() {
@@ -39,6 +31,9 @@ std::vector<Keyword> sand_keywords() {
                "tests; implies\n    grain_shape \"sand\" unless that is given.")};
   for (const Input input : numbers_of_sand)
     all.push_back(of_input(input).or_none());
+  all[2].says =
+      "Smallest void ratio e_min [1], in [0.1, 4.95], below largest_void_ratio by 0.05 or more; with both "
+      "the\n    relative density is known. Unknown by default.";
   all[5].says = "Median diameter by mass of a sand [m], > 0.";
   all[4].says += " That of the sand at void_ratio; its law takes it unless both limits are known.";
   return all;
@@ -50,7 +45,7 @@ std::vector<Keyword> question_keywords(const std::vector<Keyword>& more) {
   std::vector<Keyword> all =
       state_keywords() +
       std::vector<Keyword>{
-          word_of_input(Input::preparation), density, of_input(Input::saturation).or_number(0),
+          preparation_keyword(), density, of_input(Input::saturation).or_number(0),
           optional("uncertainty", "dict",
                    "Standard deviations by the names of numbers, grain_shear_modulus and\n    "
                    "grain_poisson_ratio: {\"void_ratio\": 0.01} [their units]. A fabric_anisotropy that is "
@@ -62,9 +57,16 @@ std::vector<Keyword> question_keywords(const std::vector<Keyword>& more) {
               "fields. By\n    default \"sand\" if a number or the name of a sand is given, else "
               "\"sphere\".")} +
       sand_keywords() + std::vector<Keyword>{of_input(Input::shear_strain).or_none()};
-  const auto contacts = std::find_if(all.begin(), all.end(),
-                                     [](const Keyword& of) { return of.name == "coordination_number"; });
+  const auto named = [&all](const char* name) {
+    return std::find_if(all.begin(), all.end(), [name](const Keyword& of) { return of.name == name; });
+  };
+  const auto contacts = named("coordination_number");
   *contacts = contacts->or_none();
+  named("least_void_ratio")->says += " Of beads (grain_shape \"sphere\") that of the same grains\n    packed "
+                                     "without friction, from 0.5 (0.2 of "
+                                     "unequal grains) to void_ratio: contacts that are not given are\n    "
+                                     "estimated from the void ratio above "
+                                     "it; above 0.58 it is not used, with a note.";
   return all + more;
 }
 

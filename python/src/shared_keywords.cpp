@@ -47,6 +47,18 @@ Keyword of_input(estimate::Input input, std::string type) {
                   meaning_of(row) + " [" + (unit.empty() ? "1" : unit) + "]" + limits_text(row.limits) + ".");
 }
 
+Keyword preparation_keyword() {
+  return optional(
+      "preparation", "str",
+      "How beads were brought together, which determines contacts that are not given: \"dense\" "
+      "(without\n    friction), \"dense:10kPa\" (without friction up to that pressure, > 0 and at "
+      "most the mean stress, with\n    its unit, and then with friction: G is more accurate), "
+      "\"loose\" (friction 0.3 to 0.5) or \"friction:0.3\"\n    (a coefficient > 0). By default "
+      "unknown: the range covers all of them. Assumes that the stress was never\n    larger: a "
+      "pressure above the mean stress is refused, because unloaded packings have other forces. "
+      "Not used\n    by sands.");
+}
+
 Keyword law_keyword() {
   return required("law", "NormalLaw", "Normal contact of two grains, for instance from sphere().");
 }

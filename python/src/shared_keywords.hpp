@@ -13,6 +13,8 @@ namespace granum::python {
 /// A row of the library's table of inputs: its name, meaning, unit and limits. It is required.
 [[nodiscard]] Keyword of_input(estimate::Input input, std::string type = "array_like");
 
+/// How beads were brought together, or None.
+[[nodiscard]] Keyword preparation_keyword();
 /// The contact law, required.
 [[nodiscard]] Keyword law_keyword();
 /// The means of unequal grains, or None.

@@ -184,3 +184,10 @@ def test_laws_name_the_material_as_it_was_typed():
         granum.sphere(shear_modulus=-1, poisson_ratio=0.15, radius=0.5e-3)
     with pytest.raises(granum.InvalidArgument, match="^poisson_ratio = 0.6 "):
         granum.cone(shear_modulus=30e9, poisson_ratio=0.6, slope=0.4)
+
+
+@pytest.mark.parametrize("function", [granum.packing_answer, granum.contact_prior])
+def test_a_packing_is_not_below_the_pressure_of_its_preparation(function):
+    assert function(**PRIOR, preparation="dense:100kPa")
+    with pytest.raises(granum.InvalidArgument, match=r"pressure of preparation = 200000 Pa is outside \(0, 100 kPa\]"):
+        function(**PRIOR, preparation="dense:200kPa")

@@ -214,7 +214,7 @@ class Measuring {
     if (given_.grain_shear_modulus) {
       out_.grain = contact::GrainMaterial{modulus, nu};
     } else if (out_.law_check && law_is_clear(*out_.law_check, rounded_) &&
-               out_.law_check->coefficient_ratio && of_any_modulus().constant_exponent()) {
+               out_.law_check->coefficient_ratio && of_any_modulus().surface().begins_at_touch) {
       const double found = any_modulus * *out_.law_check->coefficient_ratio;
       out_.grain = contact::GrainMaterial{found, nu};
       out_.law_check->coefficient_ratio = 1;
@@ -392,7 +392,7 @@ class Measuring {
   packing::Assembly with_stiffness() {
     packing::Assembly assembly = assembly_;
     // The zero of the overlap of rough grains is a convention of their law; the force of a contact is not.
-    const bool by_forces = forces_known_ && (rounded_ > rough || out_.law->rough_sphere() != nullptr);
+    const bool by_forces = forces_known_ && (rounded_ > rough || !out_.law->surface().begins_at_touch);
     const packing::StiffnessFrom from = given_.stiffness_from.value_or(
         by_forces ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
     if (!given_.materials.empty())

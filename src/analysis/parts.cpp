@@ -12,7 +12,7 @@ namespace granum::analysis {
 
 packing::Assembly counted_part(const packing::Assembly& assembly, const contact::NormalLaw& law) {
   packing::Assembly counted = assembly;
-  if (law.constant_exponent())
+  if (law.surface().begins_at_touch)
     return counted;
   double mean = 0;
   for (const packing::Contact& c : assembly.contacts)

@@ -252,6 +252,14 @@ double RoughSphere::exponent_slope_at_force(double force) const {
   return rough_stiffness(roughness_number(force)).exponent_slope;
 }
 
+Surface RoughSphere::surface() const {
+  return {.stiffening = is_smooth() ? Stiffening::power_law : Stiffening::rough,
+          .begins_at_touch = is_smooth(),
+          .transition_force = transition_force_};
+}
+
+double RoughSphere::first_stiffness() const { return stiffness_at_force(0x1p-10 * transition_force_); }
+
 std::optional<double> RoughSphere::constant_exponent() const {
   return is_smooth() ? smooth_.constant_exponent() : std::nullopt;
 }

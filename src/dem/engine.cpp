@@ -241,9 +241,7 @@ void Engine::Data::choose_time_step() {
       [this](const std::function<void(std::size_t)>& job) { each_chunk(job); });
   // Rough spheres at first contact are much softer than under load: one of their time steps would pass
   // through the whole roughness.
-  const contact::RoughSphere* const rough = material.law.rough_sphere();
-  const double least =
-      rough != nullptr ? 20 * rough->stiffness_at_force(0x1p-10 * rough->transition_force()) / lightest : 0;
+  const double least = 20 * material.law.first_stiffness() / lightest;
   if (omega_squared > 0) {
     dt = time_step_fraction * 2 / std::sqrt(std::max(omega_squared, least));
   } else if (dt == 0) {

@@ -46,7 +46,7 @@ double relative_overlap(const State& s, double pressure, double coordination_num
   const double R = s.radius, branch = s.contacts.branch;
   const double load =
       4 * std::numbers::pi * R * R * (1 + s.void_ratio) * pressure * (s.contacts.grain_volume / branch);
-  return kernel::closing_overlap(s.law, load / coordination_number) / (2 * R * branch);
+  return s.law.closing_law().overlap(load / coordination_number) / (2 * R * branch);
 }
 
 ContactCounts with_rattlers(double z, double overlap) {
@@ -102,7 +102,7 @@ double as_of_equal(double rigid_void_ratio, std::optional<double> densest) {
 
 /// What the shape of contacts and the sizes of grains add to z* of packings compressed with friction.
 double shift_by_grains(const State& s) {
-  const double b = kernel::up_to_half(kernel::closing_law(s.law).exponent_at_force(0));
+  const double b = kernel::up_to_half(s.law.closing_law().exponent_at_force(0));
   return 0.058 - 0.161 * b - 0.42 * std::sqrt(kernel::branch_variance(s.contacts));
 }
 
@@ -252,7 +252,31 @@ double scatter_of(const State& s, const Preparation& preparation) {
 
 } // namespace
 
+void require_valid(const Preparation& preparation, const State& state) {
+  const double p = state.mean_stress();
+  if (preparation.pressure > 0 && p > 0 && !(preparation.pressure <= p))
+    throw InvalidArgument("pressure of preparation", preparation.pressure, "Pa",
+                          "(0, " + pretty(p, Dimension::pressure) +
+                              "], the mean stress: a packing that was unloaded has other forces");
+  if (const double densest = preparation.densest_void_ratio; densest > 0) {
+    constexpr double densest_equal = 0.5, densest_of_sizes = 0.2; // packed without friction
+    constexpr double overlaps = 1.02;                             // which make packings denser under pressure
+    const double least = unequal(state) ? densest_of_sizes : densest_equal;
+    const double most = overlaps * (1 + state.void_ratio) - 1;
+    if (!(densest >= least && densest <= most))
+      throw InvalidArgument("least_void_ratio", densest, "",
+                            detail::closed_range(least, most, densest) +
+                                ", from that of spheres packed without friction to the void ratio");
+  }
+}
+
 ContactPrior contact_prior(const State& state, const Preparation& preparation) {
+  require_prior_inputs(state);
+  require_valid(preparation, state);
+  return kernel::possible_contact_prior(state, preparation);
+}
+
+ContactPrior kernel::possible_contact_prior(const State& state, const Preparation& preparation) {
   require_prior_inputs(state);
   const auto [most, least] = frictions_of(preparation);
   const std::optional<double> densest_known = known_densest(state, preparation);
@@ -345,8 +369,8 @@ ExpectedRattlers expected_rattlers(const State& state, double mechanical_coordin
   // difference.
   for (int round = 0; round < 60; ++round) {
     const State with = with_contacts(state, z, fraction);
-    const double overlap = kernel::closing_overlap(with.law, mean_contact_force(with)) /
-                           (2 * with.radius * with.contacts.branch);
+    const double overlap =
+        with.law.closing_law().overlap(mean_contact_force(with)) / (2 * with.radius * with.contacts.branch);
     const double before = fraction;
     fraction = kernel::rattlers_of_contacts(z, overlap, kernel::rattler_coefficients);
     if (std::abs(fraction - before) <= 1e-15 * fraction)

@@ -7,24 +7,14 @@
 #include <array>
 #include <cmath>
 
-#include <granum/contact/normal_law.hpp>
+#include <granum/effective/contact_prior.hpp>
 
 #include "relaxation_kernel.hpp"
 
 namespace granum::effective::kernel {
 
-/// The law whose overlap brings further grains into contact. Of smooth grains their own; of rough ones that
-/// of smooth spheres: what roughness adds to the overlap, up to 70 times as much where forces are small,
-/// makes no contact that counts (validation/contact_prior).
-inline contact::NormalLaw closing_law(const contact::NormalLaw& law) {
-  const contact::RoughSphere* const rough = law.rough_sphere();
-  return rough != nullptr ? contact::NormalLaw(rough->smooth()) : law;
-}
-
-/// Its overlap.
-inline double closing_overlap(const contact::NormalLaw& law, double force) {
-  return closing_law(law).overlap(force);
-}
+/// contact_prior of a state that a standard deviation may have moved beyond what its preparation allows.
+ContactPrior possible_contact_prior(const State& state, const Preparation& preparation);
 
 /// Coefficients of the contacts, in this order: e_d, e_l, bend, squeeze, growth, further growth, mu_0, its
 /// power, closing, opening.

@@ -231,7 +231,7 @@ void note_bound(const kernel::RelaxedConstants<double>& strained,
 
 struct StiffContacts {
   double exponent; ///< b
-  Stiffening stiffening;
+  contact::Stiffening stiffening;
 
   [[nodiscard]] const kernel::GoingOn& going_on() const { return kernel::going_on(stiffening); }
   [[nodiscard]] kernel::ByExponent<double> effect() const {
@@ -240,7 +240,7 @@ struct StiffContacts {
 };
 
 StiffContacts contacts_of(const State& s) {
-  return {.exponent = kernel::local_exponent(s), .stiffening = stiffening_of(s.law)};
+  return {.exponent = kernel::local_exponent(s), .stiffening = s.law.surface().stiffening};
 }
 
 /// Subtracts from the factor of G its loss beyond the b of the packings of the fit, and adds the uncertainty
@@ -336,12 +336,8 @@ double scatter_share_of_preparation() {
   return recipes * recipes / (recipes * recipes + packings * packings);
 }
 
-Stiffening stiffening_of(const contact::NormalLaw& law) {
-  return law.constant_exponent() ? Stiffening::power_law : Stiffening::rough;
-}
-
 Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
-                      double stiffness_exponent, Stiffening stiffening) {
+                      double stiffness_exponent, contact::Stiffening stiffening) {
   const double z = require_non_negative("mechanical_coordination_number", mechanical_coordination_number);
   const double r = require_non_negative("tangential_ratio", tangential_ratio);
   const double b = require_closed("stiffness_exponent", stiffness_exponent, 0, 1);

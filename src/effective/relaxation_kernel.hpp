@@ -77,8 +77,8 @@ inline constexpr GoingOn power_laws{largest_own_exponent, power_law_losses[0], p
                                     power_law_errors};
 /// Rough spheres in their own packings: smooth ones under large forces.
 inline constexpr GoingOn rough_spheres{1.0 / 3, rough_losses[0], rough_losses[1], rough_errors};
-[[nodiscard]] inline const GoingOn& going_on(Stiffening stiffening) {
-  return stiffening == Stiffening::rough ? rough_spheres : power_laws;
+[[nodiscard]] inline const GoingOn& going_on(contact::Stiffening stiffening) {
+  return stiffening == contact::Stiffening::rough ? rough_spheres : power_laws;
 }
 
 /// How far b lies beyond `from`: 0 up to there, 1 at b = 1, where stiffness is proportional to force.

@@ -88,7 +88,8 @@ kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth
   const auto constant = [](double value) { return Dual(value, Vector2d::Zero()); };
   const Dual z_star(z, growth.mechanical_coordination_number * pressure_slopes(s));
   const Dual r = constant(s.tangential_ratio), b = growing_exponent(s, growth);
-  const kernel::ByExponent<Dual> effect = kernel::by_exponent(b, kernel::going_on(stiffening_of(s.law)));
+  const kernel::ByExponent<Dual> effect =
+      kernel::by_exponent(b, kernel::going_on(s.law.surface().stiffening));
   const Dual own =
       kernel::shear_relaxation(kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r,
                                effect.own, kernel::constants<Dual>(kernel::shear_coefficients));
@@ -180,7 +181,7 @@ PredictedPacking predict_packing(const ClosingGapLaw& law, const State& state, d
   const double load = 4 * std::numbers::pi * R * R * (1 + state.void_ratio) * pressure *
                       (state.contacts.grain_volume / state.contacts.branch); // f C_n
   const auto rattlers = [&](double z) { return law.rattlers * std::exp(-law.rattler_decay * (z - 4)); };
-  const contact::NormalLaw closing = kernel::closing_law(state.law);
+  const contact::NormalLaw closing = state.law.closing_law();
   // C_n enters as C_n^(-q(1-b)) with an exponent below 1/2 and a small prefactor: each iteration gains
   // digits.
   double z = law.initial;

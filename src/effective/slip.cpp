@@ -56,7 +56,7 @@ SlipOnset slip_onset(const State& state, double mechanical_coordination_number, 
   require_positive("mean_stress", state.mean_stress(), "Pa");
   const double b = contact_exponent(state);
   const auto factor = [&](double ratio) {
-    return relaxation(z, ratio, b, stiffening_of(state.law)).shear.value;
+    return relaxation(z, ratio, b, state.law.surface().stiffening).shear.value;
   };
   const double least = isostatic_coordination_number(r), h = factor(r);
   if (!(h > 0))

@@ -153,10 +153,8 @@ StaticForceField static_force_field(const State& state) {
 std::optional<double> transition_pressure(const State& state) {
   const auto geometry = kernel::checked_geometry(state);
   kernel::require_contacts(state);
-  const contact::RoughSphere* const law = state.law.rough_sphere();
-  if (law == nullptr)
-    return std::nullopt;
-  return law->transition_force() / (3 * geometry.force_area);
+  const std::optional<double> force = state.law.surface().transition_force;
+  return force ? std::optional(*force / (3 * geometry.force_area)) : std::nullopt;
 }
 
 double transition_pressure_of(double exponent, double mean_stress) {

@@ -8,6 +8,7 @@
 #include <granum/effective/relaxation.hpp>
 
 #include "core/root.hpp"
+#include "effective/contact_prior_kernel.hpp"
 
 namespace granum::estimate {
 
@@ -136,7 +137,7 @@ KnownContacts contacts_of(const Question& q) {
     return exactly({.mechanical_coordination_number = *z, .rattler_fraction = *x});
   if (C_n && z)
     return exactly(of_z_and_C_n(*z, *C_n));
-  const ContactPrior prior = effective::contact_prior(q.state, q.preparation);
+  const ContactPrior prior = effective::kernel::possible_contact_prior(q.state, q.preparation);
   return z     ? contacts_by_z(*z, prior)
          : C_n ? contacts_by_C_n(*C_n, prior)
          : x   ? contacts_by_rattlers(*x, prior, q.state.contacts == sizes::ContactMeans{})

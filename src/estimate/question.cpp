@@ -60,21 +60,8 @@ void require_valid(const Question& q) {
     if (const std::optional<double> value = row.read != nullptr ? row.read(q) : std::nullopt)
       require_within(row, *value, row.name(), true); // a hint on signs is the door's
   sands::require_density(q.sand, q.state.void_ratio);
-  if (q.grain_shape == GrainShape::sphere && q.preparation.pressure > 0 && q.state.stress_v > 0 &&
-      !(q.preparation.pressure <= q.state.mean_stress()))
-    throw InvalidArgument("pressure of preparation", q.preparation.pressure, "Pa",
-                          "(0, " + pretty(q.state.mean_stress(), Dimension::pressure) +
-                              "], the mean stress: a packing that was unloaded has other forces");
-  if (const double densest = q.preparation.densest_void_ratio; densest > 0) {
-    constexpr double densest_equal = 0.5, densest_of_sizes = 0.2; // packed without friction
-    constexpr double overlaps = 1.02;                             // which make packings denser under pressure
-    const double least = q.state.contacts == sizes::ContactMeans{} ? densest_equal : densest_of_sizes;
-    const double most = overlaps * (1 + q.state.void_ratio) - 1;
-    if (!(densest >= least && densest <= most))
-      throw InvalidArgument("least_void_ratio", densest, "",
-                            detail::closed_range(least, most, densest) +
-                                ", from that of spheres packed without friction to the void ratio");
-  }
+  if (q.grain_shape == GrainShape::sphere)
+    effective::require_valid(q.preparation, q.state);
   constexpr double rounding = 1e-9;
   const double v = q.state.stress_v, least = stress::least_stress_ratio * v * (1 - rounding),
                largest = stress::largest_stress_ratio * v * (1 + rounding);

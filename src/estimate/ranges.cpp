@@ -176,9 +176,11 @@ double assumed_deviation(const InputValues& values, const InputRow& row) {
 /// With the values that follow from the moved one.
 InputValues moved(InputValues values, Input input, double change) {
   values.set(input, values.number(input) + change);
-  if (input == Input::relative_density) { // it may lead beyond what sands have
+  if (values.given(Input::relative_density) &&
+      (input == Input::relative_density || input == Input::least_void_ratio ||
+       input == Input::largest_void_ratio)) { // it may lead beyond what sands have
     const auto [least, largest] = void_ratio_limits(values);
-    values.imply(Input::void_ratio, largest - values.number(input) * (largest - least));
+    values.imply(Input::void_ratio, largest - values.number(Input::relative_density) * (largest - least));
   }
   if (values.given(Input::k0))
     values.imply(Input::stress_h, values.number(Input::k0) * values.number(Input::stress_v));

@@ -221,6 +221,14 @@ bool is_taken(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, unknown)) && !is_stream(path);
 }
 
+bool is_one_file(const fs::path& a, const fs::path& b) {
+  const auto place = [](const fs::path& path) {
+    std::error_code unknown;
+    return fs::weakly_canonical(fs::absolute(path, unknown).parent_path(), unknown) / path.filename();
+  };
+  return a == b || place(a) == place(b);
+}
+
 void write_file(const fs::path& path, std::string_view text, Existing existing) {
   if (is_stream(path))
     return write_stream(path, text);

@@ -16,6 +16,17 @@ granum_cli_test("answer: a densest packing is made of beads" EXIT 2 STDERR "--de
   --pressure 100kPa --densest made)
 granum_cli_test("answer: the pressure of preparation is at most the mean stress" EXIT 2 STDERR "pressure of preparation"
   ARGS estimate --void-ratio 0.56 --pressure 100kPa --grain-shape sphere --preparation dense:200kPa)
+# Where both are asked, the sand's answer stays if beads are refused.
+set(unloaded estimate --void-ratio 0.6 --pressure 100kPa --preparation dense:200kPa)
+granum_cli_test("answer: beads that are refused leave the sand" EXIT 0 STDERR "warning: beads: pressure of preparation = 200000 Pa"
+  JSON "answer/grain_shape=^sand$" "answer/shear_modulus/value=^11[78][0-9]+" "warnings/0=^beads: pressure" ARGS ${unloaded} --json)
+granum_cli_test("answer: the same, strictly" EXIT 4 STDERR "beads: pressure of preparation" STDOUT "sand \\(measured laws\\)\n" ARGS ${unloaded} --strict)
+granum_cli_test("answer: sizes that are refused of beads alone" EXIT 0 STDERR "warning: beads: uniformity = 6" STDOUT "sand \\(measured laws\\)\n"
+  ARGS estimate --void-ratio 0.6 --pressure 100kPa --sizes uniformity:6)
+granum_cli_test("answer: rungs are of beads" EXIT 2 STDERR "--tolerance [^\n]*beads: pressure of preparation" ARGS ${unloaded} --tolerance 5%)
+granum_cli_test("answer: the densest packing is an input, and may be uncertain" EXIT 0 JSON "inputs/least_void_ratio=^0\\.566"
+  "answer/stated_deviations/least-void-ratio=^0\\.01" "answer/shares/least-void-ratio=^0\\.[0-9]" ARGS ${cones} --least-void-ratio 0.5669
+  --uncertainty least-void-ratio=0.01 --json)
 granum_cli_test("answer: its numbers" EXIT 0 JSON "answer/shear_modulus/low=^618[0-9]+\\." "answer/shear_modulus/high=^1937[0-9]+\\."
   "answer/shares/contacts=^0\\.99" "answer/preparation=^unknown$" "answer/stress_exponent/value=^0\\.3[5-9]"
   "answer/vertical_exponent/value=^0\\.[12]" "answer/horizontal_exponent/value=^0\\.[12]" ARGS ${beads} --json)

@@ -33,8 +33,12 @@ granum_cli_test("infer: uncertain inputs have their share" EXIT 0 BELOW "error_s
     "grain-shear-modulus=^0\\.3" "grain-poisson-ratio=^0\\.2" "grain-density=^0\\.02" "void-ratio=^0\\.001"
   ARGS ${beads} --vs 587m/s --uncertainty grain-shear-modulus=5% --uncertainty grain-poisson-ratio=0.05
       --uncertainty grain-density=20kg/m3 --uncertainty void-ratio=0.01 --measurement-error 0% --json)
-granum_cli_test("infer: assumed inputs are uncertain" EXIT 0 STDOUT "in the variance of z\\*: grain-shear-modulus 9.*- assumed --grain-density 2650 kg/m3\n- standard deviation of grain-shear-modulus: 9 GPa"
+granum_cli_test("infer: assumed inputs are uncertain" EXIT 0 STDOUT "in the variance of z\\*: grain-shear-modulus 9.*- assumed --grain-shear-modulus 30 GPa \\+- 9 GPa, [^\n]*\n[^-]*- .*- assumed --grain-density 2650 kg/m3 \\+- 50 kg/m3"
   ARGS infer ${packing} --vs 280m/s+-2%)
+granum_cli_test("infer: their deviations" EXIT 0 JSON "assumed/grain_shear_modulus/deviation=^90+(\\.0)?$" "assumed/fabric/deviation=^0\\.05"
+  "assumed/radius/deviation=MISSING" ARGS infer ${packing} --vs 280m/s+-2% --json)
+granum_cli_test("infer: the deviation that a mineral has" EXIT 0 STDOUT "standard deviation of grain-shear-modulus: 1\\.32 GPa"
+  ARGS infer --void-ratio 0.6 --pressure 100kPa --grain quartz --grain-shape sphere --vs 250m/s+-2%)
 granum_cli_test("infer: exact measurements are possible" EXIT 0 JSON "error_shares/rung 3=^(1\\.0|0\\.9)"
   ARGS infer ${packing} --shear-modulus ${G} --rattler-fraction 2% --uncertainty grain-shear-modulus=0% --uncertainty fabric=0
     --uncertainty grain-poisson-ratio=0 --measurement-error 0% --json)

@@ -35,6 +35,8 @@ granum_new_user("GPa forgotten" "estimate --grain-shear-modulus 44Pa ${at}" 0 "4
 granum_new_user("g/cm3 taken for kg/m3" "estimate --grain-density 2.65kg/m3 ${at}" 0 "did you mean 2650 kg/m3")
 granum_new_user("kPa taken for Pa of a prediction" "infer --void-ratio 0.6 --pressure 100kPa --vs 250m/s --predict-pressure 50Pa" 0 "--predict-pressure 50 Pa[^\n]*did you mean 50 kPa")
 granum_new_user("one file for two results" "estimate --void-ratio 0.6 --pressure 100kPa --out one.svg --picture one.svg --force" 2 "--out and --picture name one file")
+granum_new_user("one file by two paths" "estimate --void-ratio 0.6 --pressure 100kPa --out one.svg --picture ./one.svg --force" 2 "--out and --picture name one file")
+granum_new_user("more accurate than the laws are known" "plan --grains 1000 --error 0.001% --json" 0 "dense: the laws were measured on packings of 250 to 16000 grains, and are extrapolated")
 granum_new_user("kPa taken for Pa" "estimate --void-ratio 0.6 --pressure 50Pa" 0 "--pressure 50 Pa[^\n]*did you mean 50 kPa")
 granum_new_user("more contacts than there are" "estimate --void-ratio 0.9 --pressure 100kPa --mechanical-coordination-number 7" 0
   "no packing of equal spheres of void ratio 0\\.9 has so many contacts")

@@ -164,3 +164,29 @@ granum_cli_test("sweep: all rungs of a path" EXIT 0 STDOUT ",s_rung2,G_hh_rung3_
 # k_t = k_n: rung 3 stays
 granum_cli_test("sweep: rung 3 at k_t = k_n" EXIT 0 JSON "states/1/rung3/s=^0\\.33307"
   ARGS ${iso} --tangential-ratio 1 --rattler-fraction 2% --json)
+
+# A state below the pressure of preparation is refused, the others are answered: on a path, of a table, at depths and in layers.
+set(prepared --grain-shape sphere --preparation dense:50kPa)
+set(below STDERR "pressure of preparation = 50000 Pa is outside \\(0, ")
+granum_cli_test("sweep: states below the preparation" EXIT 1 ${below} JSON "states/0/answer=^$" "states/0/error=^pressure of preparation"
+  "states/1/error=^$" "states/1/answer/shear_modulus/value=^1[0-9]+" ARGS sweep --void-ratio 0.6 ${prepared} --from 10kPa --to 1MPa --points 3 --json)
+granum_cli_test("sweep: none is above the preparation" EXIT 2 ${below} ARGS sweep --void-ratio 0.6 ${prepared} --from 1kPa --to 10kPa --points 2)
+granum_cli_test("sweep: a sand and beads below the preparation" EXIT 0 STDERR "state 1: beads: pressure of preparation"
+  JSON "states/0/answer/grain_shape=^sand$" "states/0/notes/0=^beads: pressure" "states/1/answer/grain_shape=^sphere$"
+  "states/1/sand_answer/grain_shape=^sand$" "inputs/grain_shear_modulus=^30000000000" ARGS sweep --void-ratio 0.6 --preparation dense:50kPa
+  --from 10kPa --to 1MPa --points 3 --json)
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/prepared.csv" "e,p_kPa\n0.6,20\n0.6,100\n")
+granum_cli_test("sweep: rows below the preparation" EXIT 1 ${below} JSON "states/0/error=^pressure of preparation" "states/1/error=^$"
+  "notes/0=assumed --contact" ARGS sweep --table "${CMAKE_CURRENT_BINARY_DIR}/prepared.csv" ${prepared} --json)
+granum_cli_test("sweep: depths below the preparation" EXIT 1 ${below} STDOUT "\n +2 [^\n]* -  +- [^\n]*-\n +10 [^\n]*\\([0-9]+-" ARGS sweep
+  --void-ratio 0.6 ${prepared} --depth 2m..10m --points 2)
+granum_cli_test("sweep: no depth is above the preparation" EXIT 2 STDERR "at 1 m: pressure of preparation" ARGS sweep --void-ratio 0.6 ${prepared}
+  --depth 1m..2m --points 2)
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/prepared_layers.csv" "top_m,e,preparation\n0,0.6,loose\n5,0.58,dense:60kPa\n")
+granum_cli_test("sweep: layers have their preparation" EXIT 0 STDOUT "From 0 m: contacts: [^\n]* preparation loose\n +From 5 m: [^\n]* dense:60kPa\n"
+  ARGS sweep --grain-shape sphere --depth 2m..10m --points 3 --layers "${CMAKE_CURRENT_BINARY_DIR}/prepared_layers.csv")
+
+granum_cli_test("sweep: the densest packing is made once" EXIT 0 JSON "inputs/least_void_ratio=^0\\.5[67]" "states/1/answer/mechanical_coordination_number/value=^4"
+  ARGS sweep --void-ratio 0.65 --grain-shape sphere --densest made --from 10kPa --to 100kPa --points 2 --json)
+granum_cli_test("sweep: rows have their own densest packing" EXIT 2 STDERR "column least_void_ratio" ARGS sweep --densest made --grain-shape sphere
+  --table "${CMAKE_CURRENT_BINARY_DIR}/prepared.csv")

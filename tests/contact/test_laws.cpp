@@ -94,6 +94,25 @@ TEST_CASE("laws: b is d ln k_n/d ln f, and constant where stated") {
   });
 }
 
+TEST_CASE("laws: what the surfaces mean for a packing") {
+  each_law([](const LawRow&, const NormalLaw& law) {
+    const Surface surface = law.surface();
+    const bool one_exponent = law.constant_exponent().has_value();
+    CHECK((surface.stiffening == Stiffening::power_law) == one_exponent);
+    CHECK(surface.begins_at_touch == one_exponent);
+    CHECK(surface.transition_force.value_or(0) >= 0);
+    CHECK((law.closing_law() == law) == surface.begins_at_touch);
+    CHECK(law.closing_law().surface().begins_at_touch);
+    // A first contact that would pass unnoticed in a time step of loaded ones is resolved.
+    const double f = surface.transition_force.value_or(1), first = law.stiffness_at_force(f / 1024);
+    CHECK(law.first_stiffness() == (surface.begins_at_touch ? 0 : first));
+  });
+  const NormalLaw smooth = RoughSphere(grain, radius, 0); // the smooth sphere, to the bit
+  CHECK(smooth.surface().begins_at_touch);
+  CHECK(smooth.surface().stiffening == Stiffening::power_law);
+  CHECK(smooth.first_stiffness() == 0);
+}
+
 TEST_CASE("laws: energy is the integral of the force") {
   each_law([](const LawRow&, const NormalLaw& law) {
     for (const double f : forces) {

@@ -149,7 +149,7 @@ TEST_CASE("rough spheres: b falls from 1 to 1/3, and X is 1 at the force of tran
   CHECK(last == relative(1.0 / 3, 1e-8)); // X is 1e-8 there
   const double f1 = law.transition_force(), G = quartz.shear_modulus, nu = quartz.poisson_ratio;
   CHECK(f1 == relative(std::sqrt(3 * R) * std::pow(u0, 1.5) * G / (1 - nu), 8 * epsilon));
-  CHECK(u0 * law.smooth().stiffness_at_force(f1) / f1 == relative(1, 1e-14));
+  CHECK(u0 * law.closing_law().stiffness_at_force(f1) / f1 == relative(1, 1e-14));
   // Little force: the interface alone is as soft as f/u0; much force: Hertz, with 1 - X/3 to first order.
   CHECK(law.stiffness_at_force(1e-6 * f1) == relative(1e-6 * f1 / u0, 1e-5));
   const double X = rough_stiffness(1e-3).ratio;

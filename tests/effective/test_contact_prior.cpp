@@ -305,6 +305,29 @@ TEST_CASE("contact prior: the densest packing of the same grains is the measure 
   CHECK_FALSE(effective::contact_prior(spheres(0.62, 1e5), sand).validity.ok());
 }
 
+TEST_CASE("contact prior: a preparation that the state cannot have had is refused") {
+  const auto refused = [](const State& s, const effective::Preparation& preparation) {
+    try {
+      (void)effective::contact_prior(s, preparation);
+      return std::string();
+    } catch (const InvalidArgument& error) {
+      return error.refused().value().name;
+    }
+  };
+  effective::Preparation made = dense;
+  made.pressure = 1e5;
+  CHECK(refused(spheres(0.6, 1e5), made) == "");
+  CHECK(refused(spheres(0.6, 0.999e5), made) == "pressure of preparation");
+  CHECK(refused(spheres(0.6, 0), made) == ""); // without stress there are no forces
+  effective::Preparation of_densest = loose;
+  of_densest.densest_void_ratio = 0.5;
+  CHECK(refused(spheres(0.6, 1e5), of_densest) == "");
+  of_densest.densest_void_ratio = 0.499;
+  CHECK(refused(spheres(0.6, 1e5), of_densest) == "least_void_ratio");
+  of_densest.densest_void_ratio = 0.57; // denser than the densest, by more than overlaps explain
+  CHECK(refused(spheres(0.53, 1e5), of_densest) == "least_void_ratio");
+}
+
 TEST_CASE("contact prior: preparations as text, and refused texts") {
   CHECK(effective::preparation_of("dense") == dense);
   CHECK(effective::preparation_of("dense:10kPa") ==

@@ -299,9 +299,9 @@ TEST_CASE("relaxed: notes on states outside the calibration") {
 
 TEST_CASE("relaxation: the factors continue beyond the packings of the fit, power laws from b = 1/2, rough "
           "contacts from smooth ones") {
-  using enum effective::Stiffening;
+  using enum contact::Stiffening;
   const struct {
-    effective::Stiffening stiffening;
+    contact::Stiffening stiffening;
     double from;
   } kinds[] = {{power_law, 0.5}, {rough, 1.0 / 3}};
   for (const double r : ratios)

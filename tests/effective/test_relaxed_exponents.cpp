@@ -202,7 +202,7 @@ TEST_CASE("relaxed exponents: gaps of rough spheres close as those of smooth one
     State s{.law = rough, .radius = 0.2e-3, .void_ratio = 0.6};
     for (const double p : {1e3, 1e6}) {
       const auto found = effective::predict_packing(effective::loose_closing_gaps(), s, p);
-      s.law = rough.smooth();
+      s.law = rough.closing_law();
       const auto smooth = effective::predict_packing(effective::loose_closing_gaps(), s, p);
       s.law = rough;
       CHECK(found.coordination_number == smooth.coordination_number);

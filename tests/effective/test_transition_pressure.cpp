@@ -28,7 +28,7 @@ TEST_CASE("the pressure of the transition: X is 1 at the mean force, in closed f
   CHECK(p == relative(19e3, 0.02)); // the number that the theory page has
   s.stress_v = s.stress_h = p;
   const double f = effective::mean_contact_force(s);
-  CHECK(u0 * s.law.rough_sphere()->smooth().stiffness_at_force(f) / f == relative(1, 1e-12));
+  CHECK(u0 * s.law.closing_law().stiffness_at_force(f) / f == relative(1, 1e-12));
   s.coordination_number = 0;
   CHECK_THROWS_AS((void)effective::transition_pressure(s), InvalidArgument);
 }

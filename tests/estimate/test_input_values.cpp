@@ -160,6 +160,35 @@ TEST_CASE("input values: what is implied follows what is given, and may be compl
   CHECK(of(moved, "k0").moved(0.1).state.stress_h == doctest::Approx(60e3).epsilon(1e-15));
 }
 
+TEST_CASE("input values: limits of the void ratio may be uncertain, of a sand and of beads") {
+  InputValues sand;
+  for (const auto& [input, number] : {std::pair{Input::relative_density, 0.6},
+                                      {Input::least_void_ratio, 0.6},
+                                      {Input::largest_void_ratio, 0.9},
+                                      {Input::pressure, 100e3}})
+    sand.give(input, number);
+  const InputValues known = completed(sand);
+  const std::vector<UncertainInput> moved =
+      uncertain_inputs(known, Deviations{{Input::least_void_ratio, 0.02}, {Input::largest_void_ratio, 0.03}});
+  // The relative density is the given one, e = e_max - D_r (e_max - e_min) follows.
+  const Question less = of(moved, "least-void-ratio").moved(-0.02),
+                 more = of(moved, "largest-void-ratio").moved(0.03);
+  CHECK(less.state.void_ratio == doctest::Approx(0.72 - 0.6 * 0.02).epsilon(1e-14));
+  CHECK(less.sand.least_void_ratio.value() == 0.6 - 0.02);
+  CHECK(more.state.void_ratio == doctest::Approx(0.72 + 0.4 * 0.03).epsilon(1e-14));
+  InputValues beads = usual();
+  beads.grain_shape = GrainShape::sphere;
+  beads.give(Input::least_void_ratio, 0.56);
+  const InputValues of_beads = completed(beads);
+  const std::vector<UncertainInput> stated =
+      uncertain_inputs(of_beads, Deviations{{Input::least_void_ratio, 0.004}});
+  const Question q = of(stated, "least-void-ratio").moved(0.004);
+  CHECK(q.preparation.densest_void_ratio == 0.56 + 0.004);
+  CHECK(q.state.void_ratio == question_of(of_beads).state.void_ratio);
+  CHECK(answer(question_of(of_beads), stated)[Field::mechanical_coordination_number].high >
+        answer(question_of(of_beads))[Field::mechanical_coordination_number].high);
+}
+
 TEST_CASE("input values: deviations are those of defaults, and none of what is given") {
   const std::vector<UncertainInput> assumed = uncertain_inputs(completed(usual()), Deviations{});
   for (const char* input : {"grain-shear-modulus", "grain-poisson-ratio", "fabric", "grain-density"}) {

@@ -207,6 +207,26 @@ TEST_CASE("two runs that write one file leave one of the two texts") {
   CHECK(entries(folder.path()) == 1);
 }
 
+TEST_CASE("two names of one file: spelled in other ways, or through a link to its folder") {
+  const TemporaryFolder folder;
+  const auto one = folder.path() / "one", link = folder.path() / "link";
+  std::filesystem::create_directories(one / "inside");
+  std::filesystem::create_directory_symlink("one", link);
+  CHECK(is_one_file(one / "a.svg", one / "a.svg"));
+  CHECK(is_one_file(one / "a.svg", one / "." / "a.svg"));
+  CHECK(is_one_file(one / "a.svg", one / "inside" / ".." / "a.svg"));
+  CHECK(is_one_file(one / "a.svg", link / "a.svg"));
+  CHECK(is_one_file("a.svg", std::filesystem::current_path() / "a.svg"));
+  CHECK_FALSE(is_one_file(one / "a.svg", one / "b.svg"));
+  CHECK_FALSE(is_one_file(one / "a.svg", link / "inside" / "a.svg"));
+  // A link to a file is replaced, its target is kept: these are two.
+  write_file(one / "a.svg", "a", Existing::keep);
+  std::filesystem::create_symlink("a.svg", one / "b.svg");
+  CHECK_FALSE(is_one_file(one / "a.svg", one / "b.svg"));
+  write_file(one / "b.svg", "b", Existing::replace);
+  CHECK(content(one / "a.svg") == "a");
+}
+
 TEST_CASE("a name that no file can have is an error of the file") {
   CHECK_THROWS_AS(write_file(std::string(5000, 'n'), "x", Existing::keep), FileError);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <granum/effective/relaxation.hpp>
 #include <granum/effective/state.hpp>
 
 #include "relative.hpp"
@@ -61,6 +62,13 @@ TEST_CASE("local exponents: slopes between neighbouring pressures, averaged over
   CHECK(rows[1].contact_law < rows[0].contact_law);
   CHECK(rows[1].transition.value() ==
         relative(effective::transition_pressure(*specimens[0].states[1].packing.state).value(), 1e-12));
+  // The table of states has the rung 3 of which these are the slopes: with the forces as they are.
+  CompressedState uneven = specimens[0].states[1];
+  uneven.packing.state->unevenness = effective::Unevenness{.value = 0.3};
+  CHECK(relaxed_modulus(uneven).value() != relaxed_modulus(specimens[0].states[1]).value());
+  CHECK(relaxed_modulus(uneven).value() == effective::relaxed(*uneven.packing.state, 5.7).stiffness.G_vh());
+  uneven.packing.state.reset();
+  CHECK_FALSE(relaxed_modulus(uneven).has_value());
   // Rung 3 asks its own state: at fixed contacts its s lies near b.
   CHECK(std::abs(rows[1].relaxed->value - rows[1].contact_law) < 0.1);
 }

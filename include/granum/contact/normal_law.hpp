@@ -32,6 +32,9 @@ concept ContactLaw = std::equality_comparable<Law> &&
   { law.exponent_at_force(x) } -> std::same_as<double>;
   { law.exponent_slope_at_force(x) } -> std::same_as<double>;
   { law.constant_exponent() } -> std::same_as<std::optional<double>>;
+  { law.surface() } -> std::same_as<Surface>;
+  law.closing_law(); // one of the laws
+  { law.first_stiffness() } -> std::same_as<double>;
   { law.energy(x) } -> std::same_as<double>;
   { law.grain() } -> std::same_as<const GrainMaterial&>;
   { law.of_grain(grain) } -> std::same_as<Law>;
@@ -117,6 +120,18 @@ class NormalLaw {
   [[nodiscard]] std::optional<double> constant_exponent() const {
     return visit([](const auto& law) { return law.constant_exponent(); });
   }
+  /// What the surfaces in contact mean for a packing.
+  [[nodiscard]] Surface surface() const {
+    return visit([](const auto& law) { return law.surface(); });
+  }
+  /// The law whose overlap brings further grains into contact.
+  [[nodiscard]] NormalLaw closing_law() const {
+    return visit([](const auto& law) { return NormalLaw(law.closing_law()); });
+  }
+  /// k_n that the time step of a simulation must resolve while no contact is stiffer [N/m]; 0: any.
+  [[nodiscard]] double first_stiffness() const {
+    return visit([](const auto& law) { return law.first_stiffness(); });
+  }
   /// Elastic energy, the integral of the force up to d >= 0 [J].
   [[nodiscard]] double energy(double overlap) const {
     return visit([=](const auto& law) { return law.energy(overlap); });
@@ -172,8 +187,6 @@ class NormalLaw {
   [[nodiscard]] const PowerLaw* power_law() const {
     return visit([](const auto& law) { return law.power_law(); });
   }
-  /// The law as one of rough spheres; null where it is none.
-  [[nodiscard]] const RoughSphere* rough_sphere() const { return std::get_if<RoughSphere>(&law_); }
 
   bool operator==(const NormalLaw&) const = default;
 

@@ -7,17 +7,11 @@
 #include <string>
 #include <variant>
 
+#include <granum/contact/solid.hpp>
+
 /// Normal contact of two identical elastic grains whose profiles are z = A r^alpha near the contact.
 /// Overlap is always the full approach d of the two grain centres; compression is positive.
 namespace granum::contact {
-
-/// Isotropic elastic solid of a grain.
-struct GrainMaterial {
-  double shear_modulus = 0; ///< G_g > 0 [Pa]
-  double poisson_ratio = 0; ///< -1 < nu_g <= 0.5
-
-  bool operator==(const GrainMaterial&) const = default;
-};
 
 /// Normal force and its derivative at one overlap.
 struct NormalResponse {
@@ -118,6 +112,9 @@ class PowerLaw {
   [[nodiscard]] double stiffness_exponent() const { return 1 / (1 + alpha_); }
   /// That b is the same at every force.
   [[nodiscard]] std::optional<double> constant_exponent() const { return stiffness_exponent(); }
+  [[nodiscard]] static Surface surface() { return {}; }
+  [[nodiscard]] const PowerLaw& closing_law() const { return *this; }
+  [[nodiscard]] static double first_stiffness() { return 0; }
   [[nodiscard]] double exponent_at_force(double /*force*/) const { return stiffness_exponent(); }
   [[nodiscard]] static double exponent_slope_at_force(double /*force*/) { return 0; }
   /// 1 + 1/alpha: the exponent of f ~ d^(1+1/alpha).

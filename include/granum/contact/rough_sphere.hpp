@@ -91,11 +91,9 @@ class RoughSphere {
   /// \throws   InvalidArgument if one is out of range
   RoughSphere(const GrainMaterial& grain, double radius, double roughness);
 
-  /// The same surface on grains of another solid.
-  /// \throws   InvalidArgument if grain is out of range
+  /// The same surface on grains of another solid. \throws InvalidArgument if grain is out of range
   [[nodiscard]] RoughSphere of_grain(const GrainMaterial& grain) const;
-  /// The same surface on two equal grains of another solid and radius.
-  /// \throws   InvalidArgument if one is out of range
+  /// The same surface on two equal grains of another solid and radius. \throws InvalidArgument as RoughSphere
   [[nodiscard]] RoughSphere of(const GrainMaterial& grain, double radius) const;
   [[nodiscard]] static bool depends_on_size() { return true; }
   /// The law of a pair whose pair_radius is so many times that of this law's pair (grains.hpp).
@@ -104,8 +102,9 @@ class RoughSphere {
 
   /// u0 [m].
   [[nodiscard]] double roughness() const { return roughness_; }
-  /// The contact without roughness.
-  [[nodiscard]] const PowerLaw& smooth() const { return smooth_; }
+  /// The contact without roughness: what roughness adds to the overlap, up to 70 times as much where forces
+  /// are small, makes no contact that counts (validation/contact_prior).
+  [[nodiscard]] const PowerLaw& closing_law() const { return smooth_; }
   /// f_1 = u0^(3/2) sqrt(3 R) G/(1 - nu), where X = 1 [N].
   /// Accuracy  8 ulp.  Checked by tests/contact/test_rough_sphere.cpp
   [[nodiscard]] double transition_force() const { return transition_force_; }
@@ -142,8 +141,10 @@ class RoughSphere {
   /// \throws   InvalidArgument if the force is negative or not finite
   /// Accuracy  1e-14.  Checked by tests/contact/test_rough_sphere.cpp
   [[nodiscard]] double exponent_slope_at_force(double force) const;
-  /// Nothing where the surfaces are rough.
-  [[nodiscard]] std::optional<double> constant_exponent() const;
+  [[nodiscard]] std::optional<double> constant_exponent() const; ///< empty where the surfaces are rough
+  /// The transition force is f_1; the onset is a convention, unless u0 = 0.
+  [[nodiscard]] Surface surface() const;
+  [[nodiscard]] double first_stiffness() const; ///< k_n at 2^-10 f_1: much softer than under load
   /// Elastic energy, the integral of the force up to d >= 0 [J].
   /// \throws   InvalidArgument if the overlap is negative or not finite
   /// Accuracy  relative 1e-13.  Checked by tests/contact/test_rough_sphere.cpp

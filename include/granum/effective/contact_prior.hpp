@@ -51,6 +51,13 @@ struct Preparation {
 /// Checked by tests/effective/test_contact_prior.cpp
 [[nodiscard]] Preparation preparation_of(std::string_view text);
 
+/// Refuses a preparation that no packing of the state can have had.
+/// \throws   InvalidArgument for a pressure of preparation above the mean stress, unless that is 0: a packing
+///           that was unloaded has other forces; for the void ratio of a densest packing below 0.5 (0.2 of
+///           unequal grains), or above that of the state by more than overlaps explain
+/// Checked by tests/effective/test_contact_prior.cpp
+void require_valid(const Preparation& preparation, const State& state);
+
 /// The contacts that a packing may have.
 struct ContactPrior {
   ContactCounts loosest; ///< the fewest contacts
@@ -82,7 +89,8 @@ struct ContactPrior {
 ///                         used
 /// \return   notes where no packing of equal spheres is so loose or so dense, where friction is too small
 ///           for the void ratio, of unequal grains, and where overlaps exceed those of the calibration
-/// \throws   InvalidArgument naming a member of the state or of the preparation that is out of its range
+/// \throws   InvalidArgument naming a member of the state or of the preparation that is out of its range, and
+///           as require_valid of both
 /// Accuracy  of recipes left out of the fit, and of rough spheres, see validation/contact_prior; relative
 ///           overlaps below 0.01. Rounding: relative 1e-12.
 /// Checked by tests/effective/test_contact_prior.cpp, validation/contact_prior

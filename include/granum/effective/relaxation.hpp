@@ -47,15 +47,6 @@ struct Relaxation {
 /// Accuracy  not measured; the value is that of the fit.  Checked by tests/effective/test_relaxation.cpp
 [[nodiscard]] double scatter_share_of_preparation();
 
-/// Why contacts stiffen as f^b. Up to b = 1/3 the factors do not depend on it.
-enum class Stiffening {
-  power_law, ///< one b at every force; beyond 1/2 in packings made with another law
-  rough      ///< rough spheres in their own packings; b decreases to 1/3 as the roughness is flattened
-};
-
-/// The stiffening of a law: rough where b depends on the force.
-[[nodiscard]] Stiffening stiffening_of(const contact::NormalLaw& law);
-
 /// Factors of an isotropic packing of equal spheres. With x = z* minus the isostatic point (3.95; 6 for
 /// r = 0), the factor of G is 0 at x = 0, grows linearly in x, as sqrt(r) at z* = 6 and small r, and tends to
 /// 1 for large z*. The factor of K has a jump at the isostatic point and tends to 1 as well. Both are exactly
@@ -67,7 +58,7 @@ enum class Stiffening {
 /// \param    mechanical_coordination_number   z* >= 0 [1]
 /// \param    tangential_ratio                 r = k_t/k_n >= 0 [1]
 /// \param    stiffness_exponent               b of k_n ~ f^b, contact_exponent(state), in [0, 1]
-/// \param    stiffening                       the cause of this b
+/// \param    stiffening                       the cause of this b, NormalLaw::surface()
 /// \return   notes where z* is at or below the isostatic point or beyond the calibrated range (4.1 to 8.7),
 ///           where r exceeds 1 or lies between 0 and 0.1
 /// \throws   InvalidArgument if a value is out of its range
@@ -82,7 +73,8 @@ enum class Stiffening {
 ///           to 0.35: G 2.5 % and K 1.4 % rms, dense ones of 10 kPa up to 8 %. Rounding: relative 1e-13.
 /// Checked by tests/effective/test_relaxation.cpp, validation/relaxation
 [[nodiscard]] Relaxation relaxation(double mechanical_coordination_number, double tangential_ratio,
-                                    double stiffness_exponent, Stiffening stiffening = Stiffening::power_law);
+                                    double stiffness_exponent,
+                                    contact::Stiffening stiffening = contact::Stiffening::power_law);
 
 /// Standard errors of moduli, over the moduli [1].
 struct ModulusErrors {

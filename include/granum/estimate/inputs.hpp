@@ -63,6 +63,13 @@ enum class Kind {
   distribution ///< of sizes, as sizes::parse_distribution reads it, or a file
 };
 
+/// Which commands and tables have an input.
+enum class Belongs {
+  to_packing, ///< wherever a packing is described
+  to_answer,  ///< beside it, wherever its stiffness is asked: sand, preparation, grains and pores
+  to_state    ///< the state asked, of single commands
+};
+
 /// The values that an input may have, and why no others.
 struct Limits {
   double low = -std::numeric_limits<double>::infinity();
@@ -120,6 +127,7 @@ struct InputRow {
   std::string meaning;
   Kind kind = Kind::number;
   Dimension dimension = Dimension::dimensionless;
+  Belongs belongs = Belongs::to_packing;
   bool share = false;       ///< a value above 1 probably lacks a per cent sign
   const char* symbols = ""; ///< other headings of its column, separated by blanks
   std::vector<OtherWords> synonyms = {};

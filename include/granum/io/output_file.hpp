@@ -18,6 +18,11 @@ inline constexpr std::string_view part_extension = ".granum.part";
 /// Pipes, terminals and other character devices can be written to without loss: false.
 [[nodiscard]] bool is_taken(const std::filesystem::path& path);
 
+/// Whether two results of these names would be one file: links among their folders are followed, those of the
+/// files are not, because a link is replaced. False where a folder cannot be looked up.
+/// Checked by tests/io/test_output_file.cpp
+[[nodiscard]] bool is_one_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Writes text to path so that a reader sees the old file or the whole new one, never a part: the text is
 /// written to a temporary name in the same folder, is flushed to disk, and is renamed. A file that is
 /// replaced passes on its permissions; a link is replaced, and its target kept; the temporary file of a

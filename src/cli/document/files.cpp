@@ -223,7 +223,8 @@ void require_free(const Outlets& outlets) {
       {{"--out", &outlets.output.out}, {"--picture", &outlets.picture}, {"--report", &outlets.report}}};
   for (std::size_t k = 0; k < files.size(); ++k)
     for (std::size_t other = 0; other < k; ++other)
-      if (!files[k].second->empty() && *files[k].second == *files[other].second)
+      if (!files[k].second->empty() && !files[other].second->empty() &&
+          io::is_one_file(*files[k].second, *files[other].second))
         throw InvalidArgument(fmt::format("{} and {} name one file, '{}': give each its own",
                                           files[other].first, files[k].first, *files[k].second));
   require_free(outlets.output, outlets.picture);

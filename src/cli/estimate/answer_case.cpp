@@ -10,10 +10,10 @@ namespace granum::cli {
 
 using estimate::GrainShape;
 
-const estimate::Answer* AnswerCase::of_sand() const {
-  if (question.grain_shape == GrainShape::sand)
+const estimate::Answer* AnswerCase::of_kind(GrainShape shape) const {
+  if (question.grain_shape == shape)
     return &answer;
-  return sand_answer ? &*sand_answer : nullptr;
+  return shape == GrainShape::sand && sand_answer ? &*sand_answer : nullptr;
 }
 
 AnswerCase bare_answer(const InputValues& values, const std::vector<std::string>& uncertainties) {
@@ -30,18 +30,27 @@ AnswerCase bare_answer(const InputValues& values, const std::vector<std::string>
     } catch (const InvalidArgument&) { // a sand cannot be so, but a packing of spheres can
     }
   }
-  estimate::Answer answer = estimate::answer(question, inputs);
-  return {.question = std::move(question),
-          .inputs = std::move(inputs),
-          .answer = std::move(answer),
-          .sand_answer = std::move(of_sand),
-          .sand_grain_modulus = sand_grain_modulus};
+  try {
+    estimate::Answer answer = estimate::answer(question, inputs);
+    return {.question = std::move(question),
+            .inputs = std::move(inputs),
+            .answer = std::move(answer),
+            .sand_answer = std::move(of_sand),
+            .sand_grain_modulus = sand_grain_modulus};
+  } catch (const InvalidArgument& refused) {
+    if (!of_sand)
+      throw;
+    AnswerCase sand = bare_answer(as_sand(values), uncertainties);
+    sand.beads_refused = std::string("beads: ") + refused.what();
+    return sand;
+  }
 }
 
 AnswerCase solve_answer(const InputValues& values, const std::vector<std::string>& uncertainties) {
   AnswerCase c = bare_answer(values, uncertainties);
   add_measured_laws(c);
-  c.assumptions = notes_of(values, c.question, c.inputs, c.of_sand() != nullptr);
+  c.assumptions = notes_of(c.beads_refused.empty() ? values : as_sand(values), c.question, c.inputs,
+                           c.of_sand() != nullptr);
   return c;
 }
 

@@ -30,14 +30,17 @@ struct AnswerCase {
   estimate::Answer answer;
   /// The answer for a sand, if the kind of grains is not given; `answer` is then that for spheres.
   std::optional<estimate::Answer> sand_answer = std::nullopt;
+  /// Why there is no answer for spheres, though the kind of grains is not given: `answer` is that for a sand.
+  std::string beads_refused = {};
   double sand_grain_modulus = 0; ///< G_g of sand_answer, if there is one [Pa]
   double uniformity = 0;         ///< C_u of the measured laws [1]
   bool uniformity_assumed = false;
   std::vector<SandAnswer> sands = {}; ///< empty without stress
   estimate::Notes assumptions = {};   ///< of shape, grains and fabric, with their deviations
 
-  /// The answer for a sand, if there is one.
-  [[nodiscard]] const estimate::Answer* of_sand() const;
+  /// The answer for grains of a kind, if there is one.
+  [[nodiscard]] const estimate::Answer* of_kind(estimate::GrainShape shape) const;
+  [[nodiscard]] const estimate::Answer* of_sand() const { return of_kind(estimate::GrainShape::sand); }
 };
 
 /// Computes the answer, without laws measured on sands and without assumptions.

@@ -170,12 +170,19 @@ std::string largest_share(const Answer& answer, const Question& q) {
 std::string preparation_remark(const Question& q) {
   if (q.knows_contacts() || q.grain_shape == GrainShape::sand)
     return "";
+  const double densest = q.preparation.densest_void_ratio;
+  const std::string by_densest =
+      densest > 0 ? fmt::format("; z* is estimated from the void ratio above {}, that of the "
+                                "same grains packed without friction",
+                                short_text(densest))
+                  : "";
   if (q.preparation.kind != effective::Preparation::Kind::unknown)
-    return "contacts: as in packings of spheres with the preparation " + preparation_text(q.preparation);
+    return "contacts: as in packings of spheres with the preparation " + preparation_text(q.preparation) +
+           by_densest;
   return "The range is wide because the number of contacts is unknown: it reaches from packings prepared "
          "with "
-         "a friction coefficient of 0.5 to the largest number possible at this void ratio. --preparation, "
-         "--rattler-fraction or --mechanical-coordination-number narrows it.";
+         "a friction coefficient of 0.5 to the largest number possible at this void ratio" +
+         by_densest + ". --preparation, --rattler-fraction or --mechanical-coordination-number narrows it.";
 }
 
 void add_answers(Document& to, const AnswerCase& c) {

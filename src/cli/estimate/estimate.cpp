@@ -2,7 +2,6 @@
 // granum estimate: the answer to one state as a document.
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 
 #include <fmt/format.h>
@@ -13,9 +12,9 @@
 #include <granum/estimate/ladder.hpp>
 #include <granum/rock_physics/cement.hpp>
 #include <granum/sands/pooled_law.hpp>
-#include <granum/triaxial/specimen.hpp>
 
 #include "answer_sections.hpp"
+#include "cli/options/densest_packing.hpp"
 #include "cli/options/likely_mistakes.hpp"
 #include "cli/options/packing_json.hpp"
 #include "rung_sections.hpp"
@@ -93,8 +92,10 @@ Items input_lines(const AnswerCase& c, const ordered_json& packing) {
                                short_text(gradation.at("uniformity").get<double>())));
       add("contacts", means_text(s.contacts));
     }
+    const double densest = c.question.preparation.densest_void_ratio;
     add("packing",
-        fmt::format("e = {}, fabric a = {}", short_text(s.void_ratio), short_text(s.fabric_anisotropy)));
+        fmt::format("e = {}, fabric a = {}", short_text(s.void_ratio), short_text(s.fabric_anisotropy)) +
+            (densest > 0 ? fmt::format("; e = {} packed without friction", short_text(densest)) : ""));
   }
   add("stress", fmt::format("sigma_v = {}, sigma_h = {}; mean p' = {}", pressure_text(s.stress_v),
                             pressure_text(s.stress_h), pressure_text(s.mean_stress())));
@@ -251,9 +252,10 @@ plot::Chart chart_of(const Options& o, const AnswerCase& here) {
     const Options there = moved(o, at);
     const AnswerCase c = bare_answer(there.inputs, there.uncertain);
     const double x = strain ? at : at * p;
-    answers.add(x, c.answer[field]);
-    if (c.sand_answer)
-      of_sand.add(x, (*c.sand_answer)[field]);
+    if (const estimate::Answer* const one = c.of_kind(here.answer.grain_shape()))
+      answers.add(x, (*one)[field]);
+    if (here.sand_answer && c.of_sand() != nullptr)
+      of_sand.add(x, (*c.of_sand())[field]);
   }
   if (strain)
     add_strain_laws(chart, here, answers.at);
@@ -332,10 +334,14 @@ Document document_of(const Options& o, const AnswerCase& c) {
   const Validity of_forms = add_closed_forms(to, c, o.bounds ? Seen::always : Seen::data);
   if (o.bounds || c.question.grain_shape == GrainShape::sphere) // a sand has measured laws
     to.warnings.merge(of_forms);
+  if (!c.beads_refused.empty())
+    to.warnings.add(c.beads_refused);
   to.warnings.merge(c.answer.validity());
   if (c.sand_answer)
     for (const std::string& note : c.sand_answer->validity().notes)
       to.warnings.add("sand: " + note);
+  if (o.tolerance.given() && !c.beads_refused.empty())
+    throw InvalidArgument("--tolerance chooses among rungs, which are for beads; " + c.beads_refused);
   if (o.tolerance.given())
     add_ladder(to, estimate::choose(c.answer, o.tolerance.value));
   if (o.cement.given())
@@ -344,31 +350,11 @@ Document document_of(const Options& o, const AnswerCase& c) {
   return to;
 }
 
-/// The mean void ratio of packings of these grains that are compressed without friction.
-double made_void_ratio(const InputValues& values) {
-  if (known_shape(values) != GrainShape::sphere)
-    throw InvalidArgument("--densest made is for beads: add --grain-shape sphere");
-  constexpr std::size_t fewest = 1000;
-  constexpr std::uint64_t packings = 8; // whose void ratios differ by 0.003
-  const double radius = radius_of(values);
-  const sizes::Distribution sizes = values.sizes.value_or(sizes::Distribution::equal());
-  triaxial::SpecimenRecipe recipe{.material = {.law = law_of(values, grain_of(values), radius)},
-                                  .radius = radius,
-                                  .sizes = sizes,
-                                  .grains = std::max(fewest, triaxial::least_grains(sizes))};
-  if (values.preparation.pressure > 0)
-    recipe.first_pressure = values.preparation.pressure;
-  double sum = 0;
-  for (recipe.seed = 1; recipe.seed <= packings; ++recipe.seed)
-    sum += dem::void_ratio(triaxial::frictionless_specimen(recipe).state);
-  return sum / static_cast<double>(packings);
-}
-
 ExitCode run(Options o) {
   require_free(o.outlets);
   o.inputs = estimate::completed(std::move(o.inputs));
   if (!o.densest.empty())
-    o.inputs.give(Input::least_void_ratio, made_void_ratio(o.inputs));
+    make_densest(o.inputs);
   const AnswerCase c = solve_answer(o.inputs, o.uncertain);
   Document document = document_of(o, c);
   if (!o.outlets.picture.empty() || !o.outlets.report.empty())
@@ -408,12 +394,7 @@ Command make_estimate() {
         .value = number_without_default(options->cement),
         .meaning = "Also show the packing with cement that fills this share of the total volume, such as 2%",
         .synonyms = {{"cementation bond"}}},
-       {.name = "--densest",
-        .value = choice({"made"}, options->densest),
-        .meaning = "For beads: make the densest packing of these grains, eight of 1000 without friction, in "
-                   "seconds, and estimate z* from the void ratio above theirs; packings of 500 grains are "
-                   "looser by 0.002, of 4000 denser by 0.004",
-        .excludes = {{"--least-void-ratio"}}},
+       densest_row(options->densest),
        uncertainty_row(options->uncertain)});
   add_outlets(command, options->outlets,
               "Draw G and its range over the mean stress, or over the shear strain with --strain");

@@ -56,20 +56,27 @@ std::vector<Observation> measurements_of_options(const InferOptions& o, InferCas
 
 // ---- uncertain inputs
 
-/// Assumptions on the grains, with their deviations, and the uncertain inputs.
-inverse::SharedInputs uncertain_inputs_of(const InferOptions& o, const InputValues& values,
-                                          estimate::Notes& assumptions) {
+/// The uncertain inputs that all measurements of spheres have in common.
+std::vector<estimate::UncertainInput> uncertain_inputs_of(const InferOptions& o, const InputValues& values) {
   const std::vector<const estimate::InputRow*> shared = inverse::shared_rows(values);
-  const std::vector<estimate::UncertainInput> uncertain =
+  std::vector<estimate::UncertainInput> uncertain =
       uncertain_inputs(values, deviations_of(o.uncertain, values, shared,
                                              "not an input common to all measurements; these are"));
-  for (const estimate::UncertainInput& one : uncertain) {
-    const estimate::InputRow& row = estimate::uncertain_row(one.input);
-    if (one.assumed && std::find(shared.begin(), shared.end(), &row) != shared.end())
+  std::erase_if(uncertain, [&](const estimate::UncertainInput& one) {
+    return std::find(shared.begin(), shared.end(), &estimate::uncertain_row(one.input)) == shared.end();
+  });
+  return uncertain;
+}
+
+/// The deviations that a name, such as that of a mineral, brings along; those of defaults are in their notes.
+void note_implied_deviations(const InputValues& values,
+                             const std::vector<estimate::UncertainInput>& uncertain,
+                             estimate::Notes& assumptions) {
+  for (const estimate::UncertainInput& one : uncertain)
+    if (const estimate::InputRow& row = estimate::uncertain_row(one.input);
+        one.assumed && values.given(row.input))
       add_sentence(assumptions, fmt::format("standard deviation of {}: {}", one.input,
                                             pretty(one.deviation, row.dimension)));
-  }
-  return inverse::shared_inputs(values, uncertain);
 }
 
 // ---- predictions
@@ -266,21 +273,23 @@ InferCase infer_case(const InferOptions& given) {
   const InputValues values = o.table.empty() ? o.inputs : read_table(o, question);
   const State& first = question.measurements.front().state;
   resolve_shape(o, values, question);
-  if (question.of_spheres)
-    std::ranges::copy(assumed_of_spheres(values, first), std::back_inserter(question.assumptions));
-  else
+  std::vector<estimate::UncertainInput> uncertain;
+  if (question.of_spheres) {
+    uncertain = uncertain_inputs_of(o, values);
+    std::ranges::copy(assumed_of_spheres(values, first, uncertain), std::back_inserter(question.assumptions));
+  } else
     require_options_of_sand(o);
-  if (const std::optional<estimate::Note> density = assumed_density(values))
+  if (const std::optional<estimate::Note> density = assumed_density(values, uncertain))
     question.assumptions.push_back(*density);
+  note_implied_deviations(values, uncertain, question.assumptions);
   question.packing = packing_json(values, first);
-  question.options = {.grain_density = values.number(Input::grain_density),
-                      .pore_density = elastic::water_density * values.within(Input::saturation),
-                      .growth = of_spheres_alone(o.growth) || o.growth == fitted_growth
-                                    ? inverse::growth_rule_of(o.growth)
-                                    : inverse::GrowthRule::packings,
-                      .inputs = question.of_spheres ? uncertain_inputs_of(o, values, question.assumptions)
-                                                    : inverse::SharedInputs{},
-                      .contacts = inverse::unknown_contacts(o.contacts)};
+  question.options = {
+      .grain_density = values.number(Input::grain_density),
+      .pore_density = elastic::water_density * values.within(Input::saturation),
+      .growth = of_spheres_alone(o.growth) || o.growth == fitted_growth ? inverse::growth_rule_of(o.growth)
+                                                                        : inverse::GrowthRule::packings,
+      .inputs = question.of_spheres ? inverse::shared_inputs(values, uncertain) : inverse::SharedInputs{},
+      .contacts = inverse::unknown_contacts(o.contacts)};
   if (o.contacts != "given" && o.inputs.contact != contact::Shape::sphere)
     throw InvalidArgument("--contacts " + o.contacts +
                           ": infers a contact law that replaces smooth spheres; leave "

@@ -14,6 +14,7 @@ namespace granum::cli {
 
 namespace {
 
+using estimate::Belongs;
 using estimate::Input;
 using estimate::InputRow;
 using estimate::InputValues;
@@ -126,17 +127,14 @@ bool InputColumns::bind_text(const InputRow& row) {
 
 void InputColumns::bind_packing() {
   for (const InputRow& row : estimate::inputs())
-    if (row.law != nullptr || row.input <= Input::stress_h)
+    if (row.belongs == Belongs::to_packing && row.input != Input::sieve) // which is a file
       bind(row.input);
-  for (const Input input : {Input::contact, Input::sizes, Input::uniformity})
-    bind(input);
 }
 
 void InputColumns::bind_material() {
-  for (const Input input :
-       {Input::relative_density, Input::least_void_ratio, Input::largest_void_ratio, Input::grain_density,
-        Input::saturation, Input::grain, Input::sand, Input::grain_shape})
-    bind(input);
+  for (const InputRow& row : estimate::inputs())
+    if (row.belongs == Belongs::to_answer && row.input != Input::preparation)
+      bind(row.input);
 }
 
 bool InputColumns::gives_stress() const {

@@ -12,6 +12,7 @@ namespace granum::cli {
 
 namespace {
 
+using estimate::Belongs;
 using estimate::InputRow;
 using estimate::Kind;
 
@@ -100,30 +101,11 @@ void add_input(Command& command, InputValues& values, Input input) {
 
 namespace {
 
-/// Of a sand, or beside the packing: in add_answer_options, or of single commands.
-bool beside_packing(const InputRow& row) {
-  switch (row.input) {
-  case Input::relative_density:
-  case Input::least_void_ratio:
-  case Input::largest_void_ratio:
-  case Input::saturation:
-  case Input::k0:
-  case Input::shear_strain:
-  case Input::grain_density:
-  case Input::preparation:
-  case Input::grain:
-  case Input::sand:
-  case Input::grain_shape:
-    return true;
-  default:
-    return false;
-  }
-}
-
 /// All inputs of a packing in a group of help, but for those of contact laws.
 void add_group(Command& command, InputValues& values, std::string_view group) {
   for (const InputRow& row : estimate::inputs())
-    if (row.group == group && row.law == nullptr && row.input != Input::contact && !beside_packing(row))
+    if (row.group == group && row.belongs == Belongs::to_packing && row.law == nullptr &&
+        row.input != Input::contact)
       add_input(command, values, row.input);
 }
 
@@ -148,10 +130,10 @@ void add_packing_options(Command& command, InputValues& values) {
 }
 
 void add_answer_options(Command& command, InputValues& values) {
-  for (const Input input :
-       {Input::preparation, Input::grain, Input::sand, Input::grain_shape, Input::relative_density,
-        Input::least_void_ratio, Input::largest_void_ratio, Input::grain_density, Input::saturation})
-    add_input(command, values, input);
+  for (const bool words : {true, false}) // in help, the grains by name precede their density
+    for (const InputRow& row : estimate::inputs())
+      if (row.belongs == Belongs::to_answer && (row.kind == Kind::word) == words)
+        add_input(command, values, row.input);
 }
 
 OptionRow uncertainty_row(std::vector<std::string>& settings) {

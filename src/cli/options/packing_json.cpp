@@ -6,6 +6,7 @@
 
 namespace granum::cli {
 
+using estimate::Input;
 using nlohmann::ordered_json;
 
 ordered_json packing_json(const estimate::InputValues& values, const effective::State& s) {
@@ -23,6 +24,9 @@ ordered_json packing_json(const estimate::InputValues& values, const effective::
     json["coordination_number"] = *s.coordination_number;
   if (s.mechanical_coordination_number)
     json["mechanical_coordination_number"] = *s.mechanical_coordination_number;
+  for (const Input limit : {Input::least_void_ratio, Input::largest_void_ratio})
+    if (values.given(limit))
+      json[estimate::row_of(limit).key] = values.number(limit);
   if (values.sizes)
     json.update({{"sizes", values.sizes->text()},
                  {"gradation", json_of(sizes::gradation(*values.sizes, radius_of(values)))},

@@ -103,6 +103,18 @@ Items rule_items(const Rule& rule, const std::string& density, double wanted) {
   return list;
 }
 
+/// Where a number of grains is beyond the packings of the laws' fit.
+void note_extrapolation(Document& to, const std::string& density, const Rule& rule, std::size_t grains,
+                        const std::string& whose) {
+  const auto count = static_cast<double>(grains);
+  if (count < rule.smallest || count > rule.largest)
+    to.add_notes(
+        std::vector{fmt::format(
+            "{}: the laws were measured on packings of {} to {} grains, and are extrapolated to the {} {}",
+            density, rule.smallest, rule.largest, grains, whose)},
+        Seen::always);
+}
+
 ExitCode run(const PlanOptions& options) {
   const studies::Scene scene = resolve(options.study, studies::SceneCommand::plan);
   say_cost_of_sizes(scene);
@@ -115,9 +127,14 @@ ExitCode run(const PlanOptions& options) {
              "measured on equal spheres (validation/trade); \"for {} of G\": what a standard "
              "error of G of this size requires; error of s: absolute, s of G ~ p^s",
              percent_text(options.error))}});
-  for (const triaxial::Density density : scene.study.densities)
-    to.add(Seen::always, rule_items(rule_of(scene, density, options.error),
-                                    std::string(studies::name(density)), options.error));
+  for (const triaxial::Density density : scene.study.densities) {
+    const Rule rule = rule_of(scene, density, options.error);
+    const std::string of(studies::name(density));
+    to.add(Seen::always, rule_items(rule, of, options.error));
+    note_extrapolation(to, of, rule, scene.study.grains, "of the scene");
+    note_extrapolation(to, of, rule, rule.recipe.grains,
+                       "that " + percent_text(options.error) + " of G needs");
+  }
   add_cost_of_sizes(to, scene);
   to.warnings = likely_mistakes(scene);
   return deliver(Outlets{.output = options.output}, to);

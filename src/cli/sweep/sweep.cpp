@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/options/densest_packing.hpp"
 #include "depth.hpp"
 
 #include <algorithm>
@@ -124,6 +125,10 @@ void add_sweep_options(Command& command, SweepOptions& o) {
   add_packing_options(command, o.inputs);
   add_answer_options(command, o.inputs);
   command.add(input_option(o.inputs, Input::shear_strain));
+  OptionRow densest = densest_row(o.densest);
+  densest.excludes.push_back({"--table --layers", "--densest made is for one kind of grains: give a column "
+                                                  "least_void_ratio with the void ratio of each"});
+  command.add(contacts_group, {std::move(densest)});
   add_path_options(command, o);
   add_ground_options(command, o.ground);
   add_table_options(command, o);
@@ -148,6 +153,8 @@ ExitCode run(SweepOptions o) {
     return sweep_table(o, chosen_rungs(o));
   if (o.ground.layers.empty()) // layers set their own K_0
     o.inputs = estimate::completed(std::move(o.inputs));
+  if (!o.densest.empty())
+    make_densest(o.inputs);
   return by_path ? sweep_path(o, chosen_rungs(o)) : sweep_depth(o);
 }
 

@@ -42,6 +42,7 @@ struct SweepOptions {
   GroundOptions ground;
   bool all_columns = false;
   bool law_columns = false; ///< published laws of sands as columns
+  std::string densest;      ///< "made": of the densest packing of the same grains, for z*
   OutputOptions output;
   std::vector<std::string> rungs; ///< keys
   std::string path = "iso";
@@ -155,8 +156,9 @@ ExitCode sweep_path(const SweepOptions& options, const Rungs& rungs);
 /// Sweeps the depths of the ground.
 ExitCode sweep_depth(const SweepOptions& options);
 
-/// The answer of a state, and that for a sand; null where there is none.
+/// The answer of a state, that for spheres, and that for a sand; null where there is none.
 [[nodiscard]] const estimate::Answer* answer_in(const SweptState& state);
+[[nodiscard]] const estimate::Answer* beads_in(const SweptState& state);
 [[nodiscard]] const estimate::Answer* sand_in(const SweptState& state);
 
 /// A number of the answers with its range, where it exists.

@@ -55,8 +55,6 @@ const Layer& layer_at(const std::vector<Layer>& layers, double depth) {
 DepthState state_at(const std::vector<Layer>& layers, double depth) {
   const Layer& layer = layer_at(layers, depth);
   GroundState at = state_in_ground(layer.options, layer.ground, depth - layer.top, {});
-  if (!at.state.answer)
-    throw InvalidArgument(fmt::format("at {}: {}", pretty(depth, Dimension::length), at.state.error));
   return {.point = {depth, &layer, at.stress}, .state = std::move(at.state)};
 }
 
@@ -65,6 +63,13 @@ std::vector<DepthState> states_at(const std::vector<Layer>& layers, const std::v
   for (const double depth : depths)
     states.push_back(state_at(layers, depth));
   return states;
+}
+
+/// The deepest state that has an answer; null if none has one.
+const DepthState* last_answered(const std::vector<DepthState>& states) {
+  const auto found = std::find_if(states.rbegin(), states.rend(),
+                                  [](const DepthState& at) { return at.state.answer.has_value(); });
+  return found == states.rend() ? nullptr : &*found;
 }
 
 // ---- screen
@@ -138,7 +143,9 @@ Table depth_table(const std::vector<DepthState>& states) {
     return [of](Of at) { return brief(of(at.point.stress) / 1e3, 4); };
   };
   const auto range = [](Field field, double unit) {
-    return [field, unit](Of at) { return brief_range(at.state.answer->answer[field], unit); };
+    return [field, unit](Of at) {
+      return at.state.answer ? brief_range(at.state.answer->answer[field], unit) : std::string("-");
+    };
   };
   const io::Columns<DepthState> columns = {
       {"", "", [](Of at) { return brief(at.point.depth, 4); }, shown_as("depth", {}, 5)},
@@ -159,14 +166,24 @@ Table depth_table(const std::vector<DepthState>& states) {
 }
 
 /// What the columns are, and where the range at the last depth comes from.
-Prose depth_legend(const AnswerCase& last, double depth) {
+Prose depth_legend(const std::vector<DepthState>& states) {
+  const DepthState& deepest = *last_answered(states);
+  const AnswerCase& last = *deepest.state.answer;
   Prose prose{{"s total stress, s' effective stress, p' its mean, u pore pressure; S_r degree of saturation, "
                "K_0 = s'_h/s'_v at rest; (low-high): range of the answer; G in a vertical plane, V_s and V_p "
                "of vertical waves"}};
   if (const std::string shares = shares_text(last.answer); !shares.empty())
-    prose.lines.push_back(fmt::format("At {} m the range of G comes from: {}.", short_text(depth), shares));
-  if (const std::string remark = preparation_remark(last.question); !remark.empty())
-    prose.lines.push_back(remark);
+    prose.lines.push_back(
+        fmt::format("At {} m the range of G comes from: {}.", short_text(deepest.point.depth), shares));
+  std::vector<std::pair<double, std::string>> remarks; // a line where they change, from its layer on
+  for (const DepthState& at : states)
+    if (const std::string remark = at.state.answer ? preparation_remark(at.state.answer->question) : "";
+        at.state.answer && (remarks.empty() || remarks.back().second != remark))
+      remarks.emplace_back(at.point.layer->top, remark);
+  for (const auto& [top, remark] : remarks)
+    if (!remark.empty())
+      prose.lines.push_back(remarks.size() == 1 ? remark
+                                                : fmt::format("From {} m: {}", short_text(top), remark));
   return prose;
 }
 
@@ -212,10 +229,12 @@ SweptRows rows_of(const SweepOptions& o, const std::vector<DepthState>& states) 
 estimate::Notes assumptions_of(const Layer& layer, double bottom, bool alone) {
   estimate::Notes all = layer.ground.assumptions;
   const stress::GroundStress stress = stress::stress_at(layer.ground.ground, bottom - layer.top);
-  const AnswerCase solved = solve_answer(at_stress(layer.options.inputs, stress.effective), {});
-  for (const estimate::Note& note :
-       alone ? remarks_on(layer.options, solved.assumptions) : solved.assumptions)
-    all.push_back(note);
+  try {
+    const AnswerCase solved = solve_answer(at_stress(layer.options.inputs, stress.effective), {});
+    std::ranges::copy(alone ? remarks_on(layer.options, solved.assumptions) : solved.assumptions,
+                      std::back_inserter(all));
+  } catch (const InvalidArgument&) { // the states there report it
+  }
   return all;
 }
 
@@ -242,14 +261,17 @@ estimate::Notes assumptions_of(const std::vector<Layer>& layers, double deepest)
   return all;
 }
 
-bool is_sand(const DepthState& at) {
-  return at.state.answer->question.grain_shape == estimate::GrainShape::sand;
+bool is_of(const DepthState& at, estimate::GrainShape shape) {
+  return at.state.answer && at.state.answer->question.grain_shape == shape;
 }
+bool is_sand(const DepthState& at) { return is_of(at, estimate::GrainShape::sand); }
 
 estimate::Notes depth_remarks(const std::vector<Layer>& layers, const std::vector<DepthState>& states) {
   estimate::Notes remarks = assumptions_of(layers, states.back().point.depth);
   const bool sand = std::any_of(states.begin(), states.end(), is_sand),
-             spheres = !std::all_of(states.begin(), states.end(), is_sand);
+             spheres = std::any_of(states.begin(), states.end(), [](const DepthState&at) {
+               return is_of(at, estimate::GrainShape::sphere);
+             });
   const bool unequal = std::any_of(layers.begin(), layers.end(), [](const Layer& layer) {
     return layer.ground.ground.earth_pressure_at_rest != 1;
   });
@@ -355,15 +377,11 @@ std::vector<plot::Chart> picture_of(const SweepOptions& o, const std::vector<dou
           field_panel(o, states, Field::compression_wave_speed, "V_p [m/s]", 1)};
 }
 
-Validity validity_of(const std::vector<Layer>& layers, const std::vector<DepthState>& states) {
-  Validity validity;
-  for (const Layer& layer : layers)
-    validity.merge(layer.ground.validity);
+Tally tally_of(const std::vector<DepthState>& states) {
   Tally tally;
   for (const DepthState& at : states)
     tally.count(at.state, pretty(at.point.depth, Dimension::length));
-  validity.merge(tally.validity());
-  return validity;
+  return tally;
 }
 
 } // namespace
@@ -376,19 +394,26 @@ ExitCode sweep_depth(const SweepOptions& o) {
   const std::vector<double> depths = depths_of(o);
   const std::vector<Layer> layers = layers_of(o);
   const std::vector<DepthState> states = states_at(layers, depths);
-  const DepthState& last = states.back();
+  const DepthState* const answered = last_answered(states);
+  if (answered == nullptr)
+    throw InvalidArgument(fmt::format("at {}: {}", pretty(states.front().point.depth, Dimension::length),
+                                      states.front().state.error));
+  const DepthState& last = *answered;
+  const Tally tally = tally_of(states);
   Document document = rows_of(o, states).document(depth_remarks(layers, states));
   document.title = depth_title(layers, *last.state.answer);
   document.add(Seen::always, ground_lines(layers));
   document.add(Seen::always, depth_table(states));
-  document.add(Seen::always, depth_legend(*last.state.answer, last.point.depth));
+  document.add(Seen::always, depth_legend(states));
   document.add(Seen::data, Data{"inputs", packing_json(last.point.layer->options.inputs,
                                                        last.state.answer->question.state)});
   document.add(Seen::data, Data{"ground", ground_json(layers)});
-  document.warnings = validity_of(layers, states);
+  for (const Layer& layer : layers)
+    document.warnings.merge(layer.ground.validity);
+  document.warnings.merge(tally.validity());
   if (!to.picture.empty())
     document.add(Seen::data, Picture{picture_of(o, depths, layers)});
-  return deliver_sweep(to, document);
+  return tally.conclude(deliver_sweep(to, document));
 }
 
 } // namespace granum::cli

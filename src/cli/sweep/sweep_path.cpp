@@ -120,7 +120,8 @@ plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<
       states, [](const SweptState& state) { return state.answer && state.answer->sand_answer; });
   if (both)
     add_band(chart, band_of(quantity.field, places, all, sand_in), false, "sand", plot::Colour::measured);
-  add_band(chart, band_of(quantity.field, places, all, answer_in), false, both ? "beads" : "answer");
+  add_band(chart, band_of(quantity.field, places, all, both ? beads_in : answer_in), false,
+           both ? "beads" : "answer");
   for (std::size_t r = 0; r < rungs.size(); ++r) {
     if (rungs[r]->name == effective::RungName::relaxed) // the answer itself
       continue;
@@ -135,14 +136,22 @@ plot::Chart chart_of(const SweepOptions& o, const Path& path, const std::vector<
   return chart;
 }
 
+/// The first state whose answers are complete, or else the first with an answer; 0 where none has one: an
+/// error of the packing occurs at every state, and is reported once.
+std::size_t first_answered(const std::vector<SweptState>& states) {
+  std::size_t first = 0;
+  for (std::size_t k = states.size(); k-- > 0;)
+    if (states[k].answer && (states[k].answer->beads_refused.empty() || !states[first].answer))
+      first = k;
+  return first;
+}
+
 } // namespace
 
 ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
   const Outlets to = outlets_of(o);
   require_free(to);
   const Path path = make_path(o);
-  // An error of the packing occurs at the first, isotropic point too, and is reported once.
-  const AnswerCase first = solve_answer(at_stress(o.inputs, path.points.front().stress), {});
   const io::Columns<PathPoint> columns = point_columns();
   std::vector<std::string> headings = io::headings_of(columns);
   for (const char* heading : {"e", "C_n", "a"})
@@ -161,6 +170,7 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
     output.add(std::move(cells), members(columns, point), state);
     tally.count(state, fmt::format("state {}", states.size()));
   }
+  const AnswerCase first = solve_answer(at_stress(o.inputs, path.points[first_answered(states)].stress), {});
   Document document = std::move(output).document(remarks_on(o, first.assumptions));
   document.add(Seen::data, Data{"inputs", packing_json(o.inputs, first.question.state)});
   document.add(Seen::data, Data{"path", path.text});

@@ -154,6 +154,9 @@ const SweptQuantity& swept_quantity(std::string_view name) {
 }
 
 const Answer* answer_in(const SweptState& state) { return state.answer ? &state.answer->answer : nullptr; }
+const Answer* beads_in(const SweptState& state) {
+  return state.answer ? state.answer->of_kind(estimate::GrainShape::sphere) : nullptr;
+}
 const Answer* sand_in(const SweptState& state) { return state.answer ? state.answer->of_sand() : nullptr; }
 
 SweptState swept(const InputValues& values, const Rungs& rungs) {
@@ -161,6 +164,8 @@ SweptState swept(const InputValues& values, const Rungs& rungs) {
     SweptState state{.answer = bare_answer(values)};
     add_measured_laws(*state.answer);
     state.notes = state.answer->answer.validity().notes;
+    if (!state.answer->beads_refused.empty())
+      state.notes.insert(state.notes.begin(), state.answer->beads_refused);
     Validity slips = likely_mistakes(values, state.answer->question.state);
     state.slips = slips.notes;
     add_rungs(state, rungs);

@@ -49,8 +49,9 @@ io::Columns<SpeedRatio> speed_columns() {
 /// A point of the picture.
 struct RowPoint {
   double mean_stress, void_ratio;
-  estimate::Range shear_modulus;
-  std::optional<estimate::Range> of_sand; ///< if the kind of grains is not given
+  estimate::Range shear_modulus;          ///< of the answer
+  std::optional<estimate::Range> of_sand; ///< beside it
+  bool beads;                             ///< whether the answer is that for spheres
   std::optional<estimate::Range> of_laws;
 };
 
@@ -130,8 +131,12 @@ class TableSweep {
   SweptState state_of(std::size_t row, RowStress& stress, SpeedRatio& ratio) {
     try {
       const AnswerRow question = reader_.row(row);
-      if (!reader_.in_ground() && !assumptions_)
-        assumptions_ = solve_answer(question.inputs, {}).assumptions;
+      if (!reader_.in_ground() && !complete_) {
+        const AnswerCase solved = solve_answer(question.inputs, {});
+        complete_ = solved.beads_refused.empty();
+        if (complete_ || !assumptions_)
+          assumptions_ = solved.assumptions;
+      }
       SweptState state =
           reader_.in_ground() ? state_at_depth(question, stress) : swept(question.inputs, rungs_);
       ratio = speed_ratio(state, question.shear_wave_speed);
@@ -156,6 +161,7 @@ class TableSweep {
            .shear_modulus = state.answer->answer[Field::shear_modulus],
            .of_sand = state.answer->sand_answer ? state.answer->sand_answer->find(Field::shear_modulus)
                                                 : std::nullopt,
+           .beads = state.answer->question.grain_shape == estimate::GrainShape::sphere,
            .of_laws = options_.law_columns ? range_of_laws(*state.answer, laws_tested(*state.answer))
                                            : std::nullopt});
     }
@@ -186,7 +192,8 @@ class TableSweep {
   io::Columns<RowStress> stresses_; ///< if rows are depths
   io::Columns<SpeedRatio> speeds_;  ///< if V_s was measured
   SweptRows output_;
-  std::optional<estimate::Notes> assumptions_; ///< of the first row that is a packing
+  std::optional<estimate::Notes> assumptions_; ///< of the first row with all answers, or else any
+  bool complete_ = false;                      ///< whether that row has all
   std::vector<RowPoint> points_;
   Tally tally_;
 };
@@ -240,9 +247,12 @@ plot::Chart chart_of(const std::vector<RowPoint>& points) {
   const bool both = std::any_of(points.begin(), points.end(),
                                 [](const RowPoint& point) { return point.of_sand.has_value(); });
   add("published laws", plot::Colour::power_law, -1, 1, [](const RowPoint& point) { return point.of_laws; });
-  add("sand", plot::Colour::measured, 0, 2, [](const RowPoint& point) { return point.of_sand; });
-  add(both ? "beads" : "answer", plot::Colour::closed_form, both ? 1 : 0, 0,
-      [](const RowPoint& point) { return std::optional(point.shear_modulus); });
+  add("sand", plot::Colour::measured, 0, 2, [both](const RowPoint& point) {
+    return both && !point.beads ? std::optional(point.shear_modulus) : point.of_sand;
+  });
+  add(both ? "beads" : "answer", plot::Colour::closed_form, both ? 1 : 0, 0, [both](const RowPoint& point) {
+    return both && !point.beads ? std::nullopt : std::optional(point.shear_modulus);
+  });
   return chart;
 }
 

@@ -275,7 +275,7 @@ Panel softening_panel(const studies::Scene& scene, const Compressions& all) {
 double shear_relaxation(const studies::Scene& scene, contact::Shape shape,
                         double mechanical_coordination_number) {
   return effective::relaxation(mechanical_coordination_number, tangential_ratio(scene),
-                               contact_exponent(scene, shape), effective::stiffening_of(law(scene, shape)))
+                               contact_exponent(scene, shape), law(scene, shape).surface().stiffening)
       .shear.value;
 }
 

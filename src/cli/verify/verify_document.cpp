@@ -91,7 +91,9 @@ RouteState route_state(const studies::Scene& scene, contact::Shape shape, const 
                  .network = {vertical, vertical, number_at(state, "G_hh_network_Pa")},
                  .probe = {number_at(state, "probes/G_hv_Pa"), number_at(state, "probes/G_vh_Pa"),
                            number_at(state, "probes/G_hh_Pa")}};
-  if (uniform)
+  if (const auto rung3 = number_at(state, "G_rung3_Pa"))
+    out.relaxed.fill(*rung3);
+  else if (uniform) // of a run before this column was there
     out.relaxed.fill(*uniform * shear_relaxation(scene, shape, z_star));
   const auto network = number_at(state, "G_network_Pa"), affine = number_at(state, "G_uniform_strain_Pa");
   if (network && affine)

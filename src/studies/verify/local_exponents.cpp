@@ -22,12 +22,6 @@ struct StateModuli {
   Routes moduli;
 };
 
-std::optional<double> relaxed_modulus(const CompressedState& state) {
-  const effective::RungAnswer answer =
-      effective::answer(effective::rung(effective::RungName::relaxed), state.packing.state.value());
-  return effective::declines(answer) ? std::nullopt : std::optional(answer.stiffness.G_vh());
-}
-
 /// Of the state of a specimen at that pressure, if it has one.
 std::optional<StateModuli> moduli_at(double pressure, const SpecimenResult& specimen) {
   const auto found = std::ranges::find(specimen.states, pressure, &CompressedState::pressure);

@@ -150,6 +150,14 @@ std::string title(const SpecimenResult& specimen) {
          std::to_string(specimen.seed);
 }
 
+std::optional<double> relaxed_modulus(const CompressedState& state) {
+  if (!state.packing.state)
+    return std::nullopt;
+  const effective::RungAnswer answer =
+      effective::answer(effective::rung(effective::RungName::relaxed), *state.packing.state);
+  return effective::declines(answer) ? std::nullopt : std::optional(answer.stiffness.G_vh());
+}
+
 double G_hh_network(const CompressedState& state) {
   return state.packing.solved_network().response.relaxed().matrix(5, 5);
 }

@@ -35,6 +35,9 @@ struct CompressedState {
   }
 };
 
+/// G_vh of rung 3 with the measured contacts and unevenness of forces [Pa]; empty where z* permits none.
+/// Checked by tests/studies/test_local_exponents.cpp
+[[nodiscard]] std::optional<double> relaxed_modulus(const CompressedState& state);
 /// Shear moduli of the network in the planes that the probes shear, 12 and 13 [Pa].
 [[nodiscard]] double G_hh_network(const CompressedState& state);
 [[nodiscard]] double G_vh_network(const CompressedState& state);

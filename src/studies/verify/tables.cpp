@@ -51,6 +51,7 @@ io::Columns<CompressedState> state_columns() {
       {"sliding_fraction", "sliding_fraction", &State::sliding_fraction},
       {"G_closed_Pa", "G_closed_Pa", &State::G_closed, modulus("G formula", 10)},
       {"K_closed_Pa", "K_closed_Pa", &State::K_closed},
+      {"G_rung3_Pa", "G_rung3_Pa", relaxed_modulus},
       {"G_uniform_strain_Pa", "G_uniform_strain_Pa",
        network([](const State& s) { return s.uniform_strain().shear_modulus(); })},
       {"K_uniform_strain_Pa", "K_uniform_strain_Pa",
