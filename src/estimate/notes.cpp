@@ -85,6 +85,11 @@ Notes assumed_of_spheres(const InputValues& values, const effective::State& stat
   if (!values.given(Input::tangential_ratio))
     notes.push_back(tangential_note(values, state));
   note_default(Input::fabric);
+  if (state.rolling > 0 && !state.mechanical_coordination_number &&
+      !(state.coordination_number && values.given(Input::rattler_fraction)))
+    add_sentence(notes, values.spelled(
+                            "contacts are counted as in packings without rolling resistance; with it, grains "
+                            "may rest with fewer: {mechanical_coordination_number} sets them"));
   add_size_notes(notes, values);
   return notes;
 }
@@ -147,8 +152,9 @@ void add_sand_notes(Notes& notes, const InputValues& values, const Question& q) 
         short_text(sands::usual_least_void_ratio) + " and e_max " +
         short_text(sands::usual_largest_void_ratio) +
         ", usual values of sands; G does not depend on this void ratio");
-  if (q.knows_contacts() || q.preparation != effective::Preparation{})
-    add("contacts and preparation are for the model of spheres; measured laws do not use them");
+  if (q.knows_contacts() || q.preparation != effective::Preparation{} || q.state.rolling > 0)
+    add("contacts, their rolling resistance and preparation are for the model of spheres; measured laws do "
+        "not use them");
 }
 
 } // namespace

@@ -252,7 +252,8 @@ effective::State state_of(const InputValues& values, const stress::AxialStress& 
       .fabric_anisotropy = values.number(Input::fabric),
       .stress_v = stress.v,
       .stress_h = stress.h,
-      .contacts = contact_means_of(values)};
+      .contacts = contact_means_of(values),
+      .rolling = values.within(Input::rolling)};
   effective::require_valid(state);
   return state;
 }
