@@ -175,9 +175,10 @@ class Measuring {
       if (!bodies_ && (known || form.rung->name != effective::RungName::relaxed))
         continue;
       form.answer.reset();
-      form.refusal = "not evaluated: " + out_.moments +
-                     (bodies_ ? "; closed forms are for single spheres"
-                              : "; the calibration is for single spheres without moments");
+      form.refusal =
+          "not evaluated: " + out_.moments +
+          (bodies_ ? "; closed forms are for single spheres"
+                   : "; the calibration is for single spheres, without moments but of rolling resistance");
     }
   }
 

@@ -85,11 +85,6 @@ Notes assumed_of_spheres(const InputValues& values, const effective::State& stat
   if (!values.given(Input::tangential_ratio))
     notes.push_back(tangential_note(values, state));
   note_default(Input::fabric);
-  if (state.rolling > 0 && !state.mechanical_coordination_number &&
-      !(state.coordination_number && values.given(Input::rattler_fraction)))
-    add_sentence(notes, values.spelled(
-                            "contacts are counted as in packings without rolling resistance; with it, grains "
-                            "may rest with fewer: {mechanical_coordination_number} sets them"));
   add_size_notes(notes, values);
   return notes;
 }
