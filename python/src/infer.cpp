@@ -33,6 +33,7 @@ std::vector<Keyword> infer_keywords() {
       of_input(Input::stress_h).or_none(),
       of_input(Input::fabric).or_number(0),
       tangential_ratio_keyword("array_like"),
+      of_input(Input::rolling).or_number(0),
       contact_means_keyword(),
       column("relative_error", "Standard errors of the measurements over their values [1]."),
       of_input(Input::grain_density, "float").or_none(),
@@ -77,6 +78,7 @@ struct Given {
     stress_h,
     fabric,
     tangential_ratio,
+    rolling,
     contact_means,
     relative_error,
     grain_density,
@@ -102,6 +104,7 @@ struct Column {
     stress_h,
     fabric,
     tangential_ratio,
+    rolling,
     relative_error,
     quantities
   };
@@ -121,11 +124,14 @@ MeasuredColumns columns_of(const Arguments& a, const contact::NormalLaw& law) {
                    stress_argument(a, Given::pressure, Given::stress_v, Given::stress_h, false),
                    Argument{"fabric_anisotropy", 0.0},
                    Argument{"tangential_ratio", contact::mindlin_stiffness_ratio(law.grain().poisson_ratio)},
+                   Argument{"rolling", 0.0},
                    Argument{"relative_error", a[Given::relative_error]}};
   if (a.given(Given::fabric))
     out.arguments[Column::fabric].value = a[Given::fabric];
   if (a.given(Given::tangential_ratio))
     out.arguments[Column::tangential_ratio].value = a[Given::tangential_ratio];
+  if (a.given(Given::rolling))
+    out.arguments[Column::rolling].value = a[Given::rolling];
   for (std::size_t k = 0; k < inverse::quantities().size(); ++k)
     if (a.given(Given::quantities + k)) {
       out.arguments.push_back({inverse::quantities()[k].key, a[Given::quantities + k]});
@@ -148,6 +154,7 @@ std::vector<inverse::Observation> measurements_of(const Arguments& a, const cont
     state.stress_h = x[Column::stress_h];
     state.fabric_anisotropy = x[Column::fabric];
     state.tangential_ratio = x[Column::tangential_ratio];
+    state.rolling = x[Column::rolling];
     for (std::size_t k = 0; k < measured.given.size(); ++k)
       if (const double value = x[Column::quantities + k]; !std::isnan(value))
         measurements.push_back({measured.given[k], {value, x[Column::relative_error] * value}, state});
@@ -164,10 +171,12 @@ InputValues values_of(const Arguments& a, const effective::State& first) {
   values.give(Input::void_ratio, first.void_ratio);
   values.contact_means = first.contacts;
   values.set_stresses({first.stress_v, first.stress_h});
-  for (const auto& [input, place] :
-       {std::pair{Input::fabric, Given::fabric}, {Input::tangential_ratio, Given::tangential_ratio}})
+  for (const auto& [input, place, number] :
+       {std::tuple{Input::fabric, Given::fabric, first.fabric_anisotropy},
+        {Input::tangential_ratio, Given::tangential_ratio, first.tangential_ratio},
+        {Input::rolling, Given::rolling, first.rolling}})
     if (a.given(place))
-      values.give(input, input == Input::fabric ? first.fabric_anisotropy : first.tangential_ratio);
+      values.give(input, number);
   for (const auto& [input, place] :
        {std::pair{Input::grain_density, Given::grain_density}, {Input::saturation, Given::saturation}})
     if (const std::optional<double> number = a.number_if_given(place))

@@ -132,7 +132,7 @@ const std::vector<InputPlace>& numbers_of_question() {
     };
     for (const Input input : {Input::radius, Input::void_ratio, Input::coordination_number, Input::pressure,
                               Input::stress_v, Input::stress_h, Input::fabric, Input::tangential_ratio,
-                              Input::mechanical_coordination_number, Input::rattler_fraction})
+                              Input::rolling, Input::mechanical_coordination_number, Input::rattler_fraction})
       add(input);
     for (const Input input : numbers_beside_state)
       add(input);

@@ -21,6 +21,7 @@ enum : std::size_t {
   stress_h_at,
   fabric_at,
   tangential_ratio_at,
+  rolling_at,
   mechanical_at,
   rattlers_at,
   contact_means_at,
@@ -58,6 +59,7 @@ std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more) {
                                         of_input(Input::stress_h).or_none(),
                                         of_input(Input::fabric).or_number(0),
                                         tangential_ratio_keyword("array_like"),
+                                        of_input(Input::rolling).or_number(0),
                                         of_input(Input::mechanical_coordination_number).or_none(),
                                         of_input(Input::rattler_fraction).or_none(),
                                         contact_means_keyword(),
@@ -81,7 +83,8 @@ StateArguments::StateArguments(const Arguments& a, CoordinationNumber coordinati
                stress_of(a, false),
                Argument{"fabric_anisotropy", 0.0},
                Argument{"tangential_ratio", 0.0},
-               Argument{"mechanical_coordination_number", 0.0}},
+               Argument{"mechanical_coordination_number", 0.0},
+               Argument{"rolling", 0.0}},
       strict_(a.flag(strict_at)) {
   if (knows_coordination_number_)
     columns_[2].value = a[coordination_number_at];
@@ -91,6 +94,8 @@ StateArguments::StateArguments(const Arguments& a, CoordinationNumber coordinati
     columns_[6].value = a[tangential_ratio_at];
   else
     columns_[6].value = contact::mindlin_stiffness_ratio(law_->grain().poisson_ratio);
+  if (a.given(rolling_at))
+    columns_[8].value = a[rolling_at];
   if (a.given(mechanical_at) && a.given(rattlers_at))
     throw py::type_error("mechanical_coordination_number and rattler_fraction are alternatives: give one");
   if (a.given(mechanical_at)) {
@@ -110,7 +115,8 @@ estimate::Question StateArguments::question(const double* x) const {
                                    .fabric_anisotropy = x[5],
                                    .stress_v = x[3],
                                    .stress_h = x[4],
-                                   .contacts = contacts_}};
+                                   .contacts = contacts_,
+                                   .rolling = x[8]}};
   if (knows_coordination_number_)
     out.state.coordination_number = x[2];
   if (coordination_ == Coordination::mechanical)

@@ -19,7 +19,7 @@ namespace granum::python {
 /// Keywords of a state in the order in which StateArguments reads them, followed by those of one function.
 [[nodiscard]] std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more = {});
 /// Their number, the index of the first keyword of a function.
-inline constexpr std::size_t state_keyword_count = 13;
+inline constexpr std::size_t state_keyword_count = 14;
 
 /// The docstring of these keywords, for all closed forms.
 [[nodiscard]] std::string state_parameters();
@@ -58,7 +58,7 @@ class StateArguments {
   Coordination coordination_ = Coordination::unknown;
   bool knows_coordination_number_ = true;
   bool knows_fabric_, knows_tangential_ratio_;
-  std::array<Argument, 8> columns_;
+  std::array<Argument, 9> columns_;
   bool strict_;
 };
 

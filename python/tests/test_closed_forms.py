@@ -20,6 +20,7 @@ RANGES = {
     "stress_v": (1e3, 1e6),
     "stress_h": (1e3, 1e6),
     "tangential_ratio": (0.0, 1.0),
+    "rolling": (0.0, 1.0),
 }
 FORMS = [
     granum.uniform_strain,
@@ -191,6 +192,17 @@ def test_shares_of_rattlers_are_z():
     assert by_share.C11 == granum.relaxed(**STATE, mechanical_coordination_number=5.7 / (1 - 0.05)).C11
     assert by_share.relative_error.G_vh > 0
     assert granum.uniform_strain(**STATE).relative_error is None
+
+
+def test_rolling_resistance_is_of_rung_3_alone_and_within_its_fit():
+    dense = {**STATE, "mechanical_coordination_number": 5.8}
+    free, rolls = granum.relaxed(**dense), granum.relaxed(**dense, rolling=[0, 0.1, 1])
+    assert rolls.G_vh[0] == free.G_vh and rolls.bulk_modulus[0] == free.bulk_modulus
+    assert np.all(np.diff(rolls.G_vh) > 0) and np.all(rolls.G_vh < granum.uniform_strain(**STATE).G_vh)
+    assert granum.uniform_strain(**STATE, rolling=1).G_vh == granum.uniform_strain(**STATE).G_vh
+    for outside in (-0.1, 1.1, math.nan):
+        with pytest.raises(granum.InvalidArgument, match="rolling"):
+            granum.relaxed(**dense, rolling=outside)
 
 
 def test_notes_come_once():

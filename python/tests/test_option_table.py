@@ -59,6 +59,8 @@ ARGUMENTS = {
     "profile-constant": "power_law.profile_constant",
     "roughness": "rough_sphere.roughness",
     "tangential-ratio": "packing_answer.tangential_ratio",
+    "rolling": "packing_answer.rolling",
+    "infer rolling": "infer.rolling",
     "analyse tangential-ratio": "measure.tangential_ratio",
     "radius": "packing_answer.radius",
     "d50": "packing_answer.d50",

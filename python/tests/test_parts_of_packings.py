@@ -63,6 +63,9 @@ def test_rolling_stiffness_is_that_of_the_contacts(sphere):
     free = granum.measure(state, law=sphere).network.G_vh
     by_ratio = granum.measure(state, law=sphere, rolling_stiffness=0.5).network.G_vh
     assert by_ratio > 1.001 * free
+    plain, resisting = (granum.measure(state, law=sphere, rolling_stiffness=k).rungs["rung3"] for k in (None, 0.5))
+    assert resisting.G_vh / plain.G_vh == pytest.approx(by_ratio / free, rel=0.1)
+    assert "rung3" not in granum.measure(state, law=sphere, rolling_stiffness=1.5).rungs
     c = state.contacts
     r = 0.25e-3  # R* of equal grains
     own = granum.packing(

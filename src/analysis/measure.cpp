@@ -133,8 +133,8 @@ class Measuring {
       out_.closed_forms = closed_forms(*out_.state);
       withhold_closed_forms();
     }
-    if (wanted_.network && out_.counts.mechanical.contact_count > 0)
-      solve_network();
+    if (wanted_.network && out_.counts.mechanical.contact_count > 0 && find_stiffness())
+      solve_network(*stiff_);
     keep_within_bounds(out_);
     return std::move(out_);
   }
@@ -169,15 +169,18 @@ class Measuring {
       out_.moments = "contacts carry moments (rolling resistance, bonds, clumps)";
   }
 
-  /// Closed forms are of single spheres; rung 3 is calibrated on spheres whose contacts carry no moments.
+  /// Closed forms are of single spheres; rung 3 is calibrated on spheres whose contacts carry no moments, or
+  /// resist rolling.
   void withhold_closed_forms() {
     for (ClosedForm& form : out_.closed_forms) {
-      if (!bodies_ && (out_.moments.empty() || form.rung->name != effective::RungName::relaxed))
+      const bool known = out_.moments.empty() || out_.state->rolling > 0;
+      if (!bodies_ && (known || form.rung->name != effective::RungName::relaxed))
         continue;
       form.answer.reset();
-      form.refusal = "not evaluated: " + out_.moments +
-                     (bodies_ ? "; closed forms are for single spheres"
-                              : "; the calibration is for single spheres without moments");
+      form.refusal =
+          "not evaluated: " + out_.moments +
+          (bodies_ ? "; closed forms are for single spheres"
+                   : "; the calibration is for single spheres, without moments but of rolling resistance");
     }
   }
 
@@ -312,11 +315,42 @@ class Measuring {
     return contact::mindlin_stiffness_ratio(nu);
   }
 
+  [[nodiscard]] bool pulls() const {
+    return std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(),
+                       [](const packing::Contact& c) { return c.normal_force < 0; });
+  }
+
+  /// Rolling stiffness over k_n R*^2: the ratio of their sums over the contacts, in which soft contacts count
+  /// little. 0 where it is beyond the calibration of rung 3, or where contacts resist twisting as well.
+  [[nodiscard]] double rolling() {
+    if (!turning_resisted() || given_.twisting || bodies_ || pulls() || !find_stiffness())
+      return 0;
+    double springs = 0, normals = 0, squares = 0;
+    for (const packing::Contact& c : stiff_->contacts) {
+      const double r_i = assembly_.radius[c.i], r_j = assembly_.radius[c.j],
+                   reduced = r_i * r_j / (r_i + r_j), normal = c.normal_stiffness * reduced * reduced;
+      if (c.twisting_stiffness > 0)
+        return 0;
+      springs += c.rolling_stiffness;
+      normals += normal;
+      squares += normal > 0 ? c.rolling_stiffness * (c.rolling_stiffness / normal) : 0;
+    }
+    constexpr double uneven = 0.05;
+    const double k_r = springs / normals, deviation = std::sqrt(squares * normals / (springs * springs) - 1);
+    if (!(k_r > 0))
+      return 0;
+    out_.notes.push_back(
+        "rolling stiffness is " + short_text(k_r) + " k_n R*^2" +
+        (deviation > uneven
+             ? " in the mean, with a standard deviation of " + short_text(100 * deviation, 2) + " %"
+             : "") +
+        (k_r <= 1 ? ": rung 3 takes it the same for all contacts" : ": rung 3 was fitted up to 1"));
+    return k_r <= 1 ? k_r : 0;
+  }
+
   /// Q of the counted contacts; not of bodies, nor where contacts pull.
   [[nodiscard]] std::optional<double> unevenness() const {
-    const auto pulls = [](const packing::Contact& c) { return c.normal_force < 0; };
-    if (!forces_known_ || bodies_ ||
-        std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(), pulls))
+    if (!forces_known_ || bodies_ || pulls())
       return std::nullopt;
     const packing::Assembly counted = counted_part(assembly_, *out_.law);
     const std::vector<double> relative =
@@ -355,6 +389,7 @@ class Measuring {
       if (out_.forces)
         out_.forces->unevenness = Q;
     }
+    state.rolling = rolling();
     try {
       effective::require_valid(state);
       out_.state = state;
@@ -368,24 +403,33 @@ class Measuring {
     return !given_.stiffness_from && std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(), stiff);
   }
 
-  void solve_network() {
+  /// Sets the stiffnesses of the contacts, once. Returns whether they are known.
+  bool find_stiffness() {
+    if (stiff_)
+      return true;
     if (stiffness_of_files()) {
       if (!given_.law)
         out_.notes.push_back(
             "k_n and k_t of the network are those of the files" +
             (given_.tangential_ratio ? "" : "; closed forms: k_t/k_n = " + short_text(tangential_ratio())));
-      solve_network(assembly_);
+      stiff_ = assembly_;
     } else if (given_.stiffness_from.value_or(stiffness_of_ratio_ ? packing::StiffnessFrom::ratio
                                                                   : packing::StiffnessFrom::overlap) ==
                packing::StiffnessFrom::ratio) {
-      packing::Assembly assembly = assembly_;
-      assign_stiffness_of_ratio(assembly, tangential_ratio());
+      stiff_ = assembly_;
+      assign_stiffness_of_ratio(*stiff_, tangential_ratio());
       if (!stiffness_of_ratio_)
         out_.notes.emplace_back("k_n of the network is 1.5 f/d of each contact: Hertz without a material");
-      solve_network(assembly);
     } else if (out_.law) {
-      solve_network(with_stiffness());
+      stiff_ = with_stiffness();
+    } else {
+      return false;
     }
+    if (given_.rolling)
+      assign_rolling_stiffness(*stiff_, *given_.rolling);
+    if (given_.twisting)
+      assign_twisting_stiffness(*stiff_, *given_.twisting);
+    return true;
   }
 
   /// The assembly with k_n and k_t of its contacts by the law.
@@ -407,11 +451,7 @@ class Measuring {
     return assembly;
   }
 
-  void solve_network(packing::Assembly assembly) {
-    if (given_.rolling)
-      assign_rolling_stiffness(assembly, *given_.rolling);
-    if (given_.twisting)
-      assign_twisting_stiffness(assembly, *given_.twisting);
+  void solve_network(const packing::Assembly& assembly) {
     network::ResponseOptions options = *wanted_.network;
     options.force_terms = options.force_terms && !bodies_ && !turning_resisted();
     const network::Response response = network::linear_response(assembly, options);
@@ -434,9 +474,10 @@ class Measuring {
   const Wanted& wanted_;
   static constexpr double rough = 1e-2; ///< rounding of overlaps above which forces give k_n
   bool forces_known_;
-  double rounded_;                  ///< share by which overlaps may be off
-  bool stiffness_of_ratio_ = false; ///< k_n is 1.5 f/d
-  effective::MixedContacts mixed_;  ///< of several materials
+  double rounded_;                         ///< share by which overlaps may be off
+  bool stiffness_of_ratio_ = false;        ///< k_n is 1.5 f/d
+  effective::MixedContacts mixed_;         ///< of several materials
+  std::optional<packing::Assembly> stiff_; ///< with the stiffnesses of its contacts
   Measurement out_;
 };
 

@@ -13,15 +13,15 @@ namespace granum::effective::kernel {
 void require_relative(std::span<const PairShare> kinds);
 
 /// Coefficients of the exchange of G and of K, fitted in validation/mixtures, and the standard errors that a
-/// mixture adds, over ln(mean stiffness/effective one).
+/// mixture adds, over ln(mean stiffness/effective one), within which packings that were not fitted lie.
 struct Mixing {
   double exchange;
   int power; ///< of 4/z*
   double error;
   bool by_forces; ///< stiffness_of_forces is a lower bound
 };
-inline constexpr Mixing shear_mixing{0.743, 1, 0.05, false};
-inline constexpr Mixing bulk_mixing{0.781, 2, 0.10, true};
+inline constexpr Mixing shear_mixing{0.7584, 1, 0.05, false};
+inline constexpr Mixing bulk_mixing{0.7093, 2, 0.10, true};
 
 /// How far the other contacts follow one that is softened: the fewer contacts, the more. At least 0, at most
 /// 1.

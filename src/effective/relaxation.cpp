@@ -128,22 +128,35 @@ Scatters scatters(double known) {
           .bulk = mixed(kernel::bulk_scatter, kernel::bulk_scatter_known, known)};
 }
 
-/// \param    b   up to 1/2
-RelaxingFactor shear_factor(double z, double r, double b, const kernel::FactorScatter& scatter) {
-  constexpr std::size_t n = kernel::shear_coefficients.size();
-  const Dual<n> h = kernel::shear_relaxation(variable<n>(z, n), variable<n>(r, n + 1), constant<n>(b),
-                                             variables(kernel::shear_coefficients));
-  const RelaxingFactor factor = with_slopes<n>(h, kernel::shear_covariance);
-  return with_scatter(factor, scatter.recipes, scatter.packings, factor.by_coordination);
+/// Adds the error of what rolling resistance makes of a factor.
+/// \param    without   the factor without it
+RelaxingFactor with_rolling_error(RelaxingFactor factor, double without, double error) {
+  if (factor.value > 0)
+    factor.error = std::hypot(factor.error, error * std::sqrt(std::max(0.0, 1 - without / factor.value)));
+  return factor;
 }
 
-RelaxingFactor bulk_factor(double z, double r, const kernel::ByExponent<double>& b, double branch_variance,
-                           const kernel::FactorScatter& scatter) {
+/// \param    b     up to 1/2
+/// \param    k_r   rolling stiffness over k_n R*^2
+RelaxingFactor shear_factor(double z, double r, double b, double k_r, const kernel::FactorScatter& scatter) {
+  constexpr std::size_t n = kernel::shear_coefficients.size();
+  const Dual<n> h = kernel::rolled_shear_relaxation(variable<n>(z, n), variable<n>(r, n + 1), constant<n>(b),
+                                                    variables(kernel::shear_coefficients), k_r);
+  RelaxingFactor factor = with_slopes<n>(h, kernel::shear_covariance);
+  factor = with_scatter(factor, scatter.recipes, scatter.packings, factor.by_coordination);
+  if (!(k_r > 0))
+    return factor;
+  const double without = kernel::shear_relaxation(z, r, b, kernel::shear_coefficients);
+  return with_rolling_error(factor, without, kernel::rolling_errors[0]);
+}
+
+RelaxingFactor bulk_factor(double z, double r, const kernel::ByExponent<double>& b, double k_r,
+                           double branch_variance, const kernel::FactorScatter& scatter) {
   constexpr std::size_t n = kernel::bulk_coefficients.size();
   const std::array<Dual<n>, n> coefficients = variables(kernel::bulk_coefficients);
   const Dual<n> Z = variable<n>(z, n);
   const kernel::ByExponent<Dual<n>> B{constant<n>(b.own), constant<n>(b.lost), constant<n>(b.scatter_left)};
-  const Dual<n> equal = kernel::stiffened_bulk(Z, variable<n>(r, n + 1), B, coefficients);
+  const Dual<n> equal = kernel::stiffened_bulk(Z, variable<n>(r, n + 1), B, coefficients, k_r);
   const Dual<n> share =
       kernel::size_bulk_share(Z, B, constant<n>(kernel::size_loss), branch_variance, coefficients);
   RelaxingFactor factor = with_slopes<n>(equal * share, kernel::bulk_covariance);
@@ -152,20 +165,25 @@ RelaxingFactor bulk_factor(double z, double r, const kernel::ByExponent<double>&
   const double lost = (1 - share.value()) / kernel::size_loss; // of a loss of 1
   factor.error = std::hypot(factor.error, lost * kernel::size_loss_error);
   factor.error = std::hypot(factor.error, kernel::bulk_size_measure(branch_variance) * scatter.sizes.base);
-  return factor;
+  if (!(k_r > 0))
+    return factor;
+  const double without = kernel::stiffened_bulk(z, r, b, kernel::bulk_coefficients);
+  return with_rolling_error(factor, without * share.value(), kernel::rolling_errors[1]);
 }
 
 double isostatic(double r) {
   return r > 0 ? kernel::frictional_isostatic(kernel::shear_coefficients) : frictionless_isostatic;
 }
 
-/// Remarks on a z* >= 0 and r >= 0.
-Validity notes_of(double z, double r) {
+/// Remarks on a z* >= 0, r >= 0 and k_r >= 0.
+Validity notes_of(double z, double r, double k_r = 0) {
   Validity validity;
   if (!(z > isostatic(r)))
-    validity.add(detail::formatted(
-        "z* = %.4g is not above the isostatic point %.4g: such a network of contacts is not rigid", z,
-        isostatic(r)));
+    validity.add(
+        detail::formatted(
+            "z* = %.4g is not above the isostatic point %.4g: such a network of contacts is not rigid", z,
+            isostatic(r)) +
+        (k_r > 0 ? " without rolling resistance, and nothing was fitted there with it" : ""));
   if (z < smallest_coordination || z > largest_coordination)
     validity.add(detail::formatted("z* is %.3g: the relaxation factors are calibrated from 4.1 to 8.7", z));
   if (r > largest_ratio)
@@ -232,6 +250,7 @@ void note_bound(const kernel::RelaxedConstants<double>& strained,
 struct StiffContacts {
   double exponent; ///< b
   contact::Stiffening stiffening;
+  double rolling = 0; ///< k_r
 
   [[nodiscard]] const kernel::GoingOn& going_on() const { return kernel::going_on(stiffening); }
   [[nodiscard]] kernel::ByExponent<double> effect() const {
@@ -240,7 +259,9 @@ struct StiffContacts {
 };
 
 StiffContacts contacts_of(const State& s) {
-  return {.exponent = kernel::local_exponent(s), .stiffening = s.law.surface().stiffening};
+  return {.exponent = kernel::local_exponent(s),
+          .stiffening = s.law.surface().stiffening,
+          .rolling = s.rolling};
 }
 
 /// Subtracts from the factor of G its loss beyond the b of the packings of the fit, and adds the uncertainty
@@ -264,11 +285,13 @@ RelaxingFactors relaxing_factors(double z, double r, const StiffContacts& contac
   const double near_z = std::min(z, infinite), near_r = std::min(r, infinite);
   const Dual<0> of_equal = kernel::coordination_of_equal(variable<0>(near_z, 0), branch_variance);
   const kernel::ByExponent<double> b = contacts.effect();
-  RelaxingFactor shear = shear_factor(of_equal.value(), near_r, b.own, scatter.shear);
+  RelaxingFactor shear = shear_factor(of_equal.value(), near_r, b.own, contacts.rolling, scatter.shear);
   shear = with_size_scatter(shear, scatter.shear.sizes, kernel::looseness(near_z) * kernel::size_shift_error,
                             shear.by_coordination, branch_variance);
   return with_stiffening(
-      {.shear = shear, .bulk = bulk_factor(near_z, near_r, b, branch_variance, scatter.bulk)}, contacts);
+      {.shear = shear,
+       .bulk = bulk_factor(near_z, near_r, b, contacts.rolling, branch_variance, scatter.bulk)},
+      contacts);
 }
 
 /// Multiplies both factors by what the unevenness of forces says.
@@ -386,7 +409,7 @@ RelaxedEstimate relaxed(const State& state, double mechanical_coordination_numbe
     add_mixture(state, z, factors);
   const auto& [shear, bulk] = factors;
   RelaxedEstimate estimate{.stiffness = {}, .relative_error = {}, .validity = uniform.validity};
-  estimate.validity.merge(notes_of(z, state.tangential_ratio));
+  estimate.validity.merge(notes_of(z, state.tangential_ratio, state.rolling));
   const double overlap = kernel::mean_overlap(state);
   note_state(state, z, overlap, estimate.validity);
   note_sizes(state, estimate.validity);

@@ -90,12 +90,12 @@ kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth
   const Dual r = constant(s.tangential_ratio), b = growing_exponent(s, growth);
   const kernel::ByExponent<Dual> effect =
       kernel::by_exponent(b, kernel::going_on(s.law.surface().stiffening));
-  const Dual own =
-      kernel::shear_relaxation(kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r,
-                               effect.own, kernel::constants<Dual>(kernel::shear_coefficients));
+  const Dual own = kernel::rolled_shear_relaxation(
+      kernel::coordination_of_equal(z_star, kernel::branch_variance(s.contacts)), r, effect.own,
+      kernel::constants<Dual>(kernel::shear_coefficients), s.rolling);
   Dual shear = own * kernel::left_of_shear(own, effect);
   const auto of_bulk = kernel::constants<Dual>(kernel::bulk_coefficients);
-  Dual bulk = kernel::stiffened_bulk(z_star, r, effect, of_bulk) *
+  Dual bulk = kernel::stiffened_bulk(z_star, r, effect, of_bulk, s.rolling) *
               kernel::size_bulk_share(z_star, effect, constant(kernel::size_loss),
                                       kernel::branch_variance(s.contacts), of_bulk);
   if (s.unevenness)

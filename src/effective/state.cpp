@@ -39,6 +39,7 @@ constexpr double largest_contact_radius = 0.1; // of the grain radius
   require_open("fabric_anisotropy", s.fabric_anisotropy, -7.0 / 3, 7.0 / 5);
   require_non_negative("stress_v", s.stress_v, "Pa");
   require_non_negative("stress_h", s.stress_h, "Pa");
+  require_closed("rolling", s.rolling, 0, 1);
   if (s.unevenness)
     require_possible(*s.unevenness);
   if (!s.pair_shares.empty())

@@ -320,7 +320,7 @@ bool same_contacts(const Question& a, const Question& b) {
 /// Whether both have the same stiffness as well.
 bool same_packing(const Question& a, const Question& b) {
   return same_contacts(a, b) && a.state.tangential_ratio == b.state.tangential_ratio &&
-         a.state.fabric_anisotropy == b.state.fabric_anisotropy;
+         a.state.rolling == b.state.rolling && a.state.fabric_anisotropy == b.state.fabric_anisotropy;
 }
 
 } // namespace

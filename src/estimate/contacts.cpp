@@ -138,10 +138,15 @@ KnownContacts contacts_of(const Question& q) {
   if (C_n && z)
     return exactly(of_z_and_C_n(*z, *C_n));
   const ContactPrior prior = effective::kernel::possible_contact_prior(q.state, q.preparation);
-  return z     ? contacts_by_z(*z, prior)
-         : C_n ? contacts_by_C_n(*C_n, prior)
-         : x   ? contacts_by_rattlers(*x, prior, q.state.contacts == sizes::ContactMeans{})
-               : contacts_by_prior(prior);
+  if (z)
+    return contacts_by_z(*z, prior);
+  KnownContacts known = C_n ? contacts_by_C_n(*C_n, prior)
+                        : x ? contacts_by_rattlers(*x, prior, q.state.contacts == sizes::ContactMeans{})
+                            : contacts_by_prior(prior);
+  if (q.state.rolling > 0)
+    known.validity.add("z* is estimated as in packings without rolling resistance; with it, grains may rest "
+                       "with fewer contacts: better give mechanical_coordination_number");
+  return known;
 }
 
 ContactGrowth growth_of(const Question& question) {

@@ -148,8 +148,9 @@ void add_sand_notes(Notes& notes, const InputValues& values, const Question& q) 
         short_text(sands::usual_least_void_ratio) + " and e_max " +
         short_text(sands::usual_largest_void_ratio) +
         ", usual values of sands; G does not depend on this void ratio");
-  if (q.knows_contacts() || q.preparation != effective::Preparation{})
-    add("contacts and preparation are for the model of spheres; measured laws do not use them");
+  if (q.knows_contacts() || q.preparation != effective::Preparation{} || q.state.rolling > 0)
+    add("contacts, their rolling resistance and preparation are for the model of spheres; measured laws do "
+        "not use them");
 }
 
 } // namespace

@@ -275,6 +275,7 @@ bool is_shared(const InputRow& row) {
   case Input::radius:
   case Input::d50:
   case Input::tangential_ratio:
+  case Input::rolling:
   case Input::void_ratio:
   case Input::porosity:
   case Input::solid_fraction:
@@ -295,7 +296,9 @@ struct Uncertain {
 double moved(const InputValues& values, const Uncertain& one, double deviations) {
   const double value = values.number(one.input);
   const bool positive = value > 0 && one.input != Input::fabric && one.input != Input::grain_poisson_ratio;
-  return positive ? value * std::exp(one.deviation / value * deviations) : value + one.deviation * deviations;
+  const double there =
+      positive ? value * std::exp(one.deviation / value * deviations) : value + one.deviation * deviations;
+  return one.input == Input::rolling ? std::clamp(there, 0.0, 1.0) : there;
 }
 
 State state_at_any_stress(const InputValues& values) {
@@ -314,6 +317,7 @@ void move_all(const InputValues& before, const std::vector<Uncertain>& uncertain
   const State from = state_at_any_stress(before), to = state_at_any_stress(after);
   state.law = to.law;
   state.tangential_ratio = to.tangential_ratio;
+  state.rolling = to.rolling;
   state.radius = to.radius;
   state.contacts = to.contacts;
   state.fabric_anisotropy += to.fabric_anisotropy - from.fabric_anisotropy;

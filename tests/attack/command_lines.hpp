@@ -76,6 +76,7 @@ inline constexpr std::array usual{
     Usual{"--fabric", -0.6, 0.6},
     Usual{"--grain-poisson-ratio", 0, 0.5},
     Usual{"--tangential-ratio", 0, 1},
+    Usual{"--rolling", 0, 1},
     Usual{"--slope", 0.01, 2},
     Usual{"--alpha", 1, 6},
     Usual{"--profile-constant", 0.1, 1000},

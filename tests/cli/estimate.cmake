@@ -56,6 +56,12 @@ foreach(hypothesis uniform_strain uniform_stress)
 endforeach()
 granum_cli_test("estimate: unloaded, in the table" EXIT 0 STDOUT "E_v +0 Pa +0 Pa.*limits along the isotropic path"
   ARGS estimate --bounds --full --void-ratio 0.6 --pressure 0Pa)
+# Of z* = 4.6 spheres k_r = 0.1 makes G 1.37 times as large; a z* that is estimated is that of other packings.
+granum_cli_test("estimate: contacts that resist rolling" EXIT 0 JSON "inputs/rolling=^0\\.1" "answer/shear_modulus/value=^1016279"
+  ARGS estimate --void-ratio 0.6 --pressure 100kPa --mechanical-coordination-number 4.6 --rolling 0.1 --json)
+granum_cli_test("estimate: a prior of packings without rolling resistance" EXIT 0 STDOUT "beads"
+  STDERR "warning: z\\* is estimated as in packings without rolling resistance"
+  ARGS estimate --void-ratio 0.6 --pressure 100kPa --rolling 0.1)
 set(frictionless --void-ratio 0.6 --pressure 100kPa --tangential-ratio 0 --json)
 granum_cli_test("estimate: k_t = 0" EXIT 0 STDERR "warning: uniform stress without tangential stiffness"
   JSON "uniform_stress/E_v=^0(\\.0)?$" "uniform_stress/E_h=^0(\\.0)?$" "uniform_stress/s=^$" "uniform_strain/E_v=^[1-9]"
@@ -134,6 +140,9 @@ granum_estimate_refuses("density twice" "the density is given more than once" ${
 granum_estimate_refuses("negative C_n" "--coordination-number = -1 is outside" ${state} --coordination-number -1)
 granum_estimate_refuses("fabric too large" "--fabric = 1\\.5 is outside" ${state} --fabric 1.5)
 granum_estimate_refuses("negative k_t" "--tangential-ratio = -1 is outside" ${state} --tangential-ratio -1)
+granum_estimate_refuses("negative k_r" "--rolling = -0\\.1 is outside \\[0, 1\\]" ${state} --rolling -0.1)
+granum_estimate_refuses("k_r beyond the fit" "--rolling = 1\\.01 is outside \\[0, 1\\]: the fit ends there" ${state}
+  --rolling 1.01)
 granum_estimate_refuses("negative pressure" "--pressure = -5000 Pa is outside \\[0, inf\\)"
   --void-ratio 0.6 --pressure -5kPa)
 granum_estimate_refuses("negative stress" "--stress-h = -5000 Pa is outside"

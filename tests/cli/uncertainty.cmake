@@ -35,6 +35,7 @@ granum_uncertainty_test(grain-density 2650kg/m3 100kg/m3 2550kg/m3 2750kg/m3 POW
   ARGS ${spheres} ${light})
 granum_uncertainty_test(grain-poisson-ratio 0.2 0.05 0.15 0.25 ARGS ${spheres} --pressure 100kPa)
 granum_uncertainty_test(tangential-ratio 0.9 0.1 0.8 1 ARGS ${spheres} --pressure 100kPa)
+granum_uncertainty_test(rolling 0.3 0.1 0.2 0.4 ARGS ${spheres} --pressure 100kPa)
 granum_uncertainty_test(porosity 36% 2% 35.28% 36.72% ARGS ${counted} --pressure 100kPa)
 granum_uncertainty_test(fabric 0.1 0.05 0.05 0.15 ARGS ${spheres} --pressure 100kPa)
 granum_uncertainty_test(stress-v 200kPa 10kPa 190kPa 210kPa ARGS ${spheres} --stress-h 100kPa)

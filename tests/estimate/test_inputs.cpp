@@ -57,6 +57,7 @@ TEST_CASE("inputs: every limit of a question is demanded by its answer, whatever
       {Input::radius, [](Question& q, double x) { q.state.radius = x; }},
       {Input::d50, [](Question& q, double x) { q.sand.d50 = x; }},
       {Input::tangential_ratio, [](Question& q, double x) { q.state.tangential_ratio = x; }},
+      {Input::rolling, [](Question& q, double x) { q.state.rolling = x; }},
       {Input::void_ratio, [](Question& q, double x) { q.state.void_ratio = x; }},
       {Input::coordination_number, [](Question& q, double x) { q.state.coordination_number = x; }},
       {Input::mechanical_coordination_number,

@@ -4,10 +4,12 @@
 //     slip_onset_report table states.csv      as in README.md
 //     slip_onset_report check states.csv      exit code 0 if the closed form holds where README.md says so
 //     slip_onset_report picture states.csv    the same as SVG
+//     slip_onset_report loops loops.csv       damping of closed loops beside Masing's rule
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -182,10 +184,91 @@ plot::Chart picture(const std::vector<Specimen>& all) {
   return chart;
 }
 
+// ---- loops
+
+/// The loops of one specimen after so many cycles, by amplitude.
+struct Loops {
+  std::string specimen;
+  int cycle = 0;
+  struct Loop {
+    double strain = 0, loss = 0, damping = 0;
+    double masing = 0; ///< D of a loop whose branches are the curve of G over strain, twice as large
+  };
+  std::vector<Loop> loops;
+};
+
+/// D = (2/pi) (2 W/(tau gamma) - 1), W the area below tau = G0 gamma (1 - loss), whose loss is a power of the
+/// strain between two amplitudes.
+void add_masing(std::vector<Loops::Loop>& loops) {
+  double lost = 0; // integral of loss times strain
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    Loops::Loop& at = loops[k];
+    const double here = at.loss * at.strain * at.strain;
+    if (k == 0) {
+      lost = here / 3;
+    } else {
+      const Loops::Loop& before = loops[k - 1];
+      const double power = std::log(at.loss / before.loss) / std::log(at.strain / before.strain);
+      lost += (here - before.loss * before.strain * before.strain) / (power + 2);
+    }
+    at.masing = 2 / std::numbers::pi *
+                ((at.strain * at.strain - 2 * lost) / (at.strain * at.strain * (1 - at.loss)) - 1);
+  }
+}
+
+std::vector<Loops> read_loops(const std::string& path) {
+  const io::CsvTable table = io::read_csv(path);
+  std::vector<Loops> all;
+  for (const int cycle : {3, 10})
+    for (std::size_t row = 0; row < table.row_count(); ++row) {
+      const auto text = [&](const char* heading) {
+        const auto& headings = table.headings();
+        return table.fields(row).at(
+            static_cast<std::size_t>(std::find(headings.begin(), headings.end(), heading) - headings.begin()));
+      };
+      const auto number = [&](const char* heading) { return std::stod(text(heading)); };
+      if (std::lround(number("cycle")) != cycle)
+        continue;
+      const std::string specimen =
+          text("density") + ", " + short_text(number("p_Pa") / 1e3) + " kPa #" + text("seed");
+      if (all.empty() || all.back().specimen != specimen || all.back().cycle != cycle)
+        all.push_back({.specimen = specimen, .cycle = cycle, .loops = {}});
+      all.back().loops.push_back({.strain = number("strain_1"),
+                                  .loss = std::max(1 - number("G_Pa") / number("G0_Pa"), 1e-5),
+                                  .damping = number("D")});
+    }
+  for (Loops& of : all)
+    add_masing(of.loops);
+  return all;
+}
+
+/// A ratio to the loss where that is `level`, between two amplitudes.
+double at_loss(const Loops& of, double level, double Loops::Loop::*value) {
+  for (std::size_t k = 1; k < of.loops.size(); ++k) {
+    const Loops::Loop &a = of.loops[k - 1], &b = of.loops[k];
+    if (a.loss < level && b.loss >= level)
+      return std::lerp(a.*value / a.loss, b.*value / b.loss, (level - a.loss) / (b.loss - a.loss));
+  }
+  return NAN;
+}
+
+void print_loops(const std::vector<Loops>& all) {
+  std::printf("| specimen | cycle | D over the loss of G, at 1 %% | by Masing | at 3 %% | by Masing |\n"
+              "| --- | --- | --- | --- | --- | --- |\n");
+  for (const Loops& of : all)
+    std::printf("| %s | %d | %.2f | %.2f | %.2f | %.2f |\n", of.specimen.c_str(), of.cycle,
+                at_loss(of, 0.01, &Loops::Loop::damping), at_loss(of, 0.01, &Loops::Loop::masing),
+                at_loss(of, 0.03, &Loops::Loop::damping), at_loss(of, 0.03, &Loops::Loop::masing));
+}
+
 int run(int argc, char** argv) {
   const std::string what = argc == 3 ? argv[1] : "";
+  if (what == "loops") {
+    print_loops(read_loops(argv[2]));
+    return 0;
+  }
   if (what != "table" && what != "check" && what != "picture") {
-    std::fprintf(stderr, "usage: %s table|check|picture states.csv\n", argv[0]);
+    std::fprintf(stderr, "usage: %s table|check|picture states.csv | loops loops.csv\n", argv[0]);
     return 2;
   }
   const std::vector<Specimen> all = read(argv[2]);

@@ -46,6 +46,9 @@ struct State {
   std::optional<Unevenness> unevenness = std::nullopt;
   /// Of grains of several materials (mixed_contacts), whose mean the law is; empty where there is one.
   std::vector<PairShare> pair_shares = {};
+  /// k_r in [0, 1]: rolling stiffness of a contact (moment over angle) over k_n R*^2, R* = R_i R_j/(R_i +
+  /// R_j), the same for all contacts at any force [1]. Rung 3 uses it. Under uniform strain nothing rolls.
+  double rolling = 0;
 
   /// p = (stress_v + 2 stress_h)/3 [Pa].
   [[nodiscard]] double mean_stress() const { return (stress_v + 2 * stress_h) / 3; }

@@ -28,6 +28,7 @@ enum class Input : std::size_t {
   radius,
   d50,
   tangential_ratio,
+  rolling,
   void_ratio,
   porosity,
   solid_fraction,

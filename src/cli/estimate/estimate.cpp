@@ -82,7 +82,8 @@ Items input_lines(const AnswerCase& c, const ordered_json& packing) {
     if (c.question.shear_strain)
       add("strain", percent_text(*c.question.shear_strain));
   } else {
-    add("contact", contact_text(packing) + "; k_t/k_n = " + short_text(s.tangential_ratio));
+    add("contact", contact_text(packing) + "; k_t/k_n = " + short_text(s.tangential_ratio) +
+                       (s.rolling > 0 ? ", k_r = " + short_text(s.rolling) : ""));
     add("grains", fmt::format("R = {}, {}", pretty(s.radius, Dimension::length), moduli));
     if (packing.contains("sizes")) {
       const ordered_json& gradation = packing.at("gradation");

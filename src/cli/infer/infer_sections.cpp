@@ -414,8 +414,9 @@ void add_beads(Document& to, const InferCase& question, const inverse::Inference
   const State& s = question.measurements.front().state;
   Items packing{.title = title_of(GrainShape::sphere) + std::string(", by the relaxed closed form (rung 3)")};
   add_line(packing, "contact",
-           fmt::format("{}; k_t/k_n = {}", question.packing.at("contact").get<std::string>(),
-                       short_text(s.tangential_ratio)));
+           fmt::format("{}; k_t/k_n = {}{}", question.packing.at("contact").get<std::string>(),
+                       short_text(s.tangential_ratio),
+                       s.rolling > 0 ? ", k_r = " + short_text(s.rolling) : ""));
   add_line(packing, "grains",
            fmt::format("R = {}, G_g = {}, nu_g = {}, density {}", pretty(s.radius, Dimension::length),
                        pretty(s.law.grain().shear_modulus, Dimension::pressure),

@@ -20,6 +20,8 @@ ordered_json packing_json(const estimate::InputValues& values, const effective::
                {"tangential_ratio", s.tangential_ratio},
                {"void_ratio", s.void_ratio},
                {"fabric", s.fabric_anisotropy}});
+  if (s.rolling > 0)
+    json["rolling"] = s.rolling;
   if (s.coordination_number)
     json["coordination_number"] = *s.coordination_number;
   if (s.mechanical_coordination_number)
