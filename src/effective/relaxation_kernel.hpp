@@ -207,7 +207,8 @@ T left_of_bulk_loss(const T& z, const T& r, double k_r, const RollingBulk<C>& c)
   using std::log;
   constexpr double least_ratio = 0.1;
   const T known = r < least_ratio ? T(r / least_ratio) : T(0.0 * r + 1.0);
-  const T held = known * T(c[0] * exp(T(c[1] * std::log(k_r) + c[2] * log(looseness(z)))));
+  const T above = T(1.0 + 0.5 * (z - frictional_isostatic(shear_coefficients)));
+  const T held = known * T(c[0] * exp(T(c[1] * std::log(k_r) - c[2] * log(above))));
   return 1.0 / (1.0 + held);
 }
 

@@ -44,7 +44,7 @@ TEST_CASE("rolling resistance: the coupling of the network without spins, as the
   const RelaxedEstimate before = relaxed(s, z), after = relaxed(rolling(s, k_r), z);
   CHECK(after.stiffness.G_vh() / before.stiffness.G_vh() == relative(G, 1e-4));
   const double lost = 1 / without.bulk.value - 1, x = z - 3.9538,
-               left = 1 / (1 + 1.832 * std::pow(k_r, 0.3880) * std::pow(1 + 2 * x, -2 * 0.8367));
+               left = 1 / (1 + 1.436 * std::pow(k_r, 0.3868) * std::pow(1 + x / 2, -3.899));
   CHECK(after.stiffness.bulk_modulus() / before.stiffness.bulk_modulus() ==
         relative((1 + lost) / (1 + lost * left), 1e-4));
 }
@@ -75,6 +75,24 @@ TEST_CASE(
         CHECK(K <= strained.bulk_modulus() * (1 + 1e-12));
         if (z < 7 && r < 2)
           CHECK(G > 1.005 * without.stiffness.G_vh());
+      }
+  // More contacts are stiffer at any k_r.
+  for (const double alpha : {1.0, infinity})
+    for (const double r : {1e-3, 0.1, 0.6, 1.0, 3.0})
+      for (const double k_r : {0.003, 0.1, 1.0}) {
+        State s = rolling(state_of(alpha, 0, 0.15, 1e5, 1e5), k_r);
+        s.tangential_ratio = r;
+        double G = 0, K = 0;
+        for (double z = 3.96; z < 12; z += 0.02) {
+          CAPTURE(z);
+          CAPTURE(r);
+          CAPTURE(k_r);
+          const elastic::TransverselyIsotropic c = relaxed(s, z).stiffness;
+          CHECK(c.G_vh() >= G);
+          CHECK(c.bulk_modulus() >= K);
+          G = c.G_vh();
+          K = c.bulk_modulus();
+        }
       }
   // Without tangential stiffness no spin matters, and below the isostatic point nothing is known.
   State s = state_of(2, 0, 0.15, 1e5, 1e5);
