@@ -139,7 +139,7 @@ T rolled_coupling(const T& coupling, const T& near_share, const T& g0, const T& 
   const T most = spinless < affine ? spinless : affine;
   if (!(most > coupling))
     return coupling;
-  const T held = c[0] * exp(T(c[1] * log(T(k_r / r))));
+  const T held = c[0] * exp(T(c[1] * T(std::log(k_r) - log(r))));
   return coupling + T(most - coupling) * T(held / (1.0 + held));
 }
 

@@ -52,7 +52,7 @@ TEST_CASE("rolling resistance: the coupling of the network without spins, as the
 TEST_CASE(
     "rolling resistance: nothing at k_r = 0 to the bit, more with k_r, never more than uniform strain") {
   for (const double alpha : {0.5, 1.0, 2.0, infinity})
-    for (const double r : {1e-3, 0.05, 0.1, 0.3, 0.6, 0.92, 1.0, 1.4, 20.0, 100.0})
+    for (const double r : {1e-310, 1e-3, 0.05, 0.1, 0.3, 0.6, 0.92, 1.0, 1.4, 20.0, 100.0})
       for (const double z : {4.0, 4.3, 5.0, 5.7, 6.0, 6.4, 7.5, 8.7, 12.0, 40.0, 1e6}) {
         State s = state_of(alpha, 0, 0.15, 1e5, 1e5);
         s.tangential_ratio = r;
@@ -60,8 +60,10 @@ TEST_CASE(
         CAPTURE(r);
         CAPTURE(z);
         const RelaxedEstimate without = relaxed(s, z), least = relaxed(rolling(s, 1e-300), z);
-        CHECK(least.stiffness == without.stiffness);
-        CHECK(least.relative_error.G_vh == without.relative_error.G_vh);
+        if (r > 1e-9) { // else k_r/r is large
+          CHECK(least.stiffness == without.stiffness);
+          CHECK(least.relative_error.G_vh == without.relative_error.G_vh);
+        }
         const elastic::TransverselyIsotropic strained = effective::uniform_strain(s).stiffness;
         double G = without.stiffness.G_vh(), K = without.stiffness.bulk_modulus();
         for (const double k_r : {1e-6, 1e-3, 0.01, 0.1, 0.5, 1.0}) {
@@ -73,7 +75,7 @@ TEST_CASE(
         }
         CHECK(G <= strained.G_vh() * (1 + 1e-12));
         CHECK(K <= strained.bulk_modulus() * (1 + 1e-12));
-        if (z < 7 && r < 2)
+        if (z < 7 && r < 2 && r > 1e-9)
           CHECK(G > 1.005 * without.stiffness.G_vh());
       }
   // More contacts are stiffer at any k_r.
