@@ -335,17 +335,18 @@ class Measuring {
       normals += normal;
       squares += normal > 0 ? c.rolling_stiffness * (c.rolling_stiffness / normal) : 0;
     }
-    constexpr double uneven = 0.05;
-    const double k_r = springs / normals, deviation = std::sqrt(squares * normals / (springs * springs) - 1);
-    if (!(k_r > 0))
+    if (!(springs > 0 && normals > 0))
       return 0;
+    constexpr double uneven = 0.05, rounding = 1e-9;
+    const double k_r = springs / normals, deviation = std::sqrt(squares * normals / (springs * springs) - 1);
+    const bool known = k_r <= 1 + rounding;
     out_.notes.push_back(
         "rolling stiffness is " + short_text(k_r) + " k_n R*^2" +
         (deviation > uneven
              ? " in the mean, with a standard deviation of " + short_text(100 * deviation, 2) + " %"
              : "") +
-        (k_r <= 1 ? ": rung 3 takes it the same for all contacts" : ": rung 3 was fitted up to 1"));
-    return k_r <= 1 ? k_r : 0;
+        (known ? ": rung 3 takes it the same for all contacts" : ": rung 3 was fitted up to 1"));
+    return known ? std::min(k_r, 1.0) : 0;
   }
 
   /// Q of the counted contacts; not of bodies, nor where contacts pull.

@@ -139,7 +139,7 @@ T rolled_coupling(const T& coupling, const T& near_share, const T& g0, const T& 
   const T most = spinless < affine ? spinless : affine;
   if (!(most > coupling))
     return coupling;
-  const T held = c[0] * exp(T(c[1] * log(T(k_r / r))));
+  const T held = c[0] * exp(T(c[1] * T(std::log(k_r) - log(r))));
   return coupling + T(most - coupling) * T(held / (1.0 + held));
 }
 
@@ -207,7 +207,8 @@ T left_of_bulk_loss(const T& z, const T& r, double k_r, const RollingBulk<C>& c)
   using std::log;
   constexpr double least_ratio = 0.1;
   const T known = r < least_ratio ? T(r / least_ratio) : T(0.0 * r + 1.0);
-  const T held = known * T(c[0] * exp(T(c[1] * std::log(k_r) + c[2] * log(looseness(z)))));
+  const T above = T(1.0 + 0.5 * (z - frictional_isostatic(shear_coefficients)));
+  const T held = known * T(c[0] * exp(T(c[1] * std::log(k_r) - c[2] * log(above))));
   return 1.0 / (1.0 + held);
 }
 

@@ -17,10 +17,10 @@ using RollingBulk = std::array<T, 3>;
 inline constexpr RollingShear<double> rolling_shear{
     0.804263983, 0.690808834, 5.41188299, -0.235211983, 4.05699692};
 inline constexpr RollingBulk<double> rolling_bulk{
-    1.83215054, 0.387981513, 0.836740653};
+    1.43584081, 0.386774813, 3.89899447};
 /// Errors of G and K of packings left out of the fit, over the root of the share of the modulus
 /// that rolling resistance makes.
 inline constexpr std::array<double, 2> rolling_errors{
-    0.0554068257, 0.0460701325};
+    0.0554068257, 0.0508347191};
 
 } // namespace granum::effective::kernel

@@ -107,6 +107,8 @@ inline Sample sample(Random& random) {
     s.state.stress_h = random.decades(-20, 20);
     s.state.stress_v = s.state.stress_h * (random.one_in(3) ? 1 : random.decades(-2, 2));
   }
+  if (random.one_in(3))
+    s.state.rolling = random.one_in(4) ? 1 : random.decades(-12, 0);
   s.mechanical = random.one_in(3) ? random.decades(-3, 3) : random.between(3, 9);
   return s;
 }

@@ -29,7 +29,7 @@ estimate --void-ratio 0.6 --stress-v 200kPa --k0 0.5 --fabric 0.1 --saturation 1
 estimate --sand toyoura --relative-density 60% --pressure 100kPa --strain 0.01%
 estimate {STATE} --sizes lognormal:0.35 --rattler-fraction 5% --contact cone --slope 0.3
 estimate {STATE} --contact rough --roughness 50nm --uncertainty roughness=10nm
-estimate {STATE} --contact flat --punch-radius 3um --preparation dense
+estimate {STATE} --contact flat --punch-radius 3um --preparation dense --rolling 0.1
 estimate {STATE} --contact power-law --alpha 1.5 --profile-constant 180 --mechanical-coordination-number 3.5 --rattler-fraction 5%
 estimate --void-ratio 0.6 --pressure 0kPa
 estimate --void-ratio 1.3 --pressure 100kPa --grain-shape sand

@@ -14,6 +14,7 @@
 #include <granum/core/text.hpp>
 
 #include "effective/relaxation_coefficients.hpp"
+#include "effective/rolling_coefficients.hpp"
 
 using namespace granum;
 
@@ -81,6 +82,11 @@ void check_row(std::string_view heading, const Coefficients& coefficients) {
 TEST_CASE("docs/theory.md prints the coefficients of the present fit") {
   check_row("| $c_1$", effective::kernel::shear_coefficients);
   check_row("| $k_1$", effective::kernel::bulk_coefficients);
+  std::vector<double> rolling(effective::kernel::rolling_shear.begin(),
+                              effective::kernel::rolling_shear.end());
+  rolling.insert(rolling.end(), effective::kernel::rolling_bulk.begin(),
+                 effective::kernel::rolling_bulk.end());
+  check_row("| $a_1$", rolling);
 }
 
 TEST_CASE("docs/theory.md prints the factors that follow from them") {

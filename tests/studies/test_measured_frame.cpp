@@ -376,6 +376,8 @@ TEST_CASE("frame: contacts that resist rolling make network and rung 3 stiffer b
   const analysis::Measurement uneven = measure_frame(through_dump(specimen()), rolling).packing;
   CHECK(has_note(uneven.notes, "in the mean, with a standard deviation of"));
   CHECK(gains(uneven).first == relative(gains(uneven).second, 0.06));
+  rolling.rolling = packing::TurningSpring{.value = 1, .of = packing::TurningSpring::Of::normal};
+  CHECK(relaxed_form(measure_frame(through_dump(specimen()), rolling).packing).answer);
   // Rung 3 is not evaluated beyond its fit, where twisting is resisted too, and of bonds.
   rolling.rolling = packing::TurningSpring{.value = 1.1, .of = packing::TurningSpring::Of::normal};
   const analysis::Measurement stiff = measure_frame(through_dump(specimen()), rolling).packing;

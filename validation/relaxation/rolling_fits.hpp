@@ -127,7 +127,7 @@ inline RollingFit fit_rolling(const std::vector<Rolled>& all) {
                     .group = packing});
   }
   return {.shear = least_squares<5>(std::move(shear), {0.8, 0.7, 5.4, -0.2, 4.1}),
-          .bulk = least_squares<3>(std::move(bulk), {1.9, 0.4, 0.85})};
+          .bulk = least_squares<3>(std::move(bulk), {1.3, 0.4, 3.6})};
 }
 
 /// Errors of packings left out of the fit over the root of the share of G or K that k_r makes.

@@ -138,7 +138,7 @@ struct RelaxedEstimate {
 /// Accuracy  see relaxation; C33/C11 2 % rms for stress ratios from 0.5 to 2.1 and a from 0 to 0.3. Overlaps
 ///           of 1.1 to 5.6 %, seeds never fitted: G 1.9 %, K 1.1 % rms.
 ///           Gain by rolling resistance in packings left out of its fit: G 1.4 % rms, 5.0 % at worst, K 0.7
-///           and 2.5 %; at k_t/k_n = 0.1 2.2 % rms of G, 2.0 % of K.
+///           and 2.7 %; at k_t/k_n = 0.1 2.2 % rms of G, 2.0 % of K.
 /// Checked by tests/effective/test_relaxation.cpp, tests/effective/test_rolling.cpp, validation/relaxation
 [[nodiscard]] RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number);
 
