@@ -15,6 +15,8 @@
 
 #include "kernels.hpp"
 #include "relaxation_kernel.hpp"
+#include "relaxed_constants.hpp"
+#include "unevenness_kernel.hpp"
 
 namespace granum::effective {
 

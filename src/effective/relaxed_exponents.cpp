@@ -14,7 +14,9 @@
 #include "contact_prior_kernel.hpp"
 #include "kernels.hpp"
 #include "relaxation_kernel.hpp"
+#include "relaxed_constants.hpp"
 #include "stress_derivatives.hpp"
+#include "unevenness_kernel.hpp"
 
 namespace granum::effective {
 
