@@ -16,6 +16,8 @@
 #include "kernels.hpp"
 #include "mixture_kernel.hpp"
 #include "relaxation_kernel.hpp"
+#include "relaxed_constants.hpp"
+#include "unevenness_kernel.hpp"
 
 namespace granum::effective {
 

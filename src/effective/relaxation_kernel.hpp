@@ -8,16 +8,16 @@
 #include <cmath>
 #include <cstddef>
 
-#include <granum/effective/relaxation.hpp>
 #include <granum/sizes/contact_means.hpp>
 
 #include "relaxation_coefficients.hpp"
 #include "rolling_coefficients.hpp"
+#include "stiffening_kernel.hpp"
 
 namespace granum::effective::kernel {
 
 /// z* at which a network of frictional contacts loses its rigidity: 4, less the effect of grains with two
-/// contacts, each of which spins freely about the line through them.
+/// contacts, which spin freely about the line through them.
 template <class T>
 const T& frictional_isostatic(const ShearCoefficients<T>& c) {
   return c[7];
@@ -54,63 +54,6 @@ std::array<T, n> constants(const std::array<double, n>& values) {
   for (std::size_t k = 0; k < n; ++k)
     numbers[k] = T(values[k]);
   return numbers;
-}
-
-/// The largest b of the laws with which the packings of the fit were made. Beyond it, the factors were fitted
-/// to networks of k_n ~ f^b on those packings.
-inline constexpr double largest_own_exponent = 0.5;
-
-template <class T>
-T up_to_half(const T& b) {
-  return b > largest_own_exponent ? T(largest_own_exponent) : b;
-}
-
-/// How the factors of one kind of contact continue beyond the packings of the fit: from which b on, the loss
-/// of G, and the power of the loss of K by the scatter of forces.
-struct GoingOn {
-  double from;
-  double shear_loss;
-  double scatter_power;
-  std::array<double, 2> errors = {0, 0}; ///< additional ones of G and K at b = 1, over 1 - h
-};
-/// Contacts of one b at every force.
-inline constexpr GoingOn power_laws{largest_own_exponent, power_law_losses[0], power_law_losses[1],
-                                    power_law_errors};
-/// Rough spheres in their own packings: smooth ones under large forces.
-inline constexpr GoingOn rough_spheres{1.0 / 3, rough_losses[0], rough_losses[1], rough_errors};
-[[nodiscard]] inline const GoingOn& going_on(contact::Stiffening stiffening) {
-  return stiffening == contact::Stiffening::rough ? rough_spheres : power_laws;
-}
-
-/// How far b lies beyond `from`: 0 up to there, 1 at b = 1, where stiffness is proportional to force.
-template <class T>
-T share_beyond(const T& b, double from) {
-  if (!(b > from))
-    return T(0.0);
-  return b < 1.0 ? T((b - from) / (1.0 - from)) : T(1.0);
-}
-
-/// The effect of b on both factors.
-template <class T>
-struct ByExponent {
-  T own;  ///< b in the packings of the fit, from which the factors continue
-  T lost; ///< -ln of the remaining factor of G, over 1 - h: larger the more grains leave the mean strain
-  T scatter_left; ///< remaining part of the loss of K by the scatter of forces
-};
-/// For a b that occurs in the packings of the fit.
-template <class T>
-ByExponent<T> own_exponent(const T& b) {
-  return {b, T(0.0), T(1.0)};
-}
-template <class T>
-ByExponent<T> by_exponent(const T& b, const GoingOn& contacts) {
-  using std::pow;
-  const T beyond = share_beyond(b, contacts.from);
-  if (!(beyond > 0.0))
-    return own_exponent(b);
-  const T left = 1.0 - beyond;
-  return {T(contacts.from), T(contacts.shear_loss * beyond),
-          left > 0.0 ? T(pow(left, contacts.scatter_power)) : T(0.0)};
 }
 
 /// Shear modulus of the network without tangential stiffness over its uniform-strain value, u = z - 6 > 0. It
@@ -250,130 +193,5 @@ T size_bulk_share(const T& z, const ByExponent<T>& b, const T& loss, double vari
 /// The scatter of K between packings of unequal grains is proportional to this. Among the powers 1/2, 3/4 and
 /// 1 of the variance, 3/4 gives the largest likelihood of the errors of all packings of the fit.
 inline double bulk_size_measure(double variance) { return std::pow(variance, 0.75); }
-
-/// Q: ln of K under uniform strain of the contacts as they are over that of contacts with the forces of the
-/// closed form, between which forces of one direction are equal. Contacts that stiffen with force (b) lose
-/// stiffness where forces are uneven; the factors are those of packings as uneven as the ones of the fit.
-/// This is ln of a modulus of rung 3 with Q known over that without: its coefficients are those of Q, of Q
-/// sqrt(v), of what grains leave the mean strain, of b(1-b), of b(1-b)(z* - 5), and of v, v the variance of
-/// branches, alone and with the third.
-/// \param  h   factor of G before; z and v as they are counted
-template <class T>
-T gain_by_unevenness(const T& Q, const T& h, const T& b, const T& z, double v,
-                     const UnevennessCoefficients<T>& c) {
-  constexpr double most_contacts = 8.7; // of the packings of the fit: beyond, nothing is drawn out
-  const T left = 1.0 - h, stiffening = b * (1.0 - b),
-          above = z < most_contacts ? T(z - 5.0) : T(most_contacts - 5.0);
-  const T uneven = (c[0] + c[1] * std::sqrt(v)) * Q;
-  const T usual = c[2] * left + stiffening * T(c[3] + c[4] * above);
-  return uneven + usual + v * T(c[5] + c[6] * left);
-}
-
-/// Q of a dense packing; its coefficients are those of b(1-b), of b^2 (1-b), of b(1-b) times the square of
-/// the overlap when friction came on over the present one, of v, and of b(1-b) (q/p)^2.
-template <class T>
-T unevenness_of_dense(const T& b, const T& faded, double v, double stress_ratio,
-                      const DenseUnevenness<T>& c) {
-  const T stiffening = b * (1.0 - b);
-  return stiffening * T(c[0] + c[1] * b + c[2] * faded + c[4] * (stress_ratio * stress_ratio)) + c[3] * v;
-}
-
-/// 0 up to 0, 1 from 1 on, without a corner.
-template <class T>
-T smooth_step(const T& x) {
-  return x >= 1.0 ? T(1.0) : x <= 0.0 ? T(0.0) : T(x * x * (3.0 - 2.0 * x));
-}
-
-/// Share of that gain which is applied: all above the lower of these z*, none below the other, where packings
-/// are so soft that other things decide.
-inline constexpr double lowest_uneven_coordination = 4.2, lowest_even_coordination = 4.4;
-template <class T>
-T share_of_unevenness(const T& z) {
-  return smooth_step(
-      T((z - lowest_uneven_coordination) / (lowest_even_coordination - lowest_uneven_coordination)));
-}
-
-/// The Q for which gain_by_unevenness is 0: that of packings as uneven as the ones of the fit.
-inline double usual_unevenness(double h, double b, double z, double v,
-                               const UnevennessCoefficients<double>& c) {
-  return -gain_by_unevenness(0.0, h, b, z, v, c) / (c[0] + c[1] * std::sqrt(v));
-}
-/// Scatter of Q about it, and the z* of packings that were compressed without friction: from the first on,
-/// none below the other.
-inline constexpr double usual_unevenness_scatter = 0.016;
-inline constexpr double least_dense_coordination = 5.5, dense_coordination = 5.8;
-
-/// Overlap over the diameter up to which branches are shortened: beyond, grains are no longer grains.
-inline constexpr double longest_shortening = 0.1;
-
-/// Factor of all moduli for branches l = D (1 - w) that overlaps shorten, where uniform strain takes l = D:
-/// the moduli go as k_n l^2, k_n as f^b, and the force as 1/l at a given stress. K of uniform strain of
-/// recorded packings agrees within 6 % of the change [validation/relaxation].
-/// \param  w   mean overlap over the diameter, up to longest_shortening
-template <class T>
-T shortened_branches(const T& w, const T& b) {
-  using std::exp;
-  using std::log;
-  const T left = 1.0 - w, power = 2.0 - b;
-  return exp(T(power * log(left)));
-}
-
-/// The relaxed stiffness from that of uniform strain. The amplitudes of volumetric and deviatoric strain are
-/// multiplied by sqrt(bulk) and sqrt(shear); then the axis is stretched against the plane at constant volume,
-/// so that C33/C11 grows by the factor stretch. Both steps are congruences: they preserve symmetry, positive
-/// definiteness and transverse isotropy, and turn an isotropic stiffness at stretch 1 into (bulk K, shear G)
-/// exactly.
-template <class T>
-struct RelaxedConstants {
-  T C11, C33, C12, C13, C44;
-};
-template <class T>
-T bulk_modulus(const RelaxedConstants<T>& c) {
-  return (2.0 * c.C11 + c.C33 + 2.0 * c.C12 + 4.0 * c.C13) / 9.0;
-}
-/// Before its upper bound is applied.
-template <class T>
-RelaxedConstants<T> unbounded_relax(const RelaxedConstants<T>& c, const T& bulk, const T& shear,
-                                    const T& log_stretch) {
-  using std::exp;
-  using std::sqrt;
-  // M = sqrt(bulk) J + sqrt(shear) (1 - J), J the volumetric projector: s 1 + t J. On the normal block,
-  // (M C M)_ij = s^2 C_ij + s t (p_i + p_j)/3 + t^2 p/9 with p_i the row sums and p their sum.
-  const T s = sqrt(shear);
-  const T t = sqrt(bulk) - s;
-  const T row_h = c.C11 + c.C12 + c.C13;
-  const T row_v = c.C33 + 2.0 * c.C13;
-  const T mean = (2.0 * row_h + row_v) / 9.0;
-  const T common = t * t * mean;
-  const T hh = 2.0 / 3.0 * s * t * row_h + common;
-  const T vv = 2.0 / 3.0 * s * t * row_v + common;
-  const T hv = s * t * (row_h + row_v) / 3.0 + common;
-  const T sixth = exp(log_stretch / 6.0);
-  const T plane = 1.0 / (sixth * sixth);
-  const T axis = sixth * sixth * sixth * sixth;
-  return {T(plane * (shear * c.C11 + hh)), T(axis * (shear * c.C33 + vv)), T(plane * (shear * c.C12 + hh)),
-          T(sixth * (shear * c.C13 + hv)), T(sixth * shear * c.C44)};
-}
-
-/// Fabric and stresses far beyond the calibration, both along the axis, give a stretch that raises K above
-/// that of uniform strain, its upper bound: then all constants are scaled down to it.
-template <class T>
-RelaxedConstants<T> relax(const RelaxedConstants<T>& c, const T& bulk, const T& shear, const T& log_stretch) {
-  const RelaxedConstants<T> r = unbounded_relax(c, bulk, shear, log_stretch);
-  const T bound = bulk_modulus(c), K = bulk_modulus(r);
-  if (!(K > bound && bound > 0.0))
-    return r;
-  const T share = bound / K;
-  return {T(share * r.C11), T(share * r.C33), T(share * r.C12), T(share * r.C13), T(share * r.C44)};
-}
-
-/// ln of that stretch: directions with more or stiffer contacts relax less than the average.
-/// \param  log_fabric  ln(F33/F11);  \param  log_stress  ln(stress_v/stress_h)
-template <class T>
-T log_stretch(const T& shear, const T& b, const T& log_fabric, const T& log_stress,
-              const StretchCoefficients<T>& c) {
-  const T anisotropy = c[0] * log_fabric + c[1] * b * log_stress;
-  return (1.0 - shear) * anisotropy;
-}
 
 } // namespace granum::effective::kernel

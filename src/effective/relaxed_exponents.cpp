@@ -15,7 +15,9 @@
 #include "kernels.hpp"
 #include "mixture_kernel.hpp"
 #include "relaxation_kernel.hpp"
+#include "relaxed_constants.hpp"
 #include "stress_derivatives.hpp"
+#include "unevenness_kernel.hpp"
 
 namespace granum::effective {
 

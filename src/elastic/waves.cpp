@@ -163,7 +163,7 @@ TransverselyIsotropicWaves plane_waves(const TransverselyIsotropic& stiffness, d
   const double g13 = (c.C13 + c.C44) * s * n.z;
   const double root = std::sqrt(half_difference * half_difference + g13 * g13);
   const double p = ((c.C11 + c.C44) * s2 + (c.C33 + c.C44) * c2) / 2 + root;
-  // g11 g33 - g13^2 in two sums, each of which is a product of small factors where it is small: the quotient
+  // g11 g33 - g13^2 in two sums, each a product of small factors where it is small: the quotient
   // gives a slow root its digits, which mean - root would lose.
   const double determinant = c.C44 * ((c.C11 * s2 - c.C13 * c2) * s2 + (c.C33 * c2 - c.C13 * s2) * c2) +
                              difference_of_products(c.C11, c.C33, c.C13, c.C13) * s2 * c2;

@@ -15,7 +15,7 @@
 #include <granum/effective/relaxation.hpp>
 #include <granum/elastic/waves.hpp>
 
-#include "effective/relaxation_kernel.hpp"
+#include "effective/relaxed_constants.hpp"
 #include "parts.hpp"
 
 namespace granum::estimate {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notation: a anisotropy of E(gamma) = 3 (1 + a cos 2 gamma)/(4 pi (3 - a)), of which
+// Notation: a anisotropy of E(gamma) = 3 (1 + a cos 2 gamma)/(4 pi (3 - a)), with
 // (3-a) P(t) = linear t + cubic t^3.
 #include <granum/fabric/orientation.hpp>
 

@@ -29,7 +29,7 @@ bool reduce_cell(Mat3& cell, const std::array<bool, 3>& periodic);
 /// The first two edges in each other's place: a right-handed cell of a left-handed one.
 void swap_edges(Mat3& cell);
 
-/// A cell of which some pairs of faces are periodic.
+/// A cell with some periodic pairs of faces.
 class PeriodicCell {
  public:
   PeriodicCell() = default;

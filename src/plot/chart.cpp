@@ -201,7 +201,7 @@ class Picture {
     return tick.labelled() ? svg_grid_line(from, to) : "";
   }
 
-  /// Also tells the page's script what the coordinates of the picture mean.
+  /// Also has the meaning of the picture's coordinates for the page's script.
   [[nodiscard]] std::string frame() const {
     const auto range = [](const Axis& axis, const AxisRange& of) {
       const std::string low = short_text(of.low(), 12), high = short_text(of.high(), 12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How series look: colours, dashes, markers, and what stands for them in a legend.
+// How series look: colours, dashes, markers, and their entries in a legend.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace granum::plot {
 /// \throws   InvalidArgument if a chart contradicts itself, as svg says
 void require_valid(const Chart& chart);
 
-/// "#rrggbb" on white paper of the series that stands at that place in its chart.
+/// "#rrggbb" on white paper of the series at that place in its chart.
 [[nodiscard]] const char* colour_of(const Series& series, std::size_t place);
 
 /// Rules of CSS that turn charts dark on a screen whose reader wants that.
@@ -86,7 +86,7 @@ class Legend {
   [[nodiscard]] static double length(const Entry& entry);
 
   std::vector<Entry> entries_;
-  bool rose_; ///< markers stand for bars
+  bool rose_; ///< markers are bars
 };
 
 } // namespace granum::plot

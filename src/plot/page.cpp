@@ -169,7 +169,7 @@ function ofChart(svg, frame, x, y, reach) {
     short(across(best.x)) + unitOf(svg, "x-title");
 }
 
-// of a rose, whose angles from the vertical are told in degrees,
+// of a rose, whose angles from the vertical are given in degrees,
 function ofRose(svg, rose, x, y, reach) {
   const across = Math.abs(x - number(rose, "cx")), up = Math.abs(y - number(rose, "cy"));
   const angle = Math.atan2(across, up), away = Math.hypot(across, up);
@@ -236,7 +236,7 @@ function show(svg, event) {
 for (const svg of document.querySelectorAll("svg.chart")) {
   svg.addEventListener("pointermove", (event) => show(svg, event));
   svg.addEventListener("pointerleave", () => { tip.hidden = true; });
-  // A name in the legend fades what it stands for, and brings it back.
+  // A name in the legend fades its series, and brings it back.
   for (const key of svg.querySelectorAll(".key")) {
     key.setAttribute("tabindex", "0");
     key.setAttribute("role", "button");

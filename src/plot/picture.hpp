@@ -14,7 +14,7 @@ namespace granum::plot {
 
 struct Tick {
   double value = 0;
-  std::string mantissa; ///< "20", or what stands before the power; both empty: a small tick without label
+  std::string mantissa; ///< "20", or what precedes the power; both empty: a small tick without label
   std::string power;    ///< exponent of 10, empty without
   [[nodiscard]] bool labelled() const { return !mantissa.empty() || !power.empty(); }
 };
@@ -50,7 +50,7 @@ inline constexpr double one_point = 1.5;
 /// The chart with curves that lie on each other drawn once: a named line without error bars whose points
 /// are those of an earlier one, each within one_point, loses its points, and the earlier one has all names:
 /// "A, B: one curve".
-/// Places, and so styles, stay as they are. Markers and surfaces stay: they stand for data.
+/// Places, and so styles, stay as they are. Markers and surfaces stay: they are data.
 /// Checked by tests/plot/test_chart.cpp
 [[nodiscard]] Chart with_coinciding_once(Chart chart);
 

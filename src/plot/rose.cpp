@@ -53,7 +53,7 @@ class Rose {
     return {centre_.x + r * std::sin(angle), centre_.y - r * std::cos(angle)};
   }
 
-  /// The first circle tells the page's script what the coordinates of the picture mean.
+  /// The first circle has the meaning of the picture's coordinates for the page's script.
   [[nodiscard]] std::string circles() const {
     std::string svg = svg_element("circle", {{"class", "rose"},
                                              {"cx", svg_number(centre_.x)},

@@ -64,3 +64,37 @@ TEST_CASE("verify: what is read again from its JSON gives the same page, and the
         studies::exponents(found.scene, found.specimens)[0].network->value);
   CHECK(first.panels.size() == 6);
 }
+
+TEST_CASE("verify: the page draws rung 3 of the states, and that of usual forces for runs that lack it") {
+  Study found;
+  studies::SpecimenResult& first = found.specimens[0];
+  for (studies::CompressedState& state : first.states)
+    state.packing.state =
+        effective::State{.law = studies::law(found.scene, Shape::sphere),
+                         .tangential_ratio = studies::tangential_ratio(found.scene),
+                         .radius = found.scene.grain.radius,
+                         .void_ratio = 0.6,
+                         .coordination_number = 5.5,
+                         .mechanical_coordination_number = 5.5,
+                         .stress_v = state.pressure,
+                         .stress_h = state.pressure,
+                         .unevenness = effective::Unevenness{.value = 0.2, .standard_error = 0.01}};
+  nlohmann::ordered_json results = results_of(found.scene, found.specimens, found.verdicts, 1.5, {}, {});
+  const auto drawn = [&] {
+    for (const studies::Panel& panel : study_document(found.scene, results).panels)
+      for (const plot::Series& series : panel.chart.series)
+        if (series.kind == "rung 3, dense")
+          return series.y;
+    return std::vector<double>();
+  };
+  const std::vector<double> with = drawn();
+  REQUIRE(with.size() == first.states.size());
+  for (std::size_t k = 0; k < with.size(); ++k)
+    CHECK(with[k] == studies::relaxed_modulus(first.states[k]).value());
+  for (nlohmann::ordered_json& state : results.at("specimens").at(0).at("states"))
+    state.erase("G_rung3_Pa");
+  const std::vector<double> without = drawn();
+  REQUIRE(without.size() == with.size());
+  CHECK(without[0] > 0);
+  CHECK(without[0] != with[0]);
+}

@@ -9,6 +9,7 @@
 #include <granum/effective/uniform_field.hpp>
 
 #include "effective/relaxation_kernel.hpp"
+#include "effective/relaxed_constants.hpp"
 #include "least_squares.hpp"
 #include "packings.hpp"
 

@@ -15,6 +15,8 @@
 #include <granum/io/csv/table.hpp>
 
 #include "effective/relaxation_kernel.hpp"
+#include "effective/relaxed_constants.hpp"
+#include "effective/unevenness_kernel.hpp"
 #include "packings.hpp"
 
 namespace relaxation {

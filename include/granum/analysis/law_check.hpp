@@ -74,7 +74,7 @@ struct LawCheck {
 
 /// The spring that all contacts have in common, where forces are linear in the overlaps.
 /// \return   k_n, the median of f_n/d [N/m]; empty unless nine of ten contacts are within 1e-3 of it, and
-///           for overlaps that hardly differ, of which every law is linear
+///           for overlaps that hardly differ: every law is linear there
 /// Checked by tests/studies/test_materials.cpp
 [[nodiscard]] std::optional<double> linear_spring(const packing::Assembly& assembly);
 

@@ -69,7 +69,7 @@ namespace detail {
 
 /// The known words that `word` may have been meant for, in their order. The first of these rules that finds
 /// any: the same word; of three letters or more, those that begin with it,
-/// those that it begins with, those of which it is the last part behind a point or hyphen; those with the
+/// those that it begins with, those whose last part behind a point or hyphen it is; those with the
 /// fewest slips, one for two to five letters and one more for every four.
 [[nodiscard]] std::vector<std::string> near_misses(std::string_view word, std::span<const std::string> known);
 

@@ -19,7 +19,7 @@ enum class Finding {
   through_faces,          ///< contacts cross periodic faces; the nearest image was used
   open_contacts,          ///< contacts whose grains do not overlap
   wall_contacts,          ///< contacts with walls: they carry stress, but are not in C_n and fabric
-  one_sided,              ///< pairs of which one of two expected rows is there
+  one_sided,              ///< pairs with one of two expected rows
   columns_told,           ///< columns were identified by their values, not by a heading
   forces_swapped,         ///< normal and tangential force are in the reverse order of the layout
   viscous_forces,         ///< the forces may contain viscous parts

@@ -118,7 +118,7 @@ class [[nodiscard]] Response {
 ///           times the contribution of a mode, over the mode's stiffness in units of k_n: by 1e-9 at most
 ///           even for networks that are hardly rigid, but by 1e-4 if a mode of 1e-13 k_n carries load.
 ///           Contacts more than 1e7 times as stiff as the median count as rigid; C_ab is then wrong by 1e-5
-///           of sqrt(C_aa C_bb) at most. If they bear a strain alone, or if stiffnesses differ by more than
+///           of sqrt(C_aa C_bb) at most. If they carry a strain alone, or if stiffnesses differ by more than
 ///           1e7 and relaxation leaves less than 1e-7 of an affine energy, the response did not converge.
 ///           Same input, same bits, for any number of threads.
 /// Checked by tests/network/test_linear_response.cpp, tests/network/test_lattices.cpp,

@@ -94,7 +94,7 @@ struct ForceDistribution {
 /// uniform strain than contacts that all carry the mean force, effective::Unevenness. Of equal grains it is
 /// ln(<f^b>/<f>^b).
 /// Assumes   contacts of that law, whose forces are known; those between grains alone, walls left out.
-/// \param    law          of the pair that stands for all
+/// \param    law          of the pair that represents all
 /// \param    law_radius   of the two equal grains that the law is of [m]; pairs of others by
 ///                       contact::of_sizes
 /// \param    relative_stiffness   of grains of several materials, k_n of each contact over that of the law at

@@ -34,7 +34,7 @@ enum class Mark {
 
 enum class Tone {
   full,
-  faint, ///< thin, half transparent, with small markers: what stands behind the others
+  faint, ///< thin, half transparent, with small markers: what is behind the others
   grey,  ///< thin and without a colour of its own
   hollow ///< markers without filling
 };
@@ -89,7 +89,7 @@ struct Chart {
   std::vector<SlopeTriangle> triangles = {};
   /// Whether x are angles from the vertical, 0 to pi/2 [rad], and y distances from the centre of a rose, the
   /// same in all four quadrants. Series of markers alone become bars as wide as their steps, those of both
-  /// markers and lines become markers. Errors stand in the upper right quadrant.
+  /// markers and lines become markers. Errors are in the upper right quadrant.
   bool rose = false;
 };
 
@@ -101,7 +101,7 @@ struct Chart {
 [[nodiscard]] std::string svg(const Chart& chart);
 
 /// Several charts in one SVG file, side by side from the left.
-/// \param    in_a_row   >= 1, as many stand side by side, and the next below them
+/// \param    in_a_row   >= 1, as many are side by side, and the next below them
 /// \throws   InvalidArgument as above, without a chart, or for none in a row
 [[nodiscard]] std::string svg(std::span<const Chart> charts, std::size_t in_a_row = SIZE_MAX);
 

@@ -3,12 +3,12 @@
 
 #include <cstddef>
 
-/// The one table of colours: each stands for one thing, in every picture, report, and on the page for
-/// browsers, which reads the rows of this file as they stand (web/build.mjs).
+/// The one table of colours: each has one meaning, in every picture, report, and on the page for
+/// browsers, which reads the rows of this file as they are (web/build.mjs).
 /// Checked by tests/plot/test_looks.cpp
 namespace granum::plot {
 
-/// What a colour stands for. Density has none: loose packings are hollow or dashed. Nor have references, such
+/// What a colour means. Density has none: loose packings are hollow or dashed. Nor have references, such
 /// as an isotropic circle: they are grey.
 enum class Colour : std::size_t {
   sphere,         ///< contact shapes, where they are compared
@@ -23,7 +23,7 @@ enum class Colour : std::size_t {
   rtxc,           ///< horizontal stress falls
   rtxe,           ///< vertical stress falls
   txe,            ///< horizontal stress grows
-  force,          ///< contacts that bear more than the mean force
+  force,          ///< contacts that carry more than the mean force
   vertical = txc, ///< stress or modulus, where it is set against the horizontal one
   horizontal = txe
 };
@@ -35,8 +35,8 @@ struct PaletteRow {
   const char* dark;
 };
 
-/// In the order of Colour. Colours that meet in one picture are told apart by people with colour blindness,
-/// after Okabe and Ito, or have other marks too; all stand out from their paper as text does, by 4.5 or more.
+/// In the order of Colour. Colours that meet in one picture are distinct to people with colour blindness,
+/// after Okabe and Ito, or have other marks too; all contrast with their paper as text does, by 4.5 or more.
 inline constexpr PaletteRow palette[] = {
     {"sphere", "#0072b2", "#56b4e9"},         //
     {"cone", "#c04a00", "#f08a4b"},           //

@@ -16,7 +16,7 @@ using SvgAttributes = std::vector<std::pair<std::string_view, std::string>>;
 
 /// A coordinate with two decimals, the same in every locale.
 [[nodiscard]] std::string svg_number(double value);
-/// Text as it may stand in XML: markup escaped; control characters and bytes that are not UTF-8 as '?'.
+/// Text as XML allows it: markup escaped; control characters and bytes that are not UTF-8 as '?'.
 [[nodiscard]] std::string svg_escaped(std::string_view text);
 /// Signs that a terminal has no letters for, as they are printed: "+-" is "±", "<=" and ">=" one sign each,
 /// and alpha, sigma_v and sigma_h are Greek where they are words of their own.

@@ -155,7 +155,7 @@ struct UniaxialPacking {
 /// Stiffness after uniaxial compression. With M = 3 C_n (1-phi) G_g sqrt(e3)/(pi (1-nu_g)) and r the mean
 /// k_t/k_n: C11 = M (1+r)/16, C33 = M (2+r)/12, C12 = M (1-r)/48, C13 = M (1-r)/24, C44 = M (4+5r)/96.
 /// The C44 that is often reprinted is M (2+7r)/96, against the average over the contacts.        [Walton1987]
-/// Assumes   as norris_johnson, of which this is the limit e0 = 0.
+/// Assumes   as norris_johnson; this is its limit e0 = 0.
 /// \throws   InvalidArgument naming the first member that no packing can have
 /// Accuracy  8 ulp.  Checked by tests/rock_physics/test_walton_uniaxial.cpp
 [[nodiscard]] effective::Estimate walton_uniaxial(const UniaxialPacking& packing);

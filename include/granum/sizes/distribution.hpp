@@ -158,7 +158,7 @@ struct Gradation {
 /// Checked by tests/sizes/test_distribution.cpp
 [[nodiscard]] Gradation gradation(std::span<const double> radii);
 
-/// The mean radius by number <r> of grains of which half the mass is finer than d50 [m].
+/// The mean radius by number <r> of grains with half of their mass finer than d50 [m].
 /// \throws   InvalidArgument unless d50 > 0
 /// Checked by tests/sizes/test_distribution.cpp
 [[nodiscard]] double mean_radius_of(const Distribution& sizes, double d50);

@@ -12,7 +12,7 @@ namespace granum::cli {
 
 /// Sizes of the grains and the void ratio.
 [[nodiscard]] const io::Columns<analysis::Measurement>& packing_fields();
-/// Counts without contacts, and counts that need them: of grains, or of bodies of which grains are parts.
+/// Counts without contacts, and counts that need them: of grains, or of bodies made of grains.
 [[nodiscard]] const io::Columns<analysis::Counts>& grain_count_fields();
 [[nodiscard]] io::Columns<analysis::Counts> contact_count_fields(const std::string& counted = "grains");
 [[nodiscard]] const io::Columns<analysis::InteriorMeasures>& window_fields();

@@ -28,7 +28,7 @@ bool runs_here(VectorLevel level) {
   const bool avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
   if (level == VectorLevel::avx2)
     return avx2;
-  // x86-64-v4, of which not every compiler knows the name
+  // x86-64-v4, a name that not every compiler knows
   if (level == VectorLevel::avx512)
     return avx2 && __builtin_cpu_supports("bmi") != 0 && __builtin_cpu_supports("bmi2") != 0 &&
            __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&

@@ -38,7 +38,7 @@ struct LocalFrame {
 [[nodiscard]] std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map);
 
 /// Adds the contacts of a frame to the packing, with a note on the interpretation: its rows, or its
-/// unnamed table, of which it makes rows. Empties the rows.
+/// unnamed table, which it makes into rows. Empties the rows.
 /// \throws   FileError as layout_by_values and PackingBuilder::add
 void join(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units);
 

@@ -33,7 +33,7 @@ constexpr double dense_stage_steps = 400;
 constexpr double loose_stage_steps = 2400;
 constexpr double dense_probe_steps = 800; ///< of one of the three directions
 constexpr double loose_probe_steps = 2600;
-/// 27,000 of the minimiser, each of which costs about half of one with friction.
+/// 27,000 of the minimiser, each at about half the cost of one with friction.
 constexpr double preparation_steps = 14000;
 /// Factor of the time with unequal grains: 1.8 with 500 and 2.4 with 1,000, mean of six
 /// distributions and three seeds each (bench_sizes).

@@ -21,8 +21,8 @@ namespace {
 /// Points of the curve between two frozen ones.
 constexpr double curve_refinement = 5;
 
-/// The checkpoint of one piece: its bytes, if there are any yet, and their writing. The file says of which
-/// piece it is, so that one that was renamed, or stored in another's place, is refused.
+/// The checkpoint of one piece: its bytes, if there are any yet, and their writing. The file names its
+/// piece, so that one that was renamed, or stored in another's place, is refused.
 class Store {
  public:
   /// \param    stem   name of the piece: of the file without its ending, and its subject

@@ -25,7 +25,7 @@ struct KnownScatter {
 
 /// Mean over several specimens. Its error is the larger of their scatter, pooled with what is known
 /// of it, and their mean own error, over the root of their number; one specimen without an error of its own,
-/// of which no scatter is known, has none. Nothing from none.
+/// without a known scatter, has none. Nothing from none.
 [[nodiscard]] std::optional<TableValue> mean_over_seeds(const std::vector<TableValue>& each,
                                                         const KnownScatter& known = {});
 

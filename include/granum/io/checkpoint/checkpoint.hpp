@@ -9,7 +9,7 @@ namespace granum::io {
 
 /// Data to continue a run: its state as bytes (core/bytes.hpp), and its identification.
 struct Checkpoint {
-  std::string subject; ///< of which specimen and path the state is: text that no other file of the run has
+  std::string subject; ///< specimen and path of the state: text that no other file of the run has
   std::string scene;   ///< the scene that it came from: text
   std::string state;   ///< bytes
 

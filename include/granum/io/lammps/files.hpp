@@ -25,7 +25,7 @@ namespace granum::io {
 ///             values are compared with the positions of the grains, and a note lists what they were taken
 ///             for. Forces are those on patom1, p10-p12 is x1 - x2.
 ///   LIGGGHTS  pair/gran/local pos id force force_normal force_tangential torque history contactPoint delta
-///             (28 values). Forces are those on the first id; positions lie in the box, a flag tells pairs
+///             (28 values). Forces are those on the first id; positions lie in the box, a flag marks pairs
 ///             that reach through a face.
 /// Contacts with walls, among the grains' columns: the f_name[1] to f_name[8] of fix wall/gran ... contacts.
 /// Which of two force vectors is the normal one is checked against the lines of centres, frame by frame;
