@@ -4,6 +4,7 @@
 
     reduce.py FOLDER OUT             FOLDER of granum reproduce; OUT gets the files
     reduce.py seeds OUT FOLDER...    angles_by_seed.csv of runs that differ in their seeds, OUT's own the first
+    reduce.py windows OUT            prints how much of Table 2 is met if e and C_n are taken in one part of the box
     reduce.py guess OUT              prints the rms of the exponents of Table 5 less the printed ones, and that of a guess
 
 Tables as they are; states and curves in six digits, states without their 6x6 matrices, every fifth point of the
@@ -97,7 +98,23 @@ def beside_a_guess(out):
         print(f"{density}: {len(off)} exponents, rms {rms[0]:.3f}; guess {rms[1]:.3f}")
 
 
+def in_one_window(out):
+    """Table 2 at 10 kPa, two diameters inside the walls or in the whole box."""
+    first = {}
+    for row in rows_of(out / "states.csv"):
+        first.setdefault((row["contact"], row["density"]), row)
+    for window, names in (("inside", ("C_n", "e_interior")), ("whole box", ("C_n_all_grains", "e"))):
+        met = {"C_n": 0, "e": 0}
+        for row in rows_of(out / "table2.csv"):
+            state, name = first[row["contact"], row["density"]], names[row["quantity"] == "e"]
+            met[row["quantity"]] += abs(float(state[name]) - float(row["paper"])) <= float(row["reach"])
+        print(f"{window}: C_n {met['C_n']} of 6, e {met['e']} of 6")
+
+
 def main():
+    if len(sys.argv) == 3 and sys.argv[1] == "windows":
+        in_one_window(pathlib.Path(sys.argv[2]))
+        return
     if len(sys.argv) == 3 and sys.argv[1] == "guess":
         beside_a_guess(pathlib.Path(sys.argv[2]))
         return
