@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "effective/unevenness_kernel.hpp"
 #include "size_fits.hpp"
 
 namespace relaxation {
