@@ -157,6 +157,20 @@ TEST_CASE("mixture: rung 3 is that of the effective medium, rungs 0 to 2 that of
       }
       CHECK(of_mean.stiffness.G_vh() == relaxed(mean, z).stiffness.G_vh());
     }
+  // Of unequal grains more is stated, and a note.
+  State unequal = mixed_state(2), alone = unequal;
+  unequal.contacts = alone.contacts = {
+      .branch = 1.02, .branch_square = 1.08, .pair_radius = 0.98, .grain_volume = 1.1};
+  alone.pair_shares.clear();
+  const auto with = relaxed(unequal, 5), without = relaxed(alone, 5);
+  const double stated = shear_mixing.size_error * std::sqrt(1.08 / (1.02 * 1.02) - 1);
+  CHECK(with.relative_error.G_vh ==
+        relative(std::hypot(without.relative_error.G_vh,
+                            std::hypot(shear_mixing.error, stated) *
+                                std::log(effective_stiffness(unequal.pair_shares, shear_mixing.exchange * 0.8))),
+                 1e-12));
+  CHECK(with.validity.notes.size() == without.validity.notes.size() + 1);
+
   // Where the forces are known they are a lower bound of K: soft contacts have let others carry the load.
   State carried = mixed_state(2);
   const double before = relaxed(carried, 5).stiffness.bulk_modulus();

@@ -230,7 +230,7 @@ double fitted_exchange(const std::vector<State>& states, const Mixing& like, boo
       effective::State mean = s.packing;
       mean.pair_shares.clear();
       const auto [shear, bulk] = moduli(mean);
-      const Mixing trial{.exchange = coefficient, .power = like.power, .error = 0, .by_forces = false};
+      const Mixing trial{.exchange = coefficient, .power = like.power, .error = 0, .size_error = 0, .by_forces = false};
       const double left = effective::kernel::mixed_share(s.packing.pair_shares, z, trial).share,
                    error = of_shear ? std::log(shear * left / s.shear_modulus)
                                     : std::log(bulk * left / s.bulk_modulus);
@@ -300,6 +300,12 @@ int check(const std::vector<State>& states) {
                                        100 * coverage.one(), 100 * coverage.two()) +
                          of);
   }
+  const Judged sized = judge(
+      states, [](const State& s) { return !s.equal_sizes(); }, Known::nothing);
+  for (const Coverage& coverage : {sized.shear_coverage, sized.bulk_coverage})
+    claims.require(coverage.one() >= 0.5 && coverage.two() >= 0.88,
+                   detail::formatted("%.0f %% within one stated error, %.0f %% within two of two sizes",
+                                     100 * coverage.one(), 100 * coverage.two()));
   return claims.failed() == 0 ? 0 : 1;
 }
 
