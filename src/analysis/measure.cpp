@@ -354,10 +354,9 @@ class Measuring {
     if (!forces_known_ || bodies_ || pulls())
       return std::nullopt;
     const packing::Assembly counted = counted_part(assembly_, *out_.law);
-    const std::vector<double> relative =
-        mixed_.kinds.empty()
-            ? std::vector<double>{}
-            : relative_stiffnesses(counted, given_.materials, mixed_.mean);
+    const std::vector<double> relative = mixed_.kinds.empty()
+                                             ? std::vector<double>{}
+                                             : relative_stiffnesses(counted, given_.materials, mixed_.mean);
     return force_unevenness(counted, *out_.law, out_.sizes.equivalent * out_.sizes.contacts.pair_radius,
                             relative);
   }

@@ -61,10 +61,9 @@ std::vector<MineralShare> mineral_shares(std::string_view text) {
     if (std::any_of(parts.begin(), parts.end(), [=](const MineralShare& p) { return p.mineral == found; }))
       throw InvalidArgument(std::string(found->key) + " is named twice");
     const std::string name = "share of " + std::string(found->key);
-    parts.push_back(
-        {.mineral = found,
-         .share = require_positive(
-             name, parse_quantity(name, part.substr(colon + 1), Dimension::dimensionless))});
+    parts.push_back({.mineral = found,
+                     .share = require_positive(
+                         name, parse_quantity(name, part.substr(colon + 1), Dimension::dimensionless))});
     sum += parts.back().share;
     if (part.size() == rest.size())
       break;

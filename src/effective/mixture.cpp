@@ -124,9 +124,8 @@ Medium medium_of(std::span<const PairShare> kinds, double exchange) {
   if (kinds.empty())
     return {.stiffness = 1, .by_exchange = 0};
   const auto [softest, stiffest] =
-      std::minmax_element(kinds.begin(), kinds.end(), [](const PairShare& a, const PairShare& b) {
-        return a.stiffness < b.stiffness;
-      });
+      std::minmax_element(kinds.begin(), kinds.end(),
+                          [](const PairShare& a, const PairShare& b) { return a.stiffness < b.stiffness; });
   const auto excess = [&](double k) {
     double sum = 0;
     for (const PairShare& kind : kinds)
@@ -139,8 +138,8 @@ Medium medium_of(std::span<const PairShare> kinds, double exchange) {
   const double k = middle(root_between(excess, low, high, within_bits(52)));
   double by_stiffness = 0, by_exchange = 0; // of the sum
   for (const PairShare& kind : kinds) {
-    const double below = (1 - exchange) * k + exchange * kind.stiffness,
-                 difference = kind.stiffness - k, scaled = kind.share / (below * below);
+    const double below = (1 - exchange) * k + exchange * kind.stiffness, difference = kind.stiffness - k,
+                 scaled = kind.share / (below * below);
     by_stiffness -= scaled * kind.stiffness;
     by_exchange -= scaled * difference * difference;
   }

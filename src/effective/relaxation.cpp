@@ -233,8 +233,9 @@ void note_state(const State& s, double z, double overlap, Validity& validity) {
 void note_sizes(const State& s, Validity& validity) {
   const double deviation = std::sqrt(kernel::branch_variance(s.contacts));
   if (deviation > 0 && !s.pair_shares.empty())
-    validity.add("grains of several sizes and materials: where the sizes go with the materials, rung 3 is up to a "
-                 "quarter too soft at 1:100, which its error includes");
+    validity.add(
+        "grains of several sizes and materials: where the sizes go with the materials, rung 3 is up to a "
+        "quarter too soft at 1:100, which its error includes");
   if (deviation > largest_branch_deviation)
     validity.add(detail::formatted(
         "the lengths of branches scatter by %.2g of their mean: the relaxation factors are calibrated up to "
@@ -264,9 +265,8 @@ struct StiffContacts {
 };
 
 StiffContacts contacts_of(const State& s) {
-  return {.exponent = kernel::local_exponent(s),
-          .stiffening = s.law.surface().stiffening,
-          .rolling = s.rolling};
+  return {
+      .exponent = kernel::local_exponent(s), .stiffening = s.law.surface().stiffening, .rolling = s.rolling};
 }
 
 /// Subtracts from the factor of G its loss beyond the b of the packings of the fit, and adds the uncertainty

@@ -132,8 +132,9 @@ effective::MixedContacts mixed_contacts_of(const InputValues& values) {
   constexpr double any_radius = 1e-3;
   const std::optional<double> b = law_of(values, materials.front(), any_radius).constant_exponent();
   if (!b)
-    throw InvalidArgument("several minerals need a contact law whose exponent is the same at every force, not " +
-                          std::string(contact::name(values.contact)));
+    throw InvalidArgument(
+        "several minerals need a contact law whose exponent is the same at every force, not " +
+        std::string(contact::name(values.contact)));
   return effective::mixed_contacts(materials, shares, *b);
 }
 
@@ -167,8 +168,9 @@ void imply_by_mineral(InputValues& values) {
     density += share * mineral->density;
     square += share * share * mineral->modulus_spread * mineral->modulus_spread;
   }
-  const contact::GrainMaterial material =
-      values.minerals.size() == 1 ? values.minerals.front().mineral->material : mixed_contacts_of(values).mean;
+  const contact::GrainMaterial material = values.minerals.size() == 1
+                                              ? values.minerals.front().mineral->material
+                                              : mixed_contacts_of(values).mean;
   values.imply(Input::grain_shear_modulus, material.shear_modulus,
                std::sqrt(square) * material.shear_modulus);
   values.imply(Input::grain_poisson_ratio, material.poisson_ratio);

@@ -268,10 +268,12 @@ double force_unevenness(const Assembly& assembly, const contact::NormalLaw& law,
     kind.work += force * length;
     kind.lengths += length;
   }
-  double even = 0;
-  for (const auto& [relative, kind] : kinds)
+  double even = 0, work = 0;
+  for (const auto& [relative, kind] : kinds) {
     even += relative * (law.stiffness_at_force(kind.work / kind.lengths) * kind.squares);
-  return even > 0 ? std::log(stiffness / even) : 0;
+    work += kind.work;
+  }
+  return work > 0 ? std::log(stiffness / even) : 0;
 }
 
 double pressure_by_cell_work(const Assembly& assembly, const contact::NormalLaw& law, double law_radius) {

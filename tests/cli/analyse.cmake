@@ -36,7 +36,7 @@ foreach(files_and_types mercury_chain.data,mercury_chain.fstat=0 yade_script.gra
   string(REPLACE "," ";${io}/" files "${io}/${CMAKE_MATCH_1}")
   string(REPLACE "," ";" types "${CMAKE_MATCH_2}")
   list(TRANSFORM types REPLACE "(.+)" "--material;\\1:shear-modulus=30GPa,poisson-ratio=0.15" OUTPUT_VARIABLE materials)
-  granum_cli_test("analyse: types of ${matched}" EXIT 0 STDERR "granum: warning" STDOUT "several materials: closed forms use"
+  granum_cli_test("analyse: types of ${matched}" EXIT 0 STDERR "granum: warning" STDOUT "several materials: rungs 0 to 2 use"
     ARGS analyse ${files} ${materials})
   granum_cli_test("analyse: another type than ${matched}" EXIT 2 STDERR "grains have type 0, for which no --material"
     ARGS analyse ${files} --material 7:shear-modulus=30GPa,poisson-ratio=0.15)
@@ -76,7 +76,7 @@ granum_cli_test("analyse: a depth" EXIT 0 STDERR "have weight" STDOUT "window, .
 # grains of two materials, and of springs
 set(types "${io}/lammps_types.atoms" "${io}/lammps_types.contacts" --no-network)
 set(soft 2:shear-modulus=3GPa,poisson-ratio=0.3)
-granum_cli_test("analyse: two materials" EXIT 0 STDERR "E\\(gamma; a\\)" STDOUT "force over law +1 .*several materials: closed forms"
+granum_cli_test("analyse: two materials" EXIT 0 STDERR "E\\(gamma; a\\)" STDOUT "force over law +1 .*several materials: rungs 0 to 2"
   ARGS analyse ${types} --material 1:shear-modulus=30GPa,poisson-ratio=0.15 --material ${soft})
 granum_cli_test("analyse: several types without materials" EXIT 0 STDOUT "C_n" STDERR "several types: give --material for each"
   ARGS analyse ${types})

@@ -53,8 +53,9 @@ TEST_CASE("minerals: one, or several by their shares") {
   CHECK(text_of(mineral_shares("glass")) == "glass");
   CHECK(mineral_shares("glass")[0].share == 1);
   CHECK(text_of({}).empty());
-  for (const char* bad : {"", "quartz:0.7", "quartz:0.7,calcite:0.4", "quartz:0.5,quartz:0.5", "quartz,calcite",
-                          "quartz:-1,calcite:2", "quartz:1,calcite:0", "quartz:0.5,cheese:0.5", "quartz:,",
-                          "quartz:0.5,calcite:0.5,", "quartz:70kPa,calcite:30%", "quartz:nan,calcite:0.5"})
+  for (const char* bad :
+       {"", "quartz:0.7", "quartz:0.7,calcite:0.4", "quartz:0.5,quartz:0.5", "quartz,calcite",
+        "quartz:-1,calcite:2", "quartz:1,calcite:0", "quartz:0.5,cheese:0.5", "quartz:,",
+        "quartz:0.5,calcite:0.5,", "quartz:70kPa,calcite:30%", "quartz:nan,calcite:0.5"})
     CHECK_THROWS_AS((void)mineral_shares(bad), InvalidArgument);
 }

@@ -38,7 +38,8 @@ std::vector<PairShare> kinds_of(const std::vector<double>& shares, const std::ve
 /// Equal numbers of soft and stiff grains of shape alpha.
 State mixed_state(double alpha) {
   State s = state_of(alpha, 0.1, 0.15, 1.2e5, 0.9e5);
-  const auto mixed = mixed_contacts(std::array{soft, stiff}, std::array{0.5, 0.5}, *s.law.constant_exponent());
+  const auto mixed =
+      mixed_contacts(std::array{soft, stiff}, std::array{0.5, 0.5}, *s.law.constant_exponent());
   s.law = s.law.of_grain(mixed.mean);
   s.pair_shares = mixed.kinds;
   return s;
@@ -51,7 +52,8 @@ TEST_CASE("mixture: the effective medium against roots found by bisection with 4
         relative(2.359975376922500405, 1e-14));
   CHECK(effective_stiffness(kinds_of({0.25, 0.5, 0.25}, {1, 1.49, 4.64}), 0.65) ==
         relative(1.692490886439657799, 1e-14));
-  CHECK(effective_stiffness(kinds_of({0.5, 0.5}, {1, 10}), 0.4953333) == relative(3.184171121993154284, 1e-14));
+  CHECK(effective_stiffness(kinds_of({0.5, 0.5}, {1, 10}), 0.4953333) ==
+        relative(3.184171121993154284, 1e-14));
 }
 
 TEST_CASE("mixture: the effective medium falls from the mean to the harmonic mean, and scales") {
@@ -159,16 +161,17 @@ TEST_CASE("mixture: rung 3 is that of the effective medium, rungs 0 to 2 that of
     }
   // Of unequal grains more is stated, and a note.
   State unequal = mixed_state(2), alone = unequal;
-  unequal.contacts = alone.contacts = {
-      .branch = 1.02, .branch_square = 1.08, .pair_radius = 0.98, .grain_volume = 1.1};
+  unequal.contacts =
+      alone.contacts = {.branch = 1.02, .branch_square = 1.08, .pair_radius = 0.98, .grain_volume = 1.1};
   alone.pair_shares.clear();
   const auto with = relaxed(unequal, 5), without = relaxed(alone, 5);
   const double stated = shear_mixing.size_error * std::sqrt(1.08 / (1.02 * 1.02) - 1);
   CHECK(with.relative_error.G_vh ==
-        relative(std::hypot(without.relative_error.G_vh,
-                            std::hypot(shear_mixing.error, stated) *
-                                std::log(effective_stiffness(unequal.pair_shares, shear_mixing.exchange * 0.8))),
-                 1e-12));
+        relative(
+            std::hypot(without.relative_error.G_vh,
+                       std::hypot(shear_mixing.error, stated) *
+                           std::log(effective_stiffness(unequal.pair_shares, shear_mixing.exchange * 0.8))),
+            1e-12));
   CHECK(with.validity.notes.size() == without.validity.notes.size() + 1);
 
   // Where the forces are known they are a lower bound of K: soft contacts have let others carry the load.

@@ -65,8 +65,8 @@ TEST_CASE("inputs: several minerals are the mixture of their contacts, and set t
   values.grain_shape = GrainShape::sphere;
   const Question q = question_of(completed(values));
   const auto quartz = contact::mineral("quartz"), calcite = contact::mineral("calcite");
-  const auto mixed = effective::mixed_contacts(std::array{quartz.material, calcite.material},
-                                               std::array{0.7, 0.3}, 1.0 / 3);
+  const auto mixed =
+      effective::mixed_contacts(std::array{quartz.material, calcite.material}, std::array{0.7, 0.3}, 1.0 / 3);
   const doctest::Approx modulus = doctest::Approx(mixed.mean.shear_modulus).epsilon(1e-12);
   CHECK(q.state.law.grain().shear_modulus == modulus);
   REQUIRE(q.state.pair_shares.size() == 3);
@@ -77,7 +77,8 @@ TEST_CASE("inputs: several minerals are the mixture of their contacts, and set t
   CHECK(completed(values)[Input::grain_shear_modulus].deviation ==
         doctest::Approx(spread * mixed.mean.shear_modulus));
   CHECK(refusal(values).empty());
-  for (const Input own : {Input::grain_shear_modulus, Input::grain_poisson_ratio, Input::grain_bulk_modulus}) {
+  for (const Input own :
+       {Input::grain_shear_modulus, Input::grain_poisson_ratio, Input::grain_bulk_modulus}) {
     InputValues more = values;
     more.give(own, own == Input::grain_poisson_ratio ? 0.1 : 30e9);
     CHECK(refusal(more).find(more.name(own)) != std::string::npos);

@@ -230,7 +230,8 @@ double fitted_exchange(const std::vector<State>& states, const Mixing& like, boo
       effective::State mean = s.packing;
       mean.pair_shares.clear();
       const auto [shear, bulk] = moduli(mean);
-      const Mixing trial{.exchange = coefficient, .power = like.power, .error = 0, .size_error = 0, .by_forces = false};
+      const Mixing trial{
+          .exchange = coefficient, .power = like.power, .error = 0, .size_error = 0, .by_forces = false};
       const double left = effective::kernel::mixed_share(s.packing.pair_shares, z, trial).share,
                    error = of_shear ? std::log(shear * left / s.shear_modulus)
                                     : std::log(bulk * left / s.bulk_modulus);
@@ -249,7 +250,7 @@ struct Group {
 };
 constexpr Group groups[] = {
     {"fitted: half of the grains stiff", [](const State& s) { return s.fitted(); }},
-    {"a quarter or three quarters stiff", [](const State& s) { return s.equal_sizes() && !s.fitted(); }},
+    {"a quarter of the grains stiff", [](const State& s) { return s.equal_sizes() && !s.fitted(); }},
     {"- dense", [](const State& s) { return s.equal_sizes() && !s.fitted() && s.preparation == "dense"; }},
     {"- loose", [](const State& s) { return s.equal_sizes() && !s.fitted() && s.preparation == "loose"; }},
     {"- 1:3", [](const State& s) { return s.equal_sizes() && !s.fitted() && s.ratio == 3; }},
@@ -295,10 +296,11 @@ int check(const std::vector<State>& states) {
     claims.require(j.shear.rms() < 0.06, "6 % rms or less in G" + of + ": " + percent(j.shear.rms()));
     claims.require(j.bulk.rms() < 0.10, "10 % rms or less in K" + of + ": " + percent(j.bulk.rms()));
     for (const Coverage& coverage : {j.shear_coverage, j.bulk_coverage})
-      claims.require(coverage.one() >= 0.5 && coverage.two() >= 0.88,
-                     detail::formatted("%.0f %% within one stated error, %.0f %% within two", // at least 50, 88
-                                       100 * coverage.one(), 100 * coverage.two()) +
-                         of);
+      claims.require(
+          coverage.one() >= 0.5 && coverage.two() >= 0.88,
+          detail::formatted("%.0f %% within one stated error, %.0f %% within two", // at least 50, 88
+                            100 * coverage.one(), 100 * coverage.two()) +
+              of);
   }
   const Judged sized = judge(
       states, [](const State& s) { return !s.equal_sizes(); }, Known::nothing);

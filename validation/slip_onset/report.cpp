@@ -223,8 +223,8 @@ std::vector<Loops> read_loops(const std::string& path) {
     for (std::size_t row = 0; row < table.row_count(); ++row) {
       const auto text = [&](const char* heading) {
         const auto& headings = table.headings();
-        return table.fields(row).at(
-            static_cast<std::size_t>(std::find(headings.begin(), headings.end(), heading) - headings.begin()));
+        return table.fields(row).at(static_cast<std::size_t>(
+            std::find(headings.begin(), headings.end(), heading) - headings.begin()));
       };
       const auto number = [&](const char* heading) { return std::stod(text(heading)); };
       if (std::lround(number("cycle")) != cycle)

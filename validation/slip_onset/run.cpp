@@ -152,8 +152,8 @@ struct Prepared {
       : state(compressed(recipe(asked.grains, asked.seed), asked.dense, asked.pressure)),
         with(recipe(asked.grains, asked.seed)) {
     const packing::Assembly network = dem::contact_network(state, with.material);
-    micro = analysis::measure(network, {.law = with.material.law,
-                                        .tangential_ratio = with.material.tangential_ratio})
+    micro = analysis::measure(network,
+                              {.law = with.material.law, .tangential_ratio = with.material.tangential_ratio})
                 .microstructure();
     sliding = packing::sliding_fraction(network, slip_onset::friction);
     G0 = triaxial::probe(state, with.material, triaxial::ShearMode::vh).shear_modulus();
@@ -164,8 +164,8 @@ struct Prepared {
 void record_loops(const Asked& asked, const std::string& path) {
   const Prepared specimen(asked);
   io::CsvContent csv = content_of(path, asked.grains);
-  csv.headings = {"density", "seed",  "p_Pa",    "e",       "C_n",   "z_star",   "sliding", "G0_Pa", "strain_1",
-                  "cycle",   "G_Pa",  "D",       "gap",     "at_rest"};
+  csv.headings = {"density", "seed",     "p_Pa",  "e",    "C_n", "z_star", "sliding",
+                  "G0_Pa",   "strain_1", "cycle", "G_Pa", "D",   "gap",    "at_rest"};
   for (double k = 0; k <= 16; ++k) {
     const double strain = 2e-6 * std::pow(10, k / 6);
     Cycles cycles(specimen.state, specimen.with.material, strain);
@@ -177,10 +177,11 @@ void record_loops(const Asked& asked, const std::string& path) {
       modulus = loop.modulus;
       csv.rows.push_back({std::string(asked.dense ? "dense" : "loose"), static_cast<double>(asked.seed),
                           asked.pressure, dem::void_ratio(specimen.state), specimen.micro.coordination_number,
-                          specimen.micro.mechanical_coordination_number, specimen.sliding, specimen.G0, strain,
-                          static_cast<double>(cycle), loop.modulus, loop.damping, loop.gap,
+                          specimen.micro.mechanical_coordination_number, specimen.sliding, specimen.G0,
+                          strain, static_cast<double>(cycle), loop.modulus, loop.damping, loop.gap,
                           std::string(cycles.converged() ? "yes" : "no")});
-      std::printf("%.2e %d %.4f %.5f %.4f\n", strain, cycle, loop.modulus / specimen.G0, loop.damping, loop.gap);
+      std::printf("%.2e %d %.4f %.5f %.4f\n", strain, cycle, loop.modulus / specimen.G0, loop.damping,
+                  loop.gap);
       std::fflush(stdout);
     }
     if (modulus < 0.95 * specimen.G0)
@@ -207,8 +208,8 @@ void record(const Asked& asked, const std::string& path) {
     const double tenth = cycles.next();
     csv.rows.push_back({std::string(asked.dense ? "dense" : "loose"), static_cast<double>(asked.seed),
                         asked.pressure, dem::void_ratio(state), micro.coordination_number,
-                        micro.mechanical_coordination_number,
-                        sliding, G0, strain, first, third, tenth, std::string(cycles.converged() ? "yes" : "no")});
+                        micro.mechanical_coordination_number, sliding, G0, strain, first, third, tenth,
+                        std::string(cycles.converged() ? "yes" : "no")});
     std::printf("%.2e %.4f %.4f %.4f\n", strain, first / G0, third / G0, tenth / G0);
     std::fflush(stdout);
   }
@@ -220,20 +221,19 @@ void record(const Asked& asked, const std::string& path) {
 int main(int argc, char** argv) {
   const std::string density = argc == 7 ? argv[4] : "";
   if (density != "dense" && density != "loose") {
-    std::fprintf(stderr,
-                 "usage: slip_onset_run states.csv GRAINS SEED dense|loose PRESSURE_Pa "
-                 "LARGEST_STRAIN|loops\n");
+    std::fprintf(stderr, "usage: slip_onset_run states.csv GRAINS SEED dense|loose PRESSURE_Pa "
+                         "LARGEST_STRAIN|loops\n");
     return 2;
   }
   try {
     const std::string last = argv[6];
     const auto make = last == "loops" ? record_loops : record;
     make({.grains = std::strtoul(argv[2], nullptr, 10),
-            .seed = std::strtoul(argv[3], nullptr, 10),
-            .dense = density == "dense",
-            .pressure = std::strtod(argv[5], nullptr),
-            .largest_strain = std::strtod(argv[6], nullptr)},
-           argv[1]);
+          .seed = std::strtoul(argv[3], nullptr, 10),
+          .dense = density == "dense",
+          .pressure = std::strtod(argv[5], nullptr),
+          .largest_strain = std::strtod(argv[6], nullptr)},
+         argv[1]);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "slip_onset_run: %s\n", error.what());
