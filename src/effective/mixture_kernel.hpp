@@ -38,8 +38,8 @@ struct Medium {
 };
 [[nodiscard]] Medium medium_of(std::span<const PairShare> kinds, double exchange);
 
-/// Stiffness against pressure, if the given forces grow in proportion: (sum p f)^2/sum(p f^2/k), a lower bound
-/// of K where the forces balance. With equal forces the harmonic mean.
+/// Stiffness against pressure, if the given forces grow in proportion: (sum p f)^2/sum(p f^2/k), a lower
+/// bound of K where the forces balance. With equal forces the harmonic mean.
 [[nodiscard]] double stiffness_of_forces(std::span<const PairShare> kinds);
 
 /// What several materials leave of a modulus, and its derivative by z*.

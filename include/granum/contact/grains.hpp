@@ -38,8 +38,8 @@ struct MineralShare {
   double share = 1; ///< by volume [1]
 };
 /// Grains of one mineral, "quartz", or of several, each grain of one of them: "quartz:70%,calcite:30%".
-/// \throws   InvalidArgument for an unknown key, a share that is not above 0, a mineral that is named twice, and
-///           shares that do not add up to 1
+/// \throws   InvalidArgument for an unknown key, a share that is not above 0, a mineral that is named twice,
+///           and shares that do not add up to 1
 /// Checked by tests/contact/test_minerals.cpp
 [[nodiscard]] std::vector<MineralShare> mineral_shares(std::string_view text);
 /// The text of these shares.

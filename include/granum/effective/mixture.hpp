@@ -47,16 +47,16 @@ struct MixedContacts {
 
 /// k that contacts of one stiffness would need, for the packing to be as stiff as with these kinds: the root
 /// of sum share_i (k_i - k)/((1 - exchange) k + exchange k_i) = 0, the effective medium of one contact among
-/// others [Kirkpatrick1973; Feng1985]. It falls from the mean of the k_i at exchange 0, where all contacts have the same
-/// strain, to their harmonic mean at exchange 1, where they have the same force.
+/// others [Kirkpatrick1973; Feng1985]. It falls from the mean of the k_i at exchange 0, where all contacts
+/// have the same strain, to their harmonic mean at exchange 1, where they have the same force.
 /// \param    exchange   in [0, 1]: how far the others follow one contact that is softened [1]
 /// \throws   InvalidArgument as require_valid(kinds), and for an exchange out of range
 /// \return   in the unit of the stiffnesses; 1 without kinds
 /// Accuracy  relative 1e-14 of the root.  Checked by tests/effective/test_mixture.cpp
 [[nodiscard]] double effective_stiffness(std::span<const PairShare> kinds, double exchange);
 
-/// \throws   InvalidArgument for a share, force or stiffness that is negative or not finite, a stiffness of 0,
-///           and unless the shares add up to 1 within 1e-6; a State also asks that the mean stiffness be 1
+/// \throws   InvalidArgument for a share, force or stiffness that is negative or not finite, a stiffness of
+///           0, and unless the shares add up to 1 within 1e-6; a State also asks that the mean stiffness be 1
 void require_valid(std::span<const PairShare> kinds);
 
 } // namespace granum::effective
