@@ -60,6 +60,7 @@ std::vector<Keyword> question_keywords(const std::vector<Keyword>& more) {
   const auto named = [&all](const char* name) {
     return std::find_if(all.begin(), all.end(), [name](const Keyword& of) { return of.name == name; });
   };
+  all.erase(named("unevenness")); // a question has its preparation
   const auto contacts = named("coordination_number");
   *contacts = contacts->or_none();
   named("least_void_ratio")->says += " Of beads (grain_shape \"sphere\") that of the same grains\n    packed "

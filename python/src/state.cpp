@@ -22,6 +22,7 @@ enum : std::size_t {
   fabric_at,
   tangential_ratio_at,
   rolling_at,
+  unevenness_at,
   mechanical_at,
   rattlers_at,
   contact_means_at,
@@ -60,6 +61,13 @@ std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more) {
                                         of_input(Input::fabric).or_number(0),
                                         tangential_ratio_keyword("array_like"),
                                         of_input(Input::rolling).or_number(0),
+                                        optional("unevenness", "array_like",
+                                                 "Q, in [-1, 1]: ln of K under uniform strain over that of "
+                                                 "equal forces, of equal grains\n    ln(<f^b>/<f>^b) with "
+                                                 "k_n ~ f^b [1]; measure counts it. Rung 3 uses it, as if "
+                                                 "without error and the\n    same at every stress; by "
+                                                 "default forces are as uneven as in the packings of its "
+                                                 "fit."),
                                         of_input(Input::mechanical_coordination_number).or_none(),
                                         of_input(Input::rattler_fraction).or_none(),
                                         contact_means_keyword(),
@@ -84,7 +92,8 @@ StateArguments::StateArguments(const Arguments& a, CoordinationNumber coordinati
                Argument{"fabric_anisotropy", 0.0},
                Argument{"tangential_ratio", 0.0},
                Argument{"mechanical_coordination_number", 0.0},
-               Argument{"rolling", 0.0}},
+               Argument{"rolling", 0.0},
+               Argument{"unevenness", 0.0}},
       strict_(a.flag(strict_at)) {
   if (knows_coordination_number_)
     columns_[2].value = a[coordination_number_at];
@@ -96,6 +105,10 @@ StateArguments::StateArguments(const Arguments& a, CoordinationNumber coordinati
     columns_[6].value = contact::mindlin_stiffness_ratio(law_->grain().poisson_ratio);
   if (a.given(rolling_at))
     columns_[8].value = a[rolling_at];
+  if (a.given(unevenness_at)) {
+    knows_unevenness_ = true;
+    columns_[9].value = a[unevenness_at];
+  }
   if (a.given(mechanical_at) && a.given(rattlers_at))
     throw py::type_error("mechanical_coordination_number and rattler_fraction are alternatives: give one");
   if (a.given(mechanical_at)) {
@@ -117,6 +130,8 @@ estimate::Question StateArguments::question(const double* x) const {
                                    .stress_h = x[4],
                                    .contacts = contacts_,
                                    .rolling = x[8]}};
+  if (knows_unevenness_)
+    out.state.unevenness = effective::Unevenness{.value = x[9]};
   if (knows_coordination_number_)
     out.state.coordination_number = x[2];
   if (coordination_ == Coordination::mechanical)

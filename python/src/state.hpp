@@ -19,7 +19,7 @@ namespace granum::python {
 /// Keywords of a state in the order in which StateArguments reads them, followed by those of one function.
 [[nodiscard]] std::vector<Keyword> state_keywords(std::initializer_list<Keyword> more = {});
 /// Their number, the index of the first keyword of a function.
-inline constexpr std::size_t state_keyword_count = 14;
+inline constexpr std::size_t state_keyword_count = 15;
 
 /// The docstring of these keywords, for all closed forms.
 [[nodiscard]] std::string state_parameters();
@@ -57,8 +57,8 @@ class StateArguments {
   sizes::ContactMeans contacts_;
   Coordination coordination_ = Coordination::unknown;
   bool knows_coordination_number_ = true;
-  bool knows_fabric_, knows_tangential_ratio_;
-  std::array<Argument, 9> columns_;
+  bool knows_fabric_, knows_tangential_ratio_, knows_unevenness_ = false;
+  std::array<Argument, 10> columns_;
   bool strict_;
 };
 

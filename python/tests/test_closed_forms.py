@@ -21,6 +21,7 @@ RANGES = {
     "stress_h": (1e3, 1e6),
     "tangential_ratio": (0.0, 1.0),
     "rolling": (0.0, 1.0),
+    "unevenness": (-0.5, 0.5),
 }
 FORMS = [
     granum.uniform_strain,
@@ -203,6 +204,36 @@ def test_rolling_resistance_is_of_rung_3_alone_and_within_its_fit():
     for outside in (-0.1, 1.1, math.nan):
         with pytest.raises(granum.InvalidArgument, match="rolling"):
             granum.relaxed(**dense, rolling=outside)
+
+
+def test_known_forces_are_of_rung_3_alone():
+    # The gain by forces that are even (Q = 0) instead of those of the fit, and its smaller error.
+    dense = {**STATE, "mechanical_coordination_number": 5.8}
+    usual, known = granum.relaxed(**dense), granum.relaxed(**dense, unevenness=[-0.06, -0.03, 0])
+    assert np.all(np.diff(known.G_vh) > 0) and np.all(np.diff(known.bulk_modulus) > 0)
+    assert np.all(known.relative_error.G_vh < usual.relative_error.G_vh)
+    assert known.G_vh[1] == pytest.approx(usual.G_vh, rel=0.05)
+    assert granum.uniform_strain(**STATE, unevenness=0.1).G_vh == granum.uniform_strain(**STATE).G_vh
+    for outside in (-1.1, 1.1, math.nan):
+        with pytest.raises(granum.InvalidArgument, match="unevenness"):
+            granum.relaxed(**dense, unevenness=outside)
+
+
+def test_known_forces_are_those_of_a_measured_packing():
+    start = granum.specimen(law=LAW, radius=0.5e-3, friction_coefficient=0.5, kind="dense", grains=60)
+    measured = granum.measure(next(iter(granum.compress(start, [50e3]))).packing, law=LAW)
+    network = measured.microstructure
+    by_hand = granum.relaxed(
+        law=LAW,
+        radius=0.5e-3,
+        void_ratio=measured.void_ratio,
+        coordination_number=network.coordination_number,
+        mechanical_coordination_number=network.mechanical_coordination_number,
+        fabric_anisotropy=network.fabric_anisotropy,
+        pressure=measured.stress.mean,
+        unevenness=measured.forces.unevenness,
+    )
+    assert by_hand.G_vh == pytest.approx(measured.rungs["rung3"].G_vh, rel=1e-5)
 
 
 def test_notes_come_once():

@@ -79,39 +79,36 @@ Rest at_rest(State s, double pressure, const CountsAt& counts_at, const VoidRati
   return rest;
 }
 
-/// Void ratio above which no packing of spheres is the densest of its grains.
-constexpr double loosest_densest = 0.58;
-
 /// The rigid void ratio of the densest packing of the same grains, if it is known and one of spheres.
 std::optional<double> known_densest(const State& s, const Preparation& preparation) {
   constexpr double usual_pressure = 10e3; // up to which packings are made without friction
   State densest = s;
   densest.void_ratio = preparation.densest_void_ratio;
-  if (!(densest.void_ratio > 0 && densest.void_ratio <= loosest_densest))
+  if (!(densest.void_ratio > 0 && densest.void_ratio <= kernel::loosest_densest))
     return std::nullopt;
   const double overlap = relative_overlap(
       densest, preparation.pressure > 0 ? preparation.pressure : usual_pressure, kernel::most_rigid_contacts);
   return kernel::rigid_void_ratio(densest.void_ratio, overlap, kernel::contact_coefficients);
 }
 
-/// The void ratio of equal spheres as far above their densest packing as these grains are above their own.
-double as_of_equal(double rigid_void_ratio, std::optional<double> densest) {
-  return densest ? (1 + rigid_void_ratio) * (1 + kernel::contact_coefficients[0]) / (1 + *densest) - 1
+/// That of equal spheres, where the densest packing is known.
+double comparable_void_ratio(double rigid_void_ratio, std::optional<double> densest) {
+  return densest ? kernel::as_of_equal(rigid_void_ratio, *densest, kernel::contact_coefficients)
                  : rigid_void_ratio;
 }
 
 /// What the shape of contacts and the sizes of grains add to z* of packings compressed with friction.
 double shift_by_grains(const State& s) {
-  const double b = kernel::up_to_half(s.law.closing_law().exponent_at_force(0));
-  return 0.058 - 0.161 * b - 0.42 * std::sqrt(kernel::branch_variance(s.contacts));
+  return kernel::shift_by_grains(s.law.closing_law().exponent_at_force(0),
+                                 kernel::branch_variance(s.contacts), kernel::grain_shift);
 }
 
 /// Contacts on the densest line, or of grains with a friction coefficient.
 Rest packing_of(const State& s, std::optional<double> friction, std::optional<double> densest) {
   const double shift = densest ? shift_by_grains(s) : 0;
   const auto counts_at = [&](double void_ratio, double overlap) {
-    const double rigid =
-        as_of_equal(kernel::rigid_void_ratio(void_ratio, overlap, kernel::contact_coefficients), densest);
+    const double rigid = comparable_void_ratio(
+        kernel::rigid_void_ratio(void_ratio, overlap, kernel::contact_coefficients), densest);
     const double z =
         friction
             ? kernel::contacts_of_friction(*friction, rigid, overlap, kernel::contact_coefficients) + shift
@@ -246,8 +243,8 @@ namespace {
 double scatter_of(const State& s, const Preparation& preparation) {
   if (!known_densest(s, preparation))
     return preparation.kind == Preparation::Kind::dense ? kernel::line_scatter : kernel::friction_scatter;
-  constexpr double recipes = 0.079, sizes = 0.28, codes = 0.104;
-  return std::hypot(recipes, codes, sizes * std::sqrt(kernel::branch_variance(s.contacts)));
+  return std::hypot(kernel::above_densest_scatter, kernel::above_densest_code_scatter,
+                    kernel::above_densest_size_scatter * std::sqrt(kernel::branch_variance(s.contacts)));
 }
 
 } // namespace
@@ -283,7 +280,7 @@ ContactPrior kernel::possible_contact_prior(const State& state, const Preparatio
   const Rest loosest = packing_of(state, most, densest_known),
              densest = packing_of(state, least, densest_known);
   const double overlap = (loosest.overlap + densest.overlap) / 2;
-  const double rigid = as_of_equal(
+  const double rigid = comparable_void_ratio(
       kernel::rigid_void_ratio(state.void_ratio, overlap, kernel::contact_coefficients), densest_known);
   const Beyond beyond = beyond_spheres(rigid);
   const double scatter = scatter_of(state, preparation);
@@ -304,10 +301,10 @@ ContactPrior kernel::possible_contact_prior(const State& state, const Preparatio
   note_friction(state, preparation, rigid, prior.validity);
   note_sizes(state, prior.validity);
   note_overlap(overlap, prior.validity);
-  if (preparation.densest_void_ratio > loosest_densest)
+  if (preparation.densest_void_ratio > kernel::loosest_densest)
     prior.validity.add(detail::formatted(
         "least void ratio %.4g: spheres packed without friction have at most %.3g; it is not used",
-        preparation.densest_void_ratio, loosest_densest));
+        preparation.densest_void_ratio, kernel::loosest_densest));
   return prior;
 }
 

@@ -10,6 +10,7 @@
 #include <granum/effective/contact_prior.hpp>
 
 #include "relaxation_kernel.hpp"
+#include "stiffening_kernel.hpp"
 
 namespace granum::effective::kernel {
 
@@ -29,6 +30,8 @@ inline constexpr double most_rigid_contacts = frictionless_isostatic;
 inline constexpr double fewest_rigid_contacts = shear_coefficients[7];
 /// The relative overlap at which friction is assumed to have determined z*: that of quartz at about 10 kPa.
 inline constexpr double reference_overlap = 5e-5;
+/// Void ratio above which no packing of spheres is the densest of its grains.
+inline constexpr double loosest_densest = 0.58;
 /// Largest value among the packings of the fit.
 inline constexpr double largest_overlap = 0.01;
 
@@ -36,6 +39,22 @@ inline constexpr double largest_overlap = 0.01;
 template <class T>
 T rigid_void_ratio(double void_ratio, double overlap, const ContactCoefficients<T>& c) {
   return (1 + void_ratio) * (1.0 + overlap * c[3]) - 1.0;
+}
+
+/// The void ratio of equal spheres as far above their densest packing as these grains are above their own,
+/// all without overlaps.
+template <class T>
+T as_of_equal(const T& rigid_void_ratio, const T& densest, const ContactCoefficients<T>& c) {
+  return (1.0 + rigid_void_ratio) * (1.0 + c[0]) / (1.0 + densest) - 1.0;
+}
+
+/// What the shape of contacts and the sizes of grains add to z* of packings with friction, above the densest
+/// packing of the same grains.
+/// \param    b   exponent of k_n ~ f^b without force
+/// \param    branch_variance   as the function of that name
+/// \param    c   constant, over b, over the square root of the variance
+inline double shift_by_grains(double b, double branch_variance, const std::array<double, 3>& c) {
+  return c[0] + c[1] * up_to_half(b) + c[2] * std::sqrt(branch_variance);
 }
 
 /// z* of rigid grains that only friction keeps from packing denser: largest at e_d and below, smallest at e_l

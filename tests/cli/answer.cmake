@@ -11,7 +11,11 @@ set(cones estimate --void-ratio 0.5623 --pressure 100kPa --contact cone --grain-
 granum_cli_test("answer: contacts by the densest packing of the same grains" EXIT 0 JSON
   "answer/mechanical_coordination_number/value=^5\\.[45]" ARGS ${cones} --least-void-ratio 0.5669 --json)
 granum_cli_test("answer: contacts by a densest packing that is made" EXIT 0 JSON
-  "answer/mechanical_coordination_number/value=^5\\.[1-5]" ARGS ${cones} --densest made --json)
+  "answer/mechanical_coordination_number/value=^5\\.[1-5]" "answer/assumed_deviations/least-void-ratio=^0\\.00[01]" "answer/shares/least-void-ratio=^0\\."
+  ARGS ${cones} --densest made --json)
+granum_cli_test("answer: a stated error of a densest packing that is made takes the place of its own" EXIT 0 JSON
+  "answer/stated_deviations/least-void-ratio=^0\\.005"
+  ARGS ${cones} --densest made --uncertainty least-void-ratio=0.005 --json)
 granum_cli_test("answer: a densest packing is made of beads" EXIT 2 STDERR "--densest made is for beads" ARGS estimate --void-ratio 0.6
   --pressure 100kPa --densest made)
 granum_cli_test("answer: the pressure of preparation is at most the mean stress" EXIT 2 STDERR "pressure of preparation"

@@ -190,6 +190,19 @@ TEST_CASE("input values: limits of the void ratio may be uncertain, of a sand an
         answer(question_of(of_beads))[Field::mechanical_coordination_number].high);
 }
 
+TEST_CASE("input values: a computed number has the deviation that was set, unless one is stated") {
+  InputValues beads = usual();
+  beads.grain_shape = GrainShape::sphere;
+  beads.give(Input::least_void_ratio, 0.56);
+  beads.set_deviation(Input::least_void_ratio, 0.001);
+  const auto deviation = [known = completed(beads)](const Deviations& stated) {
+    const std::vector<UncertainInput> uncertain = uncertain_inputs(known, stated);
+    return std::pair(of(uncertain, "least-void-ratio").deviation, of(uncertain, "least-void-ratio").assumed);
+  };
+  CHECK(deviation({}) == std::pair(0.001, true));
+  CHECK(deviation({{Input::least_void_ratio, 0.005}}) == std::pair(0.005, false));
+}
+
 TEST_CASE("input values: deviations are those of defaults, and none of what is given") {
   const std::vector<UncertainInput> assumed = uncertain_inputs(completed(usual()), Deviations{});
   for (const char* input : {"grain-shear-modulus", "grain-poisson-ratio", "fabric", "grain-density"}) {

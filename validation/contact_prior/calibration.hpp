@@ -107,6 +107,7 @@ struct Result {
   Fit<size> contacts;
   Fit<rattlers_n> rattlers;
   double line_scatter = 0, friction_scatter = 0, carried_scatter = 0, rattler_scatter = 0;
+  std::map<std::string, Numbers<double, size>> without = {}; ///< fits that leave a preparation out
 };
 
 /// Carried z* count twice: they are known better, since specimens of one recipe differ.
@@ -151,7 +152,8 @@ inline double rattlers_of(const Packing& p, const Numbers<double, rattlers_n>& c
 /// Errors of packings of which the fit has seen no other of the same preparation: what the prior states.
 struct LeftOut {
   Errors line, friction;
-  Errors carried; ///< over root_of_way
+  Errors carried;                                       ///< over root_of_way
+  std::map<std::string, Numbers<double, size>> without; ///< the fits
 };
 inline LeftOut errors_of_left_out(const std::vector<Packing>& packings) {
   std::set<std::string> preparations;
@@ -163,6 +165,7 @@ inline LeftOut errors_of_left_out(const std::vector<Packing>& packings) {
     for (const Packing& p : packings)
       (p.preparation == preparation ? left : kept).push_back(p);
     const auto c = fit_contacts(kept).coefficients;
+    errors.without.emplace(preparation, c);
     for (const Packing& p : left)
       (on_densest_line(p) ? errors.line : errors.friction).add(by_recipe(p, c) - p.mechanical_coordination);
     for (const Step& way : ways_of(left))
@@ -178,6 +181,7 @@ inline Result fit_everything(const std::vector<Packing>& packings) {
   result.line_scatter = errors.line.rms();
   result.friction_scatter = errors.friction.rms();
   result.carried_scatter = errors.carried.rms();
+  result.without = errors.without;
   Errors rattlers;
   for (const Packing& p : packings)
     if (p.rattler_fraction > countable_rattlers)

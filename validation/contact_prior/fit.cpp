@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fits the contact prior to the packings that validation/relaxation recorded.
 //
-//     contact_prior_fit coefficients states.csv
+//     contact_prior_fit coefficients states.csv unequal.csv codes.csv
 //                                      writes src/effective/contact_prior_coefficients.hpp
-//     contact_prior_fit check states.csv published.csv rough.csv ../infer/states.csv
-//                             ../verify_default/states.csv
+//     contact_prior_fit check states.csv unequal.csv codes.csv published.csv rough.csv ../infer/states.csv
+//                             ../verify_default/states.csv third_seed.csv gradations.csv verify.csv
 //                                      fits again, compares with that file, and asks whether recipes left
 //                                      out, packings of others, rough ones and verify's lie where it says
 //     contact_prior_fit picture states.csv
@@ -22,6 +22,7 @@
 #include "../claims.hpp"
 #include "../relaxation/coverage.hpp"
 #include "calibration.hpp"
+#include "densest_judged.hpp"
 #include "effective/contact_prior_coefficients.hpp"
 #include "picture.hpp"
 #include "unfitted.hpp"
@@ -55,12 +56,12 @@ void print_fit(const char* what, const char* name, const Fit<n>& fit) {
                            : ", ");
 }
 
-void print_coefficients(const Result& r) {
+void print_coefficients(const Result& r, const densest::Result& d) {
   std::printf(
       "// SPDX-License-Identifier: GPL-3.0-or-later\n"
-      "// Written by `contact_prior_fit coefficients states.csv` from validation/relaxation/states.csv; "
-      "the test\n"
-      "// \"validation: contact_prior\" fits them again and compares. Not to be edited by hand.\n"
+      "// Written by `contact_prior_fit coefficients states.csv unequal.csv codes.csv` from "
+      "validation/relaxation;\n"
+      "// the test \"validation: contact_prior\" fits them again and compares. Not to be edited by hand.\n"
       "// clang-format off\n#pragma once\n\n#include <array>\n\nnamespace granum::effective::kernel {\n\n");
   print_fit("e_d, e_l, bend, squeeze, growth, further growth, mu_0, its power, closing, opening.", "contact",
             r.contacts);
@@ -70,9 +71,23 @@ void print_coefficients(const Result& r) {
       "/// those with a friction, of carrying z* to another pressure, over root_of_way; and that of ln "
       "x_0.\n"
       "inline constexpr double line_scatter = %.5g;\ninline constexpr double friction_scatter = %.5g;\n"
-      "inline constexpr double carried_scatter = %.5g;\ninline constexpr double rattler_scatter = %.5g;\n"
-      "\n} // namespace granum::effective::kernel\n",
+      "inline constexpr double carried_scatter = %.5g;\ninline constexpr double rattler_scatter = %.5g;\n",
       r.line_scatter, r.friction_scatter, r.carried_scatter, r.rattler_scatter);
+  const std::array<double, 3> shift = d.shift();
+  std::printf(
+      "/// What shift_by_grains takes, and of packings above the densest one of the same grains the "
+      "standard\n"
+      "/// deviations of z*: of preparations left out; of sizes left out, over the root of the variance of\n"
+      "/// branches; between codes. Standard errors of the shift: %s, %s, %s.\n"
+      "inline constexpr std::array<double, 3> grain_shift{%.5g, %.5g, %.5g};\n"
+      "inline constexpr double above_densest_scatter = %.5g;\n"
+      "inline constexpr double above_densest_size_scatter = %.5g;\n"
+      "inline constexpr double above_densest_code_scatter = %.5g;\n"
+      "\n} // namespace granum::effective::kernel\n",
+      number(std::sqrt(d.shape.covariance(0, 0)), 2).c_str(),
+      number(std::sqrt(d.shape.covariance(1, 1)), 2).c_str(),
+      number(std::sqrt(d.sizes.covariance(0, 0)), 2).c_str(), shift[0], shift[1], shift[2], d.recipe_scatter,
+      d.size_scatter, d.code_scatter);
 }
 
 // ---- errors ----
@@ -253,9 +268,8 @@ bool same(const std::array<double, n>& fitted, const std::array<double, n>& reco
 bool same(double fitted, double recorded) { return std::abs(fitted / recorded - 1) < 1e-4; }
 
 int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
-          const std::vector<Packing>& other_shape, const std::vector<Published>& published,
-          char** unfitted_files) {
-  const Result result = fit_everything(packings);
+          const std::vector<Packing>& other_shape, const Result& result, const densest::Files& above,
+          const densest::Result& of_densest, char** files) {
   Misses fitted;
   judge(packings, result.contacts.coefficients, result, fitted);
   print("all, fitted", fitted);
@@ -270,7 +284,7 @@ int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
   const Errors unloaded = cycles(all);
   std::printf("  cycles to 3 MPa and back: rms %.3f worst %.2f\n", unloaded.rms(), unloaded.worst());
   const double in_range = share_in_range(packings);
-  const bool published_inside = compare_published(published);
+  const bool published_inside = compare_published(read_published(files[0]));
 
   Claims claims;
   claims.require(same(result.contacts.coefficients, kernel::contact_coefficients) &&
@@ -278,7 +292,11 @@ int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
                      same(result.line_scatter, kernel::line_scatter) &&
                      same(result.friction_scatter, kernel::friction_scatter) &&
                      same(result.carried_scatter, kernel::carried_scatter) &&
-                     same(result.rattler_scatter, kernel::rattler_scatter),
+                     same(result.rattler_scatter, kernel::rattler_scatter) &&
+                     same(of_densest.shift(), kernel::grain_shift) &&
+                     same(of_densest.recipe_scatter, kernel::above_densest_scatter) &&
+                     same(of_densest.size_scatter, kernel::above_densest_size_scatter) &&
+                     same(of_densest.code_scatter, kernel::above_densest_code_scatter),
                  "the numbers of the library are those of these data");
   claims.require(worst_difference_of_library(packings) < 0.01,
                  "the library finds the measured overlaps, and so z* of the recipes, within 0.01");
@@ -297,8 +315,10 @@ int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
                  "95 % of packings of friction up to 0.5 in the range of their void ratio (" +
                      number(100 * in_range, 3) + " %)");
   claims.require(published_inside, "so are those of others");
-  unfitted::check_rough(unfitted_files[0], unfitted_files[1], claims);
-  unfitted::check_verify(unfitted_files[2], claims);
+  unfitted::check_rough(files[1], files[2], claims);
+  unfitted::check_verify(files[3], claims);
+  densest::check(above, {.third_seed = files[4], .gradations = files[5], .verify = {files[3], files[6]}},
+                 claims);
   return claims.failed() == 0 ? 0 : 1;
 }
 
@@ -306,11 +326,12 @@ int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
 
 int main(int argc, char** argv) {
   const std::string_view command = argc > 1 ? argv[1] : "";
-  if (!((command == "coefficients" || command == "picture") && argc == 3) &&
-      !(command == "check" && argc == 7)) {
+  if (!(command == "picture" && argc == 3) && !(command == "coefficients" && argc == 5) &&
+      !(command == "check" && argc == 12)) {
     std::fprintf(stderr,
-                 "usage: %s coefficients|picture states.csv, or check states.csv published.csv rough.csv "
-                 "../infer/states.csv ../verify_default/states.csv\n",
+                 "usage: %s picture states.csv, or coefficients states.csv unequal.csv codes.csv, or check "
+                 "states.csv unequal.csv codes.csv published.csv rough.csv ../infer/states.csv "
+                 "../verify_default/states.csv third_seed.csv gradations.csv verify.csv\n",
                  argv[0]);
     return 2;
   }
@@ -320,12 +341,17 @@ int main(int argc, char** argv) {
     for (const Packing& p : all)
       if (usable(p))
         (p.contact == relaxation::unfitted_contact ? other_shape : packings).push_back(p);
-    if (command == "coefficients")
-      print_coefficients(fit_everything(packings));
-    else if (command == "picture")
+    if (command == "picture") {
       std::fputs(picture(packings).c_str(), stdout);
+      return 0;
+    }
+    const densest::Files above = densest::read(packings, argv[3], argv[4]);
+    const Result result = fit_everything(packings);
+    const densest::Result of_densest = densest::fit(above.equal, above.unequal, above.codes, result);
+    if (command == "coefficients")
+      print_coefficients(result, of_densest);
     else
-      return check(all, packings, other_shape, read_published(argv[3]), argv + 4);
+      return check(all, packings, other_shape, result, above, of_densest, argv + 5);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

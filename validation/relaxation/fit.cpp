@@ -481,6 +481,10 @@ int main(int argc, char** argv) {
       print_shortening(packings);
       print_central_forces(packings, result.shear);
       print_stated(packings, unequal, result);
+      std::printf("relaxed() where contacts are few, networks of isotropic packings\n");
+      print_few_contacts("states", packings);
+      print_few_contacts("unequal", unequal);
+      print_few_contacts("gradations", gradations);
       return 0;
     }
     if (std::strcmp(argv[1], "check") == 0)

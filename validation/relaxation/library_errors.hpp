@@ -38,14 +38,16 @@ enum class Forces {
 
 /// Of packings for which the library is calibrated, at usual k_t/k_n.
 /// \param    least_overlap, most_overlap   mean ones over the diameter
+/// \param    least_coordination   z*, above which all are taken
 inline LibraryErrors library_errors(const std::vector<Packing>& packings, const Choice& chosen,
                                     double least_overlap = 0, double most_overlap = largest_overlap,
-                                    Forces forces = Forces::unknown) {
+                                    Forces forces = Forces::unknown,
+                                    double least_coordination = lowest_coordination) {
   LibraryErrors errors;
   for (const Packing& p : packings)
     for (const Network& n : p.networks) {
       if (!chosen(p) || n.ratio < lowest_usual_ratio || p.relative_overlap < least_overlap ||
-          p.relative_overlap > most_overlap || p.mechanical_coordination < lowest_coordination)
+          p.relative_overlap > most_overlap || p.mechanical_coordination < least_coordination)
         continue;
       State state = p.state;
       state.tangential_ratio = n.ratio;
@@ -77,6 +79,33 @@ inline bool is_sheared(const Packing& p) { return !p.isotropic(); }
 
 inline void print_errors(const char* what, const Errors& e) {
   std::printf("  %-36s %5d | rms %5.2f %% worst %5.2f %%\n", what, e.count(), 100 * e.rms(), 100 * e.worst());
+}
+
+/// Three lines: fewer contacts than those of the usual packings, and more rattlers than grains that carry
+/// force. Isotropic packings; networks with k_t/k_n >= 0.5.
+inline std::vector<LibraryErrors> print_few_contacts(const std::string& what,
+                                                     const std::vector<Packing>& packings) {
+  std::vector<LibraryErrors> all;
+  const auto add = [&](const char* which, const Choice& chosen) {
+    const LibraryErrors e = library_errors(
+        packings, [&](const Packing& p) { return p.isotropic() && chosen(p); }, 0, largest_overlap,
+        Forces::unknown, kernel::shear_coefficients[7]);
+    if (e.G.count() == 0)
+      return;
+    std::printf("  %-12s %-16s %3d | G rms %4.1f %% mean %+5.1f, within one %3.0f %% two %3.0f | K rms %4.1f "
+                "mean %+5.1f, %3.0f %3.0f\n",
+                what.c_str(), which, e.G.count(), 100 * e.G.rms(), 100 * e.G.mean(),
+                100 * e.coverage.shear.one(), 100 * e.coverage.shear.two(), 100 * e.K.rms(), 100 * e.K.mean(),
+                100 * e.coverage.bulk.one(), 100 * e.coverage.bulk.two());
+    all.push_back(e);
+  };
+  add("z* 4.1 to 4.3", [](const Packing& p) {
+    return p.mechanical_coordination >= lowest_coordination &&
+           p.mechanical_coordination < lowest_usual_coordination;
+  });
+  add("z* below 4.1", [](const Packing& p) { return p.mechanical_coordination < lowest_coordination; });
+  add("rattlers > 50 %", [](const Packing& p) { return p.rattler_fraction > 0.5; });
+  return all;
 }
 
 inline void print_errors(const std::string& what, const LibraryErrors& e) {

@@ -57,6 +57,11 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& of_v
   Claims claims;
   judge(packings, "isotropic states", is_isotropic, claims);
   judge(packings, "sheared states", is_sheared, claims);
+  std::printf("where contacts are few\n");
+  for (const LibraryErrors& e : print_few_contacts("third seed", packings))
+    for (const Coverage* c : {&e.coverage.shear, &e.coverage.bulk})
+      claims.require(c->one() >= 0.50 && c->two() >= 0.88,
+                     "few contacts: 50 % or more within one stated error, 88 % within two");
   judge(packings, "isotropic states of overlaps beyond 1 %", is_isotropic, claims, largest_overlap, 1);
   const auto recipe = [](const Packing& p) { return p.recipe; };
   std::printf("specimens of verify\n");

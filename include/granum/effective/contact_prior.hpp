@@ -82,7 +82,7 @@ struct ContactPrior {
 /// softer. Unequal grains pack denser: for them the line is an upper bound, and many more are rattlers.
 /// Where the densest packing of the same grains is known, 1 + e is taken over its own: the void ratios above
 /// are those of equal spheres, whose densest has 0.569. Then the shape of the contacts and the sizes of the
-/// grains shift z* of packings compressed with friction by 0.058 - 0.161 b - 0.42 sqrt(v), v the relative
+/// grains shift z* of packings compressed with friction by 0.060 - 0.141 b - 0.44 sqrt(v), v the relative
 /// variance of branches. A void ratio above 0.58 is none of a densest packing of spheres, with a note.
 /// Assumes   equal spheres, isotropic stress that has not been larger before, no cement.
 /// \param    state         law, radius, void_ratio, stresses and contacts; its coordination number is not

@@ -30,7 +30,7 @@ enum class Source {
 
 struct InputValue {
   double number = 0;    ///< in SI; the default of the row unless it is given
-  double deviation = 0; ///< of an implied value, one standard deviation
+  double deviation = 0; ///< of an implied or computed value, one standard deviation
   Source source = Source::nobody;
   bool per_cent = false; ///< its text or the heading of its column has a per cent sign
 
@@ -61,6 +61,10 @@ class InputValues {
   void give(Input input, const std::string& text, Source source = Source::typed);
   /// A distribution of sizes that was read from a file.
   void give(Input input, sizes::Distribution distribution);
+  /// The standard deviation of a number that was computed for the question, used unless one is stated.
+  void set_deviation(Input input, double deviation) {
+    values_[static_cast<std::size_t>(input)].deviation = deviation;
+  }
   /// As if nobody had given it.
   void leave_out(Input input);
   /// Sets a value that was not stated.

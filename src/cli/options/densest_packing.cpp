@@ -2,6 +2,7 @@
 #include "densest_packing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -14,8 +15,12 @@ namespace {
 
 using estimate::InputValues;
 
+struct Mean {
+  double value = 0, error = 0; ///< error: standard error of the mean
+};
+
 /// The mean void ratio of packings of these grains that are compressed without friction.
-double made_void_ratio(const InputValues& values) {
+Mean made_void_ratio(const InputValues& values) {
   if (known_shape(values) != estimate::GrainShape::sphere)
     throw InvalidArgument("--densest made is for beads: add --grain-shape sphere");
   constexpr std::size_t fewest = 1000;
@@ -28,10 +33,15 @@ double made_void_ratio(const InputValues& values) {
                                   .grains = std::max(fewest, triaxial::least_grains(sizes))};
   if (values.preparation.pressure > 0)
     recipe.first_pressure = values.preparation.pressure;
-  double sum = 0;
-  for (recipe.seed = 1; recipe.seed <= packings; ++recipe.seed)
-    sum += dem::void_ratio(triaxial::frictionless_specimen(recipe).state);
-  return sum / static_cast<double>(packings);
+  double sum = 0, squares = 0;
+  for (recipe.seed = 1; recipe.seed <= packings; ++recipe.seed) {
+    const double e = dem::void_ratio(triaxial::frictionless_specimen(recipe).state);
+    sum += e;
+    squares += e * e;
+  }
+  constexpr double n = packings;
+  const double mean = sum / n;
+  return {.value = mean, .error = std::sqrt(std::max(squares / n - mean * mean, 0.0) / (n - 1))};
 }
 
 } // namespace
@@ -47,7 +57,9 @@ OptionRow densest_row(std::string& densest) {
 }
 
 void make_densest(InputValues& values) {
-  values.give(estimate::Input::least_void_ratio, made_void_ratio(values));
+  const Mean mean = made_void_ratio(values);
+  values.give(estimate::Input::least_void_ratio, mean.value);
+  values.set_deviation(estimate::Input::least_void_ratio, mean.error);
 }
 
 } // namespace granum::cli
