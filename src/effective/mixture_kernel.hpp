@@ -21,8 +21,8 @@ struct Mixing {
   double size_error; ///< of unequal grains, over the root of the relative variance of branches as well
   bool by_forces;    ///< stiffness_of_forces is a lower bound
 };
-inline constexpr Mixing shear_mixing{0.7584, 1, 0.05, 2.0, false};
-inline constexpr Mixing bulk_mixing{0.7093, 2, 0.10, 3.5, true};
+inline constexpr Mixing shear_mixing{0.757, 1, 0.07, 2.0, false};
+inline constexpr Mixing bulk_mixing{0.7078, 2, 0.12, 3.5, true};
 
 /// How far the other contacts follow one that is softened: the fewer contacts, the more. At least 0, at most
 /// 1.

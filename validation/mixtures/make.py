@@ -17,7 +17,7 @@ import sys
 
 SOFT, NU = 2e9, 0.2  # G_g of the softer material [Pa], Poisson's ratio of both
 RATIOS = (10, 100, 30, 3)  # G_g stiff over soft
-SHARES = {0.5: 20, 0.25: 80}  # share of the stiff grains, and a number of its seeds
+SHARES = {0.5: 20, 0.25: 80, 0.75: 230}  # share of the stiff grains, and a number of its seeds
 SIZED = {"large": 1000, "small": 2000}  # which grains are the stiff ones, likewise
 PREPARATIONS = ("dense", "loose")
 

@@ -250,7 +250,7 @@ struct Group {
 };
 constexpr Group groups[] = {
     {"fitted: half of the grains stiff", [](const State& s) { return s.fitted(); }},
-    {"a quarter of the grains stiff", [](const State& s) { return s.equal_sizes() && !s.fitted(); }},
+    {"a quarter or three quarters stiff", [](const State& s) { return s.equal_sizes() && !s.fitted(); }},
     {"- dense", [](const State& s) { return s.equal_sizes() && !s.fitted() && s.preparation == "dense"; }},
     {"- loose", [](const State& s) { return s.equal_sizes() && !s.fitted() && s.preparation == "loose"; }},
     {"- 1:3", [](const State& s) { return s.equal_sizes() && !s.fitted() && s.ratio == 3; }},
