@@ -2,7 +2,6 @@
 #include "materials.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
@@ -15,10 +14,6 @@ constexpr double hertz_exponent = 1.0 / 3; // k_n ~ f^b
 
 contact::GrainMaterial touching(const packing::Contact& c, std::span<const contact::GrainMaterial> of_grain) {
   return contact::pair_material(of_grain[c.i], of_grain[c.j]);
-}
-
-double modulus_of(const contact::GrainMaterial& grain) {
-  return grain.shear_modulus / (1 - grain.poisson_ratio);
 }
 
 } // namespace
@@ -42,9 +37,11 @@ std::vector<double> relative_stiffnesses(const packing::Assembly& assembly,
                                          std::span<const contact::GrainMaterial> materials,
                                          const contact::GrainMaterial& mean) {
   std::vector<double> relative;
+  if (materials.empty())
+    return relative;
   relative.reserve(assembly.contacts.size());
   for (const packing::Contact& c : assembly.contacts)
-    relative.push_back(std::pow(modulus_of(touching(c, materials)) / modulus_of(mean), 1 - hertz_exponent));
+    relative.push_back(effective::relative_stiffness(touching(c, materials), mean, hertz_exponent));
   return relative;
 }
 

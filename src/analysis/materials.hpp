@@ -18,7 +18,8 @@ namespace granum::analysis {
 [[nodiscard]] effective::MixedContacts mixed_contacts(const packing::Assembly& assembly,
                                                       std::span<const contact::GrainMaterial> materials);
 
-/// k_n of each contact over that of contacts of the mean material, at the same force [1].
+/// k_n of each contact over that of contacts of the mean material, at the same force [1]; nothing without
+/// materials.
 [[nodiscard]] std::vector<double> relative_stiffnesses(const packing::Assembly& assembly,
                                                        std::span<const contact::GrainMaterial> materials,
                                                        const contact::GrainMaterial& mean);

@@ -267,10 +267,12 @@ class Measuring {
     mixed_ = mixed_contacts(assembly_, given_.materials);
     out_.grain = mixed_.mean;
     out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent);
-    out_.notes.push_back("several materials: rungs 0 to 2 use the mean over the contacts, G_g = " +
-                         pretty(out_.grain->shear_modulus, Dimension::pressure) +
-                         ", nu_g = " + short_text(out_.grain->poisson_ratio) +
-                         "; in rung 3 soft contacts take more of the strain");
+    const std::string mean = "G_g = " + pretty(out_.grain->shear_modulus, Dimension::pressure) +
+                             ", nu_g = " + short_text(out_.grain->poisson_ratio);
+    out_.notes.push_back(mixed_.pair_shares.empty()
+                             ? "all contacts are of one material, " + mean
+                             : "several materials: rungs 0 to 2 use the mean over the contacts, " + mean +
+                                   "; in rung 3 soft contacts take more of the strain");
     if (forces_known_ && wanted_.law_check)
       out_.law_check = check_law(assembly_, given_.law_family, given_.materials);
   }
@@ -354,11 +356,8 @@ class Measuring {
     if (!forces_known_ || bodies_ || pulls())
       return std::nullopt;
     const packing::Assembly counted = counted_part(assembly_, *out_.law);
-    const std::vector<double> relative = mixed_.kinds.empty()
-                                             ? std::vector<double>{}
-                                             : relative_stiffnesses(counted, given_.materials, mixed_.mean);
     return force_unevenness(counted, *out_.law, out_.sizes.equivalent * out_.sizes.contacts.pair_radius,
-                            relative);
+                            relative_stiffnesses(counted, given_.materials, mixed_.mean));
   }
 
   /// Input of the closed forms, or a note about missing data.
@@ -383,7 +382,7 @@ class Measuring {
                            .stress_v = load.v,
                            .stress_h = load.h,
                            .contacts = out_.sizes.contacts,
-                           .pair_shares = mixed_.kinds};
+                           .pair_shares = mixed_.pair_shares};
     if (const std::optional<double> Q = unevenness()) {
       state.unevenness = effective::Unevenness{.value = *Q};
       if (out_.forces)

@@ -24,10 +24,6 @@ void require_sum_of_one(const char* name, double sum) {
     throw InvalidArgument(name, sum, "", "1 +- 1e-6");
 }
 
-double modulus_of(const contact::GrainMaterial& grain) {
-  return grain.shear_modulus / (1 - grain.poisson_ratio);
-}
-
 /// Pairs of the same material are one.
 std::vector<MaterialPair> gathered(std::span<const MaterialPair> pairs) {
   struct Sum {
@@ -54,29 +50,40 @@ std::vector<MaterialPair> gathered(std::span<const MaterialPair> pairs) {
 
 } // namespace
 
+double relative_stiffness(const contact::GrainMaterial& pair, const contact::GrainMaterial& over,
+                          double stiffness_exponent) {
+  const double moduli =
+      pair.shear_modulus / over.shear_modulus * ((1 - over.poisson_ratio) / (1 - pair.poisson_ratio));
+  return std::pow(moduli, 1 - stiffness_exponent);
+}
+
 MixedContacts mixed_contacts(std::span<const MaterialPair> pairs, double stiffness_exponent) {
   const double power = 1 - require_closed("stiffness_exponent", stiffness_exponent, 0, 1);
   require_positive("1 - stiffness_exponent", power);
   const std::vector<MaterialPair> kinds = gathered(pairs);
   if (kinds.size() == 1)
-    return {.mean = kinds.front().material, .kinds = {}};
+    return {.mean = kinds.front().material, .pair_shares = {}};
+  const contact::GrainMaterial& first = kinds.front().material;
   double weight = 0, force = 0, stiffness = 0, ratio = 0;
   for (const MaterialPair& kind : kinds) {
     require_positive("grain_shear_modulus", kind.material.shear_modulus, "Pa");
     weight += kind.weight;
     force += kind.weight * kind.force;
-    stiffness += kind.weight * std::pow(modulus_of(kind.material), power);
+    stiffness += kind.weight * relative_stiffness(kind.material, first, stiffness_exponent);
     ratio += kind.weight * contact::mindlin_stiffness_ratio(kind.material.poisson_ratio);
   }
   force /= weight;
   stiffness /= weight;
   const double r = ratio / weight, nu = (2 - 2 * r) / (2 - r); // k_t/k_n = 2(1-nu)/(2-nu)
+  const double modulus = first.shear_modulus * (1 - nu) / (1 - first.poisson_ratio);
   MixedContacts mixed{
-      .mean = {.shear_modulus = (1 - nu) * std::pow(stiffness, 1 / power), .poisson_ratio = nu}, .kinds = {}};
+      .mean = {.shear_modulus = modulus * std::pow(stiffness, 1 / power), .poisson_ratio = nu},
+      .pair_shares = {}};
   for (const MaterialPair& kind : kinds)
-    mixed.kinds.push_back({.share = kind.weight / weight,
-                           .stiffness = std::pow(modulus_of(kind.material), power) / stiffness,
-                           .force = force > 0 ? kind.force / force : 1});
+    mixed.pair_shares.push_back(
+        {.share = kind.weight / weight,
+         .stiffness = relative_stiffness(kind.material, first, stiffness_exponent) / stiffness,
+         .force = force > 0 ? kind.force / force : 1});
   return mixed;
 }
 
@@ -155,15 +162,15 @@ double stiffness_of_forces(std::span<const PairShare> kinds) {
   return compliance > 0 ? work * work / compliance : 0;
 }
 
-Mixed mixed_share(std::span<const PairShare> kinds, double z, const Mixing& mixing) {
+Mixed left_by_mixing(std::span<const PairShare> kinds, double z, const Mixing& mixing) {
   if (kinds.empty())
     return {};
-  const Medium medium = medium_of(kinds, exchange_at(z, mixing));
+  const double exchange = exchange_at(z, mixing), slope = exchange < 1 ? -mixing.power * exchange / z : 0;
+  const Medium medium = medium_of(kinds, exchange);
   const double bound = mixing.by_forces ? stiffness_of_forces(kinds) : 0;
   if (bound > medium.stiffness)
-    return {.share = bound, .by_coordination = 0};
-  const double exchange = exchange_at(z, mixing), slope = exchange < 1 ? -mixing.power * exchange / z : 0;
-  return {.share = medium.stiffness, .by_coordination = medium.by_exchange * slope};
+    return {.left = bound, .by_coordination = 0};
+  return {.left = medium.stiffness, .by_coordination = medium.by_exchange * slope};
 }
 
 } // namespace kernel

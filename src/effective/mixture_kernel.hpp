@@ -44,9 +44,9 @@ struct Medium {
 
 /// What several materials leave of a modulus, and its derivative by z*.
 struct Mixed {
-  double share = 1;
+  double left = 1;
   double by_coordination = 0;
 };
-[[nodiscard]] Mixed mixed_share(std::span<const PairShare> kinds, double z, const Mixing& mixing);
+[[nodiscard]] Mixed left_by_mixing(std::span<const PairShare> kinds, double z, const Mixing& mixing);
 
 } // namespace granum::effective::kernel

@@ -331,10 +331,10 @@ void add_mixture(const State& s, double z, RelaxingFactors& factors) {
   const double root_variance = std::sqrt(kernel::branch_variance(s.contacts));
   for (const auto& [factor, mixing] :
        {std::pair{&factors.shear, &kernel::shear_mixing}, std::pair{&factors.bulk, &kernel::bulk_mixing}}) {
-    const double share = kernel::mixed_share(s.pair_shares, z, *mixing).share;
-    factor->value *= share;
-    const double of_share = std::hypot(mixing->error, mixing->size_error * root_variance);
-    factor->error = std::hypot(factor->error, of_share * std::log(share));
+    const double left = kernel::left_by_mixing(s.pair_shares, z, *mixing).left;
+    factor->value *= left;
+    const double scatter = std::hypot(mixing->error, mixing->size_error * root_variance);
+    factor->error = std::hypot(factor->error, scatter * std::log(left));
   }
 }
 

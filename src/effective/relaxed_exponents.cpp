@@ -108,8 +108,8 @@ kernel::Constants<Dual> relaxed_constants(const State& s, double z, const Growth
                                            log_stress, kernel::constants<Dual>(kernel::stretch_coefficients));
   for (const auto& [factor, mixing] :
        {std::pair{&shear, &kernel::shear_mixing}, std::pair{&bulk, &kernel::bulk_mixing}}) {
-    const kernel::Mixed mixed = kernel::mixed_share(s.pair_shares, z, *mixing);
-    *factor *= Dual(mixed.share, mixed.by_coordination * z_star.derivatives());
+    const kernel::Mixed mixed = kernel::left_by_mixing(s.pair_shares, z, *mixing);
+    *factor *= Dual(mixed.left, mixed.by_coordination * z_star.derivatives());
   }
   const kernel::RelaxedConstants<Dual> c =
       kernel::relax<Dual>(uniform_constants(s, growth), bulk, shear, stretch);

@@ -99,10 +99,11 @@ namespace {
 
 void add_names(Notes& notes, const InputValues& values) {
   for (const auto& [mineral, share] : values.minerals)
-    add_sentence(notes,
-                 (values.minerals.size() > 1 ? short_text(100 * share) + " % of the " : "") + "grains of " +
-                     mineral->name + " [" + mineral->source + "]",
-                 mineral->source);
+    add_sentence(
+        notes,
+        (values.minerals.size() > 1 ? short_text(100 * share) + " % of the grains are of " : "grains of ") +
+            mineral->name + " [" + mineral->source + "]",
+        mineral->source);
   if (values.known_sand == nullptr)
     return;
   const sands::KnownSand& sand = *values.known_sand;

@@ -240,7 +240,7 @@ effective::State state_of(const InputValues& values, const stress::AxialStress& 
       .stress_v = stress.v,
       .stress_h = stress.h,
       .contacts = contact_means_of(values),
-      .pair_shares = mixed_contacts_of(values).kinds,
+      .pair_shares = mixed_contacts_of(values).pair_shares,
       .rolling = values.within(Input::rolling)};
   effective::require_valid(state);
   return state;

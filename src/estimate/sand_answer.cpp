@@ -43,12 +43,13 @@ double poisson_ratio(const Question& q, const Moved& moved) {
 
 double oedometric(double G, double nu) { return G * 2 * (1 - nu) / (1 - 2 * nu); }
 
-/// Equal spheres of these grains under the mean stress.
+/// Equal spheres of these grains under the mean stress, free to roll.
 effective::State spheres_of(const Question& q) {
   effective::State state = q.state;
   if (state.contacts.pair_radius != 1) // the law is that of the mean pair
     state.law = state.law.of_pair_radius(1 / state.contacts.pair_radius);
   state.contacts = {};
+  state.rolling = 0;
   state.fabric_anisotropy = 0;
   state.stress_v = state.stress_h = q.state.mean_stress();
   return state;

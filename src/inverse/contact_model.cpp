@@ -90,6 +90,10 @@ ContactModel::ContactModel(std::span<const Observation> measurements, const Infe
     const QuantityRow& row = row_of(m.quantity);
     require_measured(row, m.value);
     require_known_density(row);
+    if (!options_.contacts.numbers.empty() && !m.state.pair_shares.empty())
+      throw InvalidArgument(
+          "a contact law cannot be inferred for grains of several materials: each pair of them "
+          "has its own; give the contacts");
     one_stress = one_stress && m.state.mean_stress() == reference_stress_;
   }
   require_non_negative("pore_density", options_.pore_density, "kg/m3");

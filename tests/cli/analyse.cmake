@@ -36,7 +36,7 @@ foreach(files_and_types mercury_chain.data,mercury_chain.fstat=0 yade_script.gra
   string(REPLACE "," ";${io}/" files "${io}/${CMAKE_MATCH_1}")
   string(REPLACE "," ";" types "${CMAKE_MATCH_2}")
   list(TRANSFORM types REPLACE "(.+)" "--material;\\1:shear-modulus=30GPa,poisson-ratio=0.15" OUTPUT_VARIABLE materials)
-  granum_cli_test("analyse: types of ${matched}" EXIT 0 STDERR "granum: warning" STDOUT "several materials: rungs 0 to 2 use"
+  granum_cli_test("analyse: types of ${matched}" EXIT 0 STDERR "granum: warning" STDOUT "all contacts are of one material, G_g = 30 GPa"
     ARGS analyse ${files} ${materials})
   granum_cli_test("analyse: another type than ${matched}" EXIT 2 STDERR "grains have type 0, for which no --material"
     ARGS analyse ${files} --material 7:shear-modulus=30GPa,poisson-ratio=0.15)

@@ -41,7 +41,7 @@ State mixed_state(double alpha) {
   const auto mixed =
       mixed_contacts(std::array{soft, stiff}, std::array{0.5, 0.5}, *s.law.constant_exponent());
   s.law = s.law.of_grain(mixed.mean);
-  s.pair_shares = mixed.kinds;
+  s.pair_shares = mixed.pair_shares;
   return s;
 }
 
@@ -96,33 +96,33 @@ TEST_CASE("mixture: kinds of contacts have the pair's stiffness, their mean is t
     const contact::NormalLaw law = law_of(alpha, 0.15);
     const double b = *law.constant_exponent(), force = 0.3;
     const auto mixed = mixed_contacts(std::array{soft, stiff}, std::array{0.3, 0.7}, b);
-    REQUIRE(mixed.kinds.size() == 3);
+    REQUIRE(mixed.pair_shares.size() == 3);
     const std::array pairs{soft, contact::pair_material(soft, stiff), stiff};
     const std::array shares{0.09, 0.42, 0.49};
     const double of_mean = law.of_grain(mixed.mean).stiffness_at_force(force);
     double ratio = 0, mean = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      CHECK(mixed.kinds[k].share == relative(shares[k], 1e-13));
-      CHECK(mixed.kinds[k].stiffness ==
+      CHECK(mixed.pair_shares[k].share == relative(shares[k], 1e-13));
+      CHECK(mixed.pair_shares[k].stiffness ==
             relative(law.of_grain(pairs[k]).stiffness_at_force(force) / of_mean, 1e-12));
-      CHECK(mixed.kinds[k].force == 1);
-      mean += shares[k] * mixed.kinds[k].stiffness;
+      CHECK(mixed.pair_shares[k].force == 1);
+      mean += shares[k] * mixed.pair_shares[k].stiffness;
       ratio += shares[k] * contact::mindlin_stiffness_ratio(pairs[k].poisson_ratio);
     }
     CHECK(mean == relative(1, 1e-13));
     CHECK(contact::mindlin_stiffness_ratio(mixed.mean.poisson_ratio) == relative(ratio, 1e-13));
   }
   const auto same = mixed_contacts(std::array{soft, soft}, std::array{0.3, 0.7}, 1.0 / 3);
-  CHECK(same.kinds.empty());
+  CHECK(same.pair_shares.empty());
   CHECK(same.mean == soft);
   const std::array pairs{effective::MaterialPair{.material = stiff, .weight = 2, .force = 3},
                          effective::MaterialPair{.material = soft, .weight = 6, .force = 1},
                          effective::MaterialPair{.material = stiff, .weight = 2, .force = 1}};
   const auto counted = mixed_contacts(pairs, 1.0 / 3); // mean force 1.4
-  REQUIRE(counted.kinds.size() == 2);
-  CHECK(counted.kinds[0].share == relative(0.6, 1e-14));
-  CHECK(counted.kinds[0].force == relative(1 / 1.4, 1e-14));
-  CHECK(counted.kinds[1].force == relative(2 / 1.4, 1e-14));
+  REQUIRE(counted.pair_shares.size() == 2);
+  CHECK(counted.pair_shares[0].share == relative(0.6, 1e-14));
+  CHECK(counted.pair_shares[0].force == relative(1 / 1.4, 1e-14));
+  CHECK(counted.pair_shares[1].force == relative(2 / 1.4, 1e-14));
 
   CHECK_THROWS_AS((void)mixed_contacts(std::array{soft, stiff}, std::array{0.3, 0.6}, 0.5), InvalidArgument);
   CHECK_THROWS_AS((void)mixed_contacts(std::array{soft, stiff}, std::array{1.0}, 0.5), InvalidArgument);

@@ -70,8 +70,8 @@ TEST_CASE("inputs: several minerals are the mixture of their contacts, and set t
   const doctest::Approx modulus = doctest::Approx(mixed.mean.shear_modulus).epsilon(1e-12);
   CHECK(q.state.law.grain().shear_modulus == modulus);
   REQUIRE(q.state.pair_shares.size() == 3);
-  CHECK(q.state.pair_shares[0].stiffness == doctest::Approx(mixed.kinds[0].stiffness).epsilon(1e-12));
-  CHECK(q.state.pair_shares[2].share == doctest::Approx(mixed.kinds[2].share).epsilon(1e-12));
+  CHECK(q.state.pair_shares[0].stiffness == doctest::Approx(mixed.pair_shares[0].stiffness).epsilon(1e-12));
+  CHECK(q.state.pair_shares[2].share == doctest::Approx(mixed.pair_shares[2].share).epsilon(1e-12));
   CHECK(q.grain_density.value() == doctest::Approx(0.7 * quartz.density + 0.3 * calcite.density));
   const double spread = std::hypot(0.7 * quartz.modulus_spread, 0.3 * calcite.modulus_spread);
   CHECK(completed(values)[Input::grain_shear_modulus].deviation ==

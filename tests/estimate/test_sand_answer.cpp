@@ -35,6 +35,22 @@ Range field(const estimate::Question& q, Field wanted) { return estimate::answer
 
 } // namespace
 
+TEST_CASE("a sand: rolling resistance of the model of spheres changes none of its numbers") {
+  for (const std::optional<double> strain : {std::optional<double>(), std::optional(1e-4)}) {
+    estimate::Question q = quartz(0.7, 1e5, 0.6e5);
+    q.shear_strain = strain;
+    const estimate::Answer free = estimate::answer(q);
+    q.state.rolling = 0.5;
+    const estimate::Answer held = estimate::answer(q);
+    for (const estimate::FieldRow& row : estimate::fields())
+      if (const auto value = free.find(row.field)) {
+        CAPTURE(row.key);
+        CHECK(held.find(row.field).value().value == value->value);
+        CHECK(held.find(row.field).value().high == value->high);
+      }
+  }
+}
+
 // The rows of tests/sands/data/sand_states.csv; forecasts are in tests/inverse.
 TEST_CASE("a sand: measured states agree with the table of states") {
   const auto holds = [](const Range& range, double measured, double deviations) {

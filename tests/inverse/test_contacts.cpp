@@ -208,3 +208,13 @@ TEST_CASE("contacts as given do not change the result") {
   const auto measured = speeds(sand(1e5).law, 5.4, both, 0.01);
   CHECK_FALSE(asked(measured, "given").together.value().contacts());
 }
+
+TEST_CASE("contacts: of grains of several materials only z* is inferred, no law") {
+  std::vector<Observation> measured = speeds(contact::PowerLaw::sphere(quartz, sand_radius), 5, both);
+  const double z = z_of(measured, asked(measured, "given"));
+  for (Observation& one : measured)
+    one.state.pair_shares = {{.share = 0.5, .stiffness = 0.5}, {.share = 0.5, .stiffness = 1.5}};
+  CHECK(z_of(measured, asked(measured, "given")) > z + 0.1); // softer than the mean, so it has more contacts
+  for (const char* law : {"rough", "power-law"})
+    CHECK_THROWS_AS((void)asked(measured, law), InvalidArgument);
+}

@@ -62,7 +62,7 @@ TEST_CASE("local exponents: slopes between neighbouring pressures, averaged over
   CHECK(rows[1].contact_law < rows[0].contact_law);
   CHECK(rows[1].transition.value() ==
         relative(effective::transition_pressure(*specimens[0].states[1].packing.state).value(), 1e-12));
-  // The table of states has the rung 3 of which these are the slopes: with the forces as they are.
+  // The table of states has the same rung 3, with the forces as they are.
   CompressedState uneven = specimens[0].states[1];
   uneven.packing.state->unevenness = effective::Unevenness{.value = 0.3};
   CHECK(relaxed_modulus(uneven).value() != relaxed_modulus(specimens[0].states[1]).value());

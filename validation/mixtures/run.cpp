@@ -232,7 +232,7 @@ double fitted_exchange(const std::vector<State>& states, const Mixing& like, boo
       const auto [shear, bulk] = moduli(mean);
       const Mixing trial{
           .exchange = coefficient, .power = like.power, .error = 0, .size_error = 0, .by_forces = false};
-      const double left = effective::kernel::mixed_share(s.packing.pair_shares, z, trial).share,
+      const double left = effective::kernel::left_by_mixing(s.packing.pair_shares, z, trial).left,
                    error = of_shear ? std::log(shear * left / s.shear_modulus)
                                     : std::log(bulk * left / s.bulk_modulus);
       sum += error * error;

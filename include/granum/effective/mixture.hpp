@@ -26,9 +26,15 @@ struct MaterialPair {
 
 /// Contacts of several materials, beside the one material that has the mean of their stiffnesses.
 struct MixedContacts {
-  contact::GrainMaterial mean;  ///< k_n at a force and k_t/k_n are the means over the contacts
-  std::vector<PairShare> kinds; ///< State::pair_shares; empty where all materials are the same
+  contact::GrainMaterial mean;        ///< k_n at a force and k_t/k_n are the means over the contacts
+  std::vector<PairShare> pair_shares; ///< of State; empty where all materials are the same
 };
+
+/// k_n between grains of a pair of materials over that of others, at the same force: the power 1 - b of the
+/// ratio of G_g/(1-nu_g).
+/// Assumes   contacts of one power law of the same shape.
+[[nodiscard]] double relative_stiffness(const contact::GrainMaterial& pair,
+                                        const contact::GrainMaterial& over, double stiffness_exponent);
 
 /// The kinds of contacts and their mean, for k_n ~ (G_g/(1-nu_g))^(1-b) f^b. Pairs of the same material are
 /// one kind.

@@ -123,6 +123,8 @@ struct RelaxedEstimate {
 /// Where the unevenness Q of the forces is known, ln G grows by 1.06 Q + 0.028 (1 - h) + b(1-b) (0.26 - 0.076
 /// (z* - 5)) and ln K by 0.45 Q + ... likewise, because uneven contacts are softer, and the stated errors are
 /// smaller: wholly from z* = 4.4 on, not below 4.2.
+/// Grains of several materials (state.pair_shares): G and K are multiplied by effective_stiffness of their
+/// contacts, at exchanges of 0.757 4/z* (G) and 0.708 (4/z*)^2 (K); K not below what known forces allow.
 /// Where contacts resist rolling (state.rolling), the coupling of G to the tangential stiffness passes over
 /// to that of a network without spins, by k_r over k_t/k_n, and a part of the loss of K is taken back; what
 /// is gained has an error of its own. Fitted for k_r from 0.003 to 1 and k_t/k_n from 0.1 to 0.92, to
@@ -139,7 +141,8 @@ struct RelaxedEstimate {
 ///           of 1.1 to 5.6 %, seeds never fitted: G 1.9 %, K 1.1 % rms.
 ///           Gain by rolling resistance in packings left out of its fit: G 1.4 % rms, 5.0 % at worst, K 0.7
 ///           and 2.7 %; at k_t/k_n = 0.1 2.2 % rms of G, 2.0 % of K.
-/// Checked by tests/effective/test_relaxation.cpp, tests/effective/test_rolling.cpp, validation/relaxation
+/// Checked by tests/effective/test_relaxation.cpp, tests/effective/test_rolling.cpp,
+/// tests/effective/test_mixture.cpp, validation/relaxation, validation/mixtures
 [[nodiscard]] RelaxedEstimate relaxed(const State& state, double mechanical_coordination_number);
 
 } // namespace granum::effective

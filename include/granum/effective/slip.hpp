@@ -24,7 +24,8 @@ struct SlipOnset {
   double exponent = 0; ///< b of k_n ~ f^b
 };
 
-/// \param    state      of the packing; its mean stress is used, its fabric is ignored
+/// \param    state      of the packing; its mean stress is used, its fabric, rolling and pair_shares are
+///                      ignored
 /// \param    mechanical_coordination_number   z* above isostatic_coordination_number [1]
 /// \param    friction_coefficient             mu > 0 of the grains [1]
 /// \throws   InvalidArgument as require_valid(State), for contacts or stress that are 0, k_t = 0, mu that is

@@ -13,7 +13,9 @@ struct UniformContacts {
   double normal_stiffness = State::unset;     ///< k_n >= 0 [N/m]
   double tangential_stiffness = State::unset; ///< k_t in [0, 100 k_n] [N/m]
   double fabric_anisotropy = 0;               ///< a in (-7/3, 7/5)
-  double branch_evenness = 1; ///< <l>^2/<l^2> in (0, 1]: P of uniform stress over that of uniform strain
+  /// <l>^2/<l^2> in (0, 1]: P of uniform stress over that of uniform strain; of several materials times the
+  /// harmonic mean of their stiffnesses over the mean
+  double branch_evenness = 1;
 };
 
 /// A stiffness and its validity notes.
@@ -74,6 +76,7 @@ struct Estimate {
 
 /// Stiffness under the static hypothesis with the same k_n(f_n(gamma)); see uniform_strain and
 /// uniform_stress_stiffness. Adds a note if k_t = 0, where the shear moduli vanish by construction.
+/// Contacts of several materials count by the harmonic mean of their stiffnesses.
 ///                                                                           [ChangLiao1994; YimsiriSoga2000]
 /// \throws   InvalidArgument as require_valid(State)
 /// Accuracy  relative 1e-12; G_hh, E_v and E_h, which vanish with r = k_t/k_n, relative 1e-12 (1 + 1/r).

@@ -116,7 +116,8 @@ class InputValues {
 /// \throws   InvalidArgument as completed
 [[nodiscard]] InputValues as_sand(InputValues values);
 
-/// The contacts of grains of several minerals that are mixed at random; without kinds where there is one.
+/// The contacts of grains of several minerals that are mixed at random; without pair_shares where there is
+/// one.
 /// \throws   InvalidArgument for a contact law whose exponent depends on the force
 [[nodiscard]] effective::MixedContacts mixed_contacts_of(const InputValues& values);
 /// The material of the grains: the shear modulus, and Poisson's ratio or the bulk modulus.

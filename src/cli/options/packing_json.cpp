@@ -20,6 +20,8 @@ ordered_json packing_json(const estimate::InputValues& values, const effective::
                {"tangential_ratio", s.tangential_ratio},
                {"void_ratio", s.void_ratio},
                {"fabric", s.fabric_anisotropy}});
+  if (values.minerals.size() > 1)
+    json["grain"] = contact::text_of(values.minerals);
   if (s.rolling > 0)
     json["rolling"] = s.rolling;
   if (s.coordination_number)

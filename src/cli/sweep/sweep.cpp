@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/options/densest_packing.hpp"
 #include "depth.hpp"
 
 #include <algorithm>
@@ -7,6 +6,8 @@
 
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
+
+#include "cli/options/densest_packing.hpp"
 
 namespace granum::cli {
 
