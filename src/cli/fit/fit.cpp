@@ -55,7 +55,7 @@ std::string meaning_of(const Measured& s, double stress) {
   const double error = s.standard_error;
   const auto below = [&](double number) { return s.value + 2 * error < number; };
   const auto above = [&](double number) { return s.value - 2 * error > number; };
-  const std::string text = "Measured sands have s = 0.40 C_u^0.18 +- 0.05 (C_u: uniformity coefficient), "
+  const std::string text = "Measured sands have s = 0.40 C_u^0.18 +- 0.045 (C_u: uniformity coefficient), "
                            "0.43 if they are uniform. ";
   if (below(1.0 / 3))
     return text + "s below 1/3: contacts that stiffen little with stress, for instance by bonds or cement.";
