@@ -14,6 +14,7 @@
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/frame/command_line.hpp"
 #include "cli/frame/frame.hpp"
 
 /// The result of a command as values in sections; each printer below knows how one form of it looks.
@@ -126,9 +127,12 @@ struct Note {
   Seen seen = Seen::full;
 };
 
+/// "grain_shear_modulus", the key among the inputs of an assumed one, "--grain-shear-modulus".
+[[nodiscard]] std::string input_key(const estimate::Note& note);
+
 struct Document {
   std::string command = {};                ///< "estimate"
-  std::string title = {}, question = {};   ///< first line of a screen, and of a page
+  std::string title = {}, question = {};   ///< first line of a screen, and of a page if that has another
   std::vector<std::string> sentences = {}; ///< the answer in words, below that
   std::vector<Section> sections = {};
   std::vector<Note> notes = {};
@@ -182,8 +186,14 @@ struct Document {
 [[nodiscard]] std::string csv(const Document& document);
 /// Charts as one SVG file. \throws InvalidArgument if there are none
 [[nodiscard]] std::string picture(const Document& document);
-/// A page of HTML: answer, picture, tables, notes, sources, warnings and the full screen.
-[[nodiscard]] std::string page(const Document& document);
+/// What the page of one run says besides its document.
+struct Record {
+  std::string date = {};                   ///< "29 November 2026"; empty: none, so that it can be made again
+  std::vector<AskedOption> asked = {};
+};
+/// A page of HTML: answer, picture, what was asked, tables, warnings, assumptions, sources and the full screen.
+/// Numbers have the decimal sign of document.manner.
+[[nodiscard]] std::string page(const Document& document, const Record& record = {});
 
 /// Where a document is printed to.
 struct Outlets {

@@ -2,6 +2,7 @@
 // A document as JSON, CSV and SVG, and its way to the files that are asked for.
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
@@ -9,6 +10,7 @@
 #include <granum/io/csv/table.hpp>
 #include <granum/io/output_file.hpp>
 
+#include "cli/frame/command_line.hpp"
 #include "cli/frame/json_members.hpp"
 #include "document.hpp"
 
@@ -35,13 +37,6 @@ ordered_json& object_at(ordered_json& out, const std::string& key) {
 ordered_json json_of(const std::optional<estimate::Range>& range) {
   return range ? ordered_json{{"value", range->value}, {"low", range->low}, {"high", range->high}}
                : ordered_json();
-}
-
-/// "--grain-shear-modulus" as "grain_shear_modulus", the key of a value among the inputs.
-std::string key_of(const estimate::Note& note) {
-  std::string key = note.name.substr(std::min(note.name.find_first_not_of('-'), note.name.size()));
-  std::replace(key.begin(), key.end(), '-', '_');
-  return key;
 }
 
 /// An assumed input.
@@ -142,6 +137,12 @@ const Table* table_with_headings(const Document& document) {
 
 } // namespace
 
+std::string input_key(const estimate::Note& note) {
+  std::string key = note.name.substr(std::min(note.name.find_first_not_of('-'), note.name.size()));
+  std::replace(key.begin(), key.end(), '-', '_');
+  return key;
+}
+
 void add_range(io::Items& to, const std::string& key, const estimate::Range& range) {
   for (const auto& [name, part] : {std::pair{"/value", &estimate::Range::value},
                                    {"/low", &estimate::Range::low},
@@ -162,7 +163,7 @@ ordered_json json(const Document& document) {
   ordered_json notes = ordered_json::array();
   for (const Note& note : document.notes) {
     if (!note.what.name.empty())
-      out["assumed"][key_of(note.what)] = json_of(note.what);
+      out["assumed"][input_key(note.what)] = json_of(note.what);
     notes.push_back(note.what.sentence());
   }
   out["notes"] = std::move(notes);
@@ -194,6 +195,20 @@ std::string csv(const Document& document) {
     add_row(out, document);
   return io::csv_text(out);
 }
+
+namespace {
+
+/// "29 November 2026", in UTC.
+std::string today() {
+  constexpr const char* months[] = {"January", "February", "March",     "April",   "May",      "June",
+                                    "July",    "August",   "September", "October", "November", "December"};
+  const std::chrono::year_month_day day(
+      std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+  return fmt::format("{} {} {}", static_cast<unsigned>(day.day()),
+                     months[static_cast<unsigned>(day.month()) - 1], static_cast<int>(day.year()));
+}
+
+} // namespace
 
 std::string picture(const Document& document) {
   for (const Section& section : document.sections)
@@ -244,7 +259,7 @@ ExitCode deliver(const Outlets& to, const Document& document) {
   if (!to.picture.empty())
     io::write_file(to.picture, picture(document), existing(output.force));
   if (!to.report.empty())
-    io::write_file(to.report, page(document), existing(output.force));
+    io::write_file(to.report, page(document, {.date = today(), .asked = asked_options()}), existing(output.force));
   return code;
 }
 
