@@ -155,6 +155,9 @@ struct Document {
   }
 };
 
+/// Adds the references that notes and sections cite, for JSON.
+void add_sources(Document& to);
+
 // ---- how values look
 /// A number in the unit of a screen, with the unit: "118 MPa".
 [[nodiscard]] std::string number_text(Dimension dimension, double value);
@@ -202,9 +205,13 @@ struct Outlets {
   bool full = false;                     ///< the full screen
   bool always_csv = false;               ///< to a file whatever its name, unless it is JSON
   bool csv_on_screen = false;            ///< instead of text
+
+  [[nodiscard]] bool draws() const { return !picture.empty() || !report.empty(); }
 };
 /// Adds --full, --picture and --report.
 void add_outlets(Command& command, Outlets& outlets, const std::string& picture_help);
+/// Adds --report, to which --force applies too. Assumes the command has --picture.
+void add_report(Command& command, std::string& target);
 /// Checks names of files before any work is done.
 /// \throws   InvalidArgument for another ending than .svg and .html, and one name for two files; FileError as
 ///           require_free of frame.hpp

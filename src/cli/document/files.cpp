@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
+#include <granum/core/references.hpp>
 #include <granum/core/version.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/io/output_file.hpp>
@@ -170,6 +171,26 @@ ordered_json json(const Document& document) {
   return out;
 }
 
+void add_sources(Document& to) {
+  std::vector<Section> small; // without rows, of which there may be millions
+  for (const Section& section : to.sections)
+    if (!std::holds_alternative<Rows>(section.what))
+      small.push_back(section);
+  std::string text = json_text(members_of(small), -1);
+  for (const Note& note : to.notes)
+    text += note.what.sentence() + " " + note.what.source + " ";
+  const auto part = [](std::string_view Reference::*of) {
+    return [of](const Reference& one) {
+      return (one.*of).empty() ? std::optional<std::string>() : std::string(one.*of);
+    };
+  };
+  const io::Columns<Reference> columns = {{"", "", [](const Reference& one) { return std::string(one.key); }},
+                                          {"", "reference", part(&Reference::text)},
+                                          {"", "link", part(&Reference::link)},
+                                          {"", "not_checked", part(&Reference::remark)}};
+  to.add(Seen::data, table_of("sources", "", columns, references_in(text), Table::Form::named));
+}
+
 std::string csv(const Document& document) {
   io::CsvContent out{.notes = {{"program", fmt::format("granum {} {}", version(), document.command)}},
                      .headings = {},
@@ -223,9 +244,13 @@ void add_outlets(Command& command, Outlets& outlets, const std::string& picture_
                               .value = flag(outlets.full),
                               .meaning = "Show every number, the inputs and all notes on the screen"}});
   add_picture(command, outlets.picture, picture_help);
+  add_report(command, outlets.report);
+}
+
+void add_report(Command& command, std::string& target) {
   command.add(output_group,
               {{.name = "--report",
-                .value = path(outlets.report, "FILE.html"),
+                .value = path(target, "FILE.html"),
                 .meaning = "Write the result as a page with ranges, notes, full references, and "
                            "the picture"}});
   OptionRow& force = command.row("--force");

@@ -137,6 +137,20 @@ std::string html_asked(const std::vector<AskedOption>& asked) {
   return rows.empty() ? "" : plot::html_table({"what", "as given", "option"}, rows);
 }
 
+/// Rows of CSV, folded away, with four digits.
+std::string html_rows(const Rows& rows, io::CsvManner manner) {
+  if (rows.lines.empty())
+    return "";
+  const std::vector<io::CsvCell> headings(rows.headings.begin(), rows.headings.end());
+  const io::CsvTable table("rows", io::csv_line(headings, manner) + rows.lines);
+  std::vector<std::vector<std::string>> all;
+  for (std::size_t row = 0; row < table.row_count(); ++row)
+    for (std::string& cell : all.emplace_back(table.fields(row)))
+      if (const std::optional<double> number = parse_number(cell))
+        cell = short_text(*number, 4);
+  return plot::html_folded("Every row", plot::html_table(rows.headings, all));
+}
+
 /// "29 November 2026, granum 0.2.0".
 std::string dated(const Record& record) { return record.date + ", granum " + std::string(version()); }
 
@@ -168,7 +182,7 @@ std::string html_assumptions(const std::vector<Note>& notes) {
 std::string page(const Document& document, const Record& record) {
   std::vector<std::string> sentences = document.sentences;
   std::vector<plot::PageFigure> figures;
-  std::string numbers, pictures, folded;
+  std::string numbers, every_row, pictures, folded;
   bool ranges_above = false;
   for (const Section& section : document.sections) {
     if (const auto* ranges = std::get_if<Ranges>(&section.what); ranges != nullptr && !ranges->rows.empty()) {
@@ -181,6 +195,8 @@ std::string page(const Document& document, const Record& record) {
       else
         folded += plot::html_folded(of->folded, plot::html_figure(figure_of(*of)));
     }
+    if (const auto* rows = std::get_if<Rows>(&section.what))
+      every_row += html_rows(*rows, document.manner);
     if (section.seen == Seen::always || section.seen == Seen::full)
       numbers += std::visit([](const auto& what) { return html_of(what); }, section.what);
   }
@@ -207,7 +223,7 @@ std::string page(const Document& document, const Record& record) {
   const std::string& question = document.question.empty() ? document.title : document.question;
   std::string body = worded(plot::html_first_screen(question, sentences, figures.front()));
   body += section_of("asked", "What was asked", html_asked(record.asked));
-  body += worded(pictures + section_of("numbers", "Every number", numbers));
+  body += worded(pictures + section_of("numbers", "Every number", numbers + every_row));
   if (!document.warnings.ok())
     body += worded(plot::html_section("warnings", "Warnings", plot::html_list(document.warnings.notes)));
   body += worded(section_of("assumptions", "Assumptions", html_assumptions(document.notes)));
