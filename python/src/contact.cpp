@@ -181,7 +181,7 @@ void bind_minerals(py::module_& module) {
   ResultClass<Mineral>(module, "Mineral", "A common material of grains.")
       .show("key", "Its name on a command line.", &Mineral::key)
       .show("name", "For people.", &Mineral::name)
-      .show("source", "Key in validation/references.bib.", &Mineral::source)
+      .show("source", "Key of references().", &Mineral::source)
       .show("shear_modulus", "G_g [Pa].", &Mineral::material, &GrainMaterial::shear_modulus)
       .show("poisson_ratio", "nu_g [1].", &Mineral::material, &GrainMaterial::poisson_ratio)
       .show("bulk_modulus", "K_s [Pa].", &Mineral::material, &contact::bulk_modulus)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include <granum/core/references.hpp>
 #include <granum/hardin/fit.hpp>
 #include <granum/sands/known_sands.hpp>
 
@@ -20,12 +21,24 @@ namespace {
 using sands::KnownSand;
 using sands::MeasuredLaw;
 
+void bind_references(py::module_& module) {
+  ResultClass<Reference>(module, "Reference", "A source that docstrings, laws, minerals and sands cite.")
+      .show("key", "As it is cited.", &Reference::key)
+      .show("text", "Authors, year, title, place, volume and pages.", &Reference::text)
+      .show("link", "Its address, or an empty text.", &Reference::link)
+      .show("remark", "What of it was not checked, and why its number can be used; or an empty text.",
+            &Reference::remark);
+  define_table(module, "references", references(),
+               {"The sources by the keys with which they are cited.",
+                "dict of Reference\n    By their keys.", "", "", "references", "core/references.hpp"});
+}
+
 void bind_known_sands(py::module_& module) {
   ResultClass<KnownSand>(module, "KnownSand",
                          "A sand often used in laboratories, with its published properties.")
       .show("key", "Its name on a command line.", &KnownSand::key)
       .show("name", "Its full name.", &KnownSand::name)
-      .show("source", "Keys in validation/references.bib.", &KnownSand::source)
+      .show("source", "Keys of references().", &KnownSand::source)
       .show("mineral", "Key of its mineral, see minerals().", &KnownSand::mineral)
       .show("d50", "[m]; None if not published.", &KnownSand::d50)
       .show("uniformity", "C_u = d60/d10 [1], or None.", &KnownSand::uniformity)
@@ -54,7 +67,7 @@ void bind_measured_laws(py::module_& module) {
                            "A published law of the small-strain shear modulus of sands.")
       .show("key", "Its name on a command line.", &MeasuredLaw::key)
       .show("sand", "The tested material.", &MeasuredLaw::sand)
-      .show("source", "Key in validation/references.bib.", &MeasuredLaw::source)
+      .show("source", "Key of references().", &MeasuredLaw::source)
       .show("formula", "In kPa, as in its source.", &MeasuredLaw::formula)
       .show("bias", "Law over measured, geometric mean over 38 clean sands [1].",
             [](const MeasuredLaw& l) { return l.record.bias; })
@@ -172,6 +185,7 @@ void bind_fit(py::module_& module) {
 } // namespace
 
 void bind_sands(py::module_& module) {
+  bind_references(module);
   bind_known_sands(module);
   bind_measured_laws(module);
 }

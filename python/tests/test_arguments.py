@@ -112,7 +112,7 @@ GOOD = {
     "walton_uniaxial_stress": STRAINED,
     "water_and_air_bulk_modulus": dict(saturation=0.5),
 }
-WITHOUT_ARGUMENTS = {"formats", "known_sands", "measured_laws", "minerals", "rungs"}
+WITHOUT_ARGUMENTS = {"formats", "known_sands", "measured_laws", "minerals", "references", "rungs"}
 # Written in Python, or of a specimen, which takes seconds to prepare.
 OTHERS = {"compress", "frames", "from_lammps", "from_yade", "probe", "read", "shear", "verify"}
 

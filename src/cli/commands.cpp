@@ -135,6 +135,7 @@ ExitCode parse_and_run(int argc, char** argv) {
   }
   if (const std::vector<std::string> faults = take_arguments(*program, *command, arguments); !faults.empty())
     return fail_with(faults);
+  remember_asked(arguments);
   try {
     return command->run();
   } catch (const InvalidArgument& error) {

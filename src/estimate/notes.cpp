@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <granum/core/text.hpp>
+#include <granum/sands/known_sands.hpp>
 #include <granum/sands/pooled_law.hpp>
 
 #include "parts.hpp"
@@ -132,6 +133,25 @@ std::string exponent_text(const sands::Sand& sand, double mean_stress) {
          short_text(here, 3) + " below";
 }
 
+/// The grading that published laws need and nobody gave; q knows C_u and d50 of a sand by its name.
+void add_assumed_grading(Notes& notes, const InputValues& values, const Question& q) {
+  const sands::SandState usual;
+  const auto add = [&](Input input, double number, const char* reason) {
+    const Dimension dimension = row_of(input).dimension;
+    notes.push_back({.name = values.name(input),
+                     .value = pretty(number, dimension),
+                     .number = number,
+                     .dimension = dimension,
+                     .reason = reason});
+  };
+  if (!q.sand.uniformity)
+    add(Input::uniformity, usual.uniformity, "of a uniform sand, where a law of sands needs C_u");
+  if (!q.sand.d50)
+    add(Input::d50, usual.d50,
+        "for the published laws of Menq and of Wang and Stokoe, by some per cent; the answer does not need "
+        "it");
+}
+
 /// The basis of an answer for a sand.
 void add_sand_notes(Notes& notes, const InputValues& values, const Question& q) {
   const double p = q.state.mean_stress();
@@ -154,6 +174,11 @@ void add_sand_notes(Notes& notes, const InputValues& values, const Question& q) 
   add(std::string("nu is a mean of measurements; its scatter changes E little, ") +
       (q.saturation < 1 ? "V_p by about 10 %, and " : "V_p of saturated sand hardly, and ") +
       "K by a factor of 1.5");
+  add("G_hh is taken as " + short_text(sands::shear_anisotropy) + " +- " +
+      short_text(sands::shear_anisotropy_deviation) + " times G_vh under equal stresses, and E_h as E_v +- " +
+      short_text(100 * sands::young_anisotropy_deviation) + " %; laboratories differ");
+  if (p > 0)
+    add_assumed_grading(notes, values, q);
   if (p > 0)
     add("z* and k/k_H are not measured: they are inferred from nu and G by the formula for spheres, with "
         "grains "

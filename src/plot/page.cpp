@@ -66,9 +66,17 @@ summary { cursor: pointer; font-weight: 600; }
   body { font-size: 16px; padding: 0 0.9rem 2rem; }
   .first { grid-template-columns: minmax(0, 1fr); }
 }
+@page { size: A4; margin: 18mm 16mm; }
 @media print {
-  html { font-size: 10.5pt; }
+  html { font-size: 10pt; }
   body { max-width: none; font-size: 1rem; padding: 0; }
+  p, li { max-width: none; }
+  .wide { overflow: visible; }
+  table { font-size: 0.86rem; }
+  th, td { padding-right: 0.6rem; }
+  td a { overflow-wrap: anywhere; }
+  pre { white-space: pre-wrap; }
+  a { color: inherit; }
   .switch, .tip { display: none; }
   .unchosen { display: block; }
   .trio figure, .panel, tr { break-inside: avoid; }

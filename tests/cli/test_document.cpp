@@ -59,6 +59,7 @@ Document example() {
                     .value = "500 um",
                     .number = 5e-4,
                     .deviation = 1e-4,
+                    .dimension = Dimension::length,
                     .reason = "as usual"},
                    Seen::full),
               note({.reason = "for files"}, Seen::data)};
@@ -126,10 +127,37 @@ TEST_CASE("document: the page has answers, tables, notes and their sources") {
   Document document = example();
   document.warnings.add("beware");
   const std::string text = page(document);
-  for (const char* part : {"What is it?", "sand: G is 100 MPa (90 MPa to 1.2 GPa); in brackets", "first one",
-                           "a note [Lo2021]", "Lo2021: ", "beware", "<pre>An example"})
+  for (const char* part :
+       {"What is it?", "sand: G is 100 MPa (90 MPa to 1.2 GPa).", "one standard deviation to each side",
+        "first one", "a note [<a href=\"#Lo2021\">Lo2021</a>]", "<td id=\"Lo2021\">", "beware",
+        "<pre>An example"})
     CHECK_MESSAGE(has(text, part), part, " is missing");
-  CHECK_FALSE(has(text, "for files"));
+  for (const char* part : {"for files", "What was asked", ", granum 0."})
+    CHECK_FALSE(has(text, part));
+}
+
+TEST_CASE("document: an assumed input is a row with value, deviation and reason") {
+  const std::string text = page(example());
+  CHECK(has(text, "<td class=\"number\">500 um</td>\n<td class=\"number\">100 um</td>\n<td>as usual</td>"));
+}
+
+TEST_CASE("document: the page of a run has its date, its version and what was asked") {
+  Document document = example();
+  document.question.clear();
+  const std::string text =
+      page(document, {.date = "1 May 2026", .asked = {{"--void-ratio", "0.6", "Void ratio, instead of n"}}});
+  for (const char* part : {"<h1>An example</h1>", "1 May 2026, granum 0.", "<td>Void ratio</td>",
+                           "<td class=\"number\">0.6</td>\n<td>--void-ratio</td>"})
+    CHECK_MESSAGE(has(text, part), part, " is missing");
+}
+
+TEST_CASE("document: the page has the decimal sign of the table, but for what was typed") {
+  Document document = example();
+  document.manner = {.separator = ';', .decimal_sign = ','};
+  const std::string text = page(document, {.date = "", .asked = {{"--void-ratio", "0.6", "e"}}});
+  CHECK(has(text, "(90 MPa to 1,2 GPa)"));
+  CHECK(has(text, "<td class=\"number\">0.6</td>\n<td>--void-ratio</td>"));
+  CHECK(has(text, "Engineering 147(5), 04021020."));
 }
 
 TEST_CASE("document: a picture is asked for where there is one") {

@@ -17,6 +17,7 @@ foreach(path pyproject.toml setup.py MANIFEST.in CMakeLists.txt LICENSE README.m
     src python tests)
   file(COPY "${ROOT}/${path}" DESTINATION "${SCRATCH}/clone" PATTERN "*.egg-info" EXCLUDE)
 endforeach()
+file(COPY "${ROOT}/validation/references.bib" DESTINATION "${SCRATCH}/clone/validation")
 execute_process(COMMAND "${PYTHON}" -c "import setuptools.build_meta as b; b.build_sdist(r'${SCRATCH}')"
   WORKING_DIRECTORY "${SCRATCH}/clone" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 set(sdist "${SCRATCH}/granum-${VERSION}.tar.gz")

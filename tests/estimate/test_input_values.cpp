@@ -238,3 +238,21 @@ TEST_CASE("input values: notes are the defaults that a packing uses, with their 
   CHECK(notes[1].deviation == doctest::Approx(9e9));
   CHECK(notes[1].sentence().starts_with("assumed --grain-shear-modulus 30 GPa +- 9 GPa, "));
 }
+
+TEST_CASE("input values: what laws of sands assume is among the notes until it is given") {
+  const auto names = [](InputValues values) {
+    values.grain_shape = GrainShape::sand;
+    const InputValues all = completed(std::move(values));
+    std::vector<std::string> assumed;
+    for (const Note& note : notes_of(all, question_of(all), {}, true))
+      assumed.push_back(note.name.empty() && note.reason.find("G_hh") != std::string::npos ? "G_hh"
+                                                                                           : note.name);
+    std::erase(assumed, "");
+    return assumed;
+  };
+  CHECK(names(usual()) == std::vector<std::string>{"G_hh", "--uniformity", "--d50"});
+  InputValues given = usual();
+  given.give(Input::d50, 0.3e-3);
+  given.give(Input::uniformity, 2);
+  CHECK(names(given) == std::vector<std::string>{"G_hh"});
+}

@@ -14,6 +14,7 @@
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/frame/command_line.hpp"
 #include "cli/frame/frame.hpp"
 
 /// The result of a command as values in sections; each printer below knows how one form of it looks.
@@ -126,9 +127,12 @@ struct Note {
   Seen seen = Seen::full;
 };
 
+/// "grain_shear_modulus", the key among the inputs of an assumed one, "--grain-shear-modulus".
+[[nodiscard]] std::string input_key(const estimate::Note& note);
+
 struct Document {
   std::string command = {};                ///< "estimate"
-  std::string title = {}, question = {};   ///< first line of a screen, and of a page
+  std::string title = {}, question = {};   ///< first line of a screen, and of a page if that has another
   std::vector<std::string> sentences = {}; ///< the answer in words, below that
   std::vector<Section> sections = {};
   std::vector<Note> notes = {};
@@ -150,6 +154,9 @@ struct Document {
       notes.push_back({{.reason = sentence}, seen});
   }
 };
+
+/// Adds the references that notes and sections cite, for JSON.
+void add_sources(Document& to);
 
 // ---- how values look
 /// A number in the unit of a screen, with the unit: "118 MPa".
@@ -182,8 +189,14 @@ struct Document {
 [[nodiscard]] std::string csv(const Document& document);
 /// Charts as one SVG file. \throws InvalidArgument if there are none
 [[nodiscard]] std::string picture(const Document& document);
-/// A page of HTML: answer, picture, tables, notes, sources, warnings and the full screen.
-[[nodiscard]] std::string page(const Document& document);
+/// What the page of one run says besides its document.
+struct Record {
+  std::string date = {};                   ///< "29 November 2026"; empty: none, so that it can be made again
+  std::vector<AskedOption> asked = {};
+};
+/// A page of HTML: answer, picture, what was asked, tables, warnings, assumptions, sources and the full screen.
+/// Numbers have the decimal sign of document.manner.
+[[nodiscard]] std::string page(const Document& document, const Record& record = {});
 
 /// Where a document is printed to.
 struct Outlets {
@@ -192,9 +205,13 @@ struct Outlets {
   bool full = false;                     ///< the full screen
   bool always_csv = false;               ///< to a file whatever its name, unless it is JSON
   bool csv_on_screen = false;            ///< instead of text
+
+  [[nodiscard]] bool draws() const { return !picture.empty() || !report.empty(); }
 };
 /// Adds --full, --picture and --report.
 void add_outlets(Command& command, Outlets& outlets, const std::string& picture_help);
+/// Adds --report, to which --force applies too. Assumes the command has --picture.
+void add_report(Command& command, std::string& target);
 /// Checks names of files before any work is done.
 /// \throws   InvalidArgument for another ending than .svg and .html, and one name for two files; FileError as
 ///           require_free of frame.hpp

@@ -2,13 +2,16 @@
 // A document as JSON, CSV and SVG, and its way to the files that are asked for.
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
+#include <granum/core/references.hpp>
 #include <granum/core/version.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/io/output_file.hpp>
 
+#include "cli/frame/command_line.hpp"
 #include "cli/frame/json_members.hpp"
 #include "document.hpp"
 
@@ -35,13 +38,6 @@ ordered_json& object_at(ordered_json& out, const std::string& key) {
 ordered_json json_of(const std::optional<estimate::Range>& range) {
   return range ? ordered_json{{"value", range->value}, {"low", range->low}, {"high", range->high}}
                : ordered_json();
-}
-
-/// "--grain-shear-modulus" as "grain_shear_modulus", the key of a value among the inputs.
-std::string key_of(const estimate::Note& note) {
-  std::string key = note.name.substr(std::min(note.name.find_first_not_of('-'), note.name.size()));
-  std::replace(key.begin(), key.end(), '-', '_');
-  return key;
 }
 
 /// An assumed input.
@@ -142,6 +138,12 @@ const Table* table_with_headings(const Document& document) {
 
 } // namespace
 
+std::string input_key(const estimate::Note& note) {
+  std::string key = note.name.substr(std::min(note.name.find_first_not_of('-'), note.name.size()));
+  std::replace(key.begin(), key.end(), '-', '_');
+  return key;
+}
+
 void add_range(io::Items& to, const std::string& key, const estimate::Range& range) {
   for (const auto& [name, part] : {std::pair{"/value", &estimate::Range::value},
                                    {"/low", &estimate::Range::low},
@@ -162,11 +164,31 @@ ordered_json json(const Document& document) {
   ordered_json notes = ordered_json::array();
   for (const Note& note : document.notes) {
     if (!note.what.name.empty())
-      out["assumed"][key_of(note.what)] = json_of(note.what);
+      out["assumed"][input_key(note.what)] = json_of(note.what);
     notes.push_back(note.what.sentence());
   }
   out["notes"] = std::move(notes);
   return out;
+}
+
+void add_sources(Document& to) {
+  std::vector<Section> small; // without rows, of which there may be millions
+  for (const Section& section : to.sections)
+    if (!std::holds_alternative<Rows>(section.what))
+      small.push_back(section);
+  std::string text = json_text(members_of(small), -1);
+  for (const Note& note : to.notes)
+    text += note.what.sentence() + " " + note.what.source + " ";
+  const auto part = [](std::string_view Reference::*of) {
+    return [of](const Reference& one) {
+      return (one.*of).empty() ? std::optional<std::string>() : std::string(one.*of);
+    };
+  };
+  const io::Columns<Reference> columns = {{"", "", [](const Reference& one) { return std::string(one.key); }},
+                                          {"", "reference", part(&Reference::text)},
+                                          {"", "link", part(&Reference::link)},
+                                          {"", "not_checked", part(&Reference::remark)}};
+  to.add(Seen::data, table_of("sources", "", columns, references_in(text), Table::Form::named));
 }
 
 std::string csv(const Document& document) {
@@ -195,6 +217,20 @@ std::string csv(const Document& document) {
   return io::csv_text(out);
 }
 
+namespace {
+
+/// "29 November 2026", in UTC.
+std::string today() {
+  constexpr const char* months[] = {"January", "February", "March",     "April",   "May",      "June",
+                                    "July",    "August",   "September", "October", "November", "December"};
+  const std::chrono::year_month_day day(
+      std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+  return fmt::format("{} {} {}", static_cast<unsigned>(day.day()),
+                     months[static_cast<unsigned>(day.month()) - 1], static_cast<int>(day.year()));
+}
+
+} // namespace
+
 std::string picture(const Document& document) {
   for (const Section& section : document.sections)
     if (const auto* of = std::get_if<Picture>(&section.what))
@@ -208,9 +244,13 @@ void add_outlets(Command& command, Outlets& outlets, const std::string& picture_
                               .value = flag(outlets.full),
                               .meaning = "Show every number, the inputs and all notes on the screen"}});
   add_picture(command, outlets.picture, picture_help);
+  add_report(command, outlets.report);
+}
+
+void add_report(Command& command, std::string& target) {
   command.add(output_group,
               {{.name = "--report",
-                .value = path(outlets.report, "FILE.html"),
+                .value = path(target, "FILE.html"),
                 .meaning = "Write the result as a page with ranges, notes, full references, and "
                            "the picture"}});
   OptionRow& force = command.row("--force");
@@ -244,7 +284,7 @@ ExitCode deliver(const Outlets& to, const Document& document) {
   if (!to.picture.empty())
     io::write_file(to.picture, picture(document), existing(output.force));
   if (!to.report.empty())
-    io::write_file(to.report, page(document), existing(output.force));
+    io::write_file(to.report, page(document, {.date = today(), .asked = asked_options()}), existing(output.force));
   return code;
 }
 

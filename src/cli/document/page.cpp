@@ -2,31 +2,22 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <granum/core/text.hpp>
+#include <granum/core/version.hpp>
+#include <granum/estimate/inputs.hpp>
 #include <granum/plot/page.hpp>
 #include <granum/plot/svg_text.hpp>
 
 #include "document.hpp"
+#include "page_text.hpp"
 
 namespace granum::cli {
 
 namespace {
 
-struct BibliographyRow {
-  std::string_view key, text;
-};
-constexpr BibliographyRow bibliography[] = {
-#include "sources_table.inc"
-};
-
-/// The entries of validation/references.bib whose keys occur in a text, in the order of the bibliography:
-/// "Menq2003: Menq, F. Y. (2003): ...".
-std::vector<std::string> sources_in(std::string_view text) {
-  std::vector<std::string> all;
-  for (const BibliographyRow& row : bibliography)
-    if (text.find(row.key) != std::string_view::npos)
-      all.push_back(std::string(row.key) + ": " + std::string(row.text));
-  return all;
-}
+constexpr const char* what_a_range_means =
+    "From low to high is one standard deviation to each side of the answer: about two thirds of such sands or "
+    "packings lie between, one in six below and one in six above.";
 
 /// "sand (measured laws): G is 118 MPa (90.73 to 153.3 MPa), V_s is ...", the first numbers of an answer.
 std::string sentence_of(const Ranges& ranges) {
@@ -35,8 +26,7 @@ std::string sentence_of(const Ranges& ranges) {
   for (const RangeRow& row : ranges.rows)
     if (row.range && row.seen == Seen::always && parts.size() < most)
       parts.push_back(row.symbol + " is " + range_text(row.dimension, *row.range));
-  return fmt::format("{}: {}; in brackets one standard deviation to each side.", ranges.title,
-                     fmt::join(parts, ", "));
+  return fmt::format("{}: {}.", ranges.title, fmt::join(parts, ", "));
 }
 
 std::string titled(const std::string& title, const std::string& content) {
@@ -54,7 +44,8 @@ std::string html_of(const Ranges& ranges) {
     }
   return rows.empty()
              ? ""
-             : titled(ranges.title, plot::html_table({"", "answer", "low", "high", "meaning"}, rows));
+             : titled(ranges.title, plot::html_table({"", "answer", "low", "high", "meaning"}, rows) +
+                                        plot::html_paragraph(what_a_range_means, "soft"));
 }
 
 std::string html_of(const Items& items) {
@@ -88,6 +79,9 @@ std::string html_of(const Table& table) {
       if (column.shown)
         column.shown->width = 1; // each is a column of the page too
   }
+  for (io::Column<Cells>& column : columns)
+    if (column.key == "source" && !column.shown)
+      column.shown = shown_as("source", {}, 1);
   for (io::Column<Cells>& column : columns)
     column.of = [of = column.of](const Cells& cells) -> io::Value {
       io::Value value = of(cells);
@@ -124,25 +118,92 @@ std::string html_of(const Data& /*data*/) { return ""; }
 
 } // namespace
 
-std::string page(const Document& document) {
-  std::vector<std::string> sentences = document.sentences, notes;
+namespace {
+
+// ---- what was asked, and what is assumed
+
+/// The first clause of a meaning: "Void ratio" of "Void ratio, instead of --porosity".
+std::string clause_of(const std::string& meaning) {
+  std::size_t end = meaning.size();
+  for (const char* mark : {";", ":", ", instead of", ", such as", ", by default"})
+    end = std::min(end, meaning.find(mark));
+  return meaning.substr(0, end);
+}
+
+std::string html_asked(const std::vector<AskedOption>& asked) {
+  std::vector<std::vector<std::string>> rows;
+  for (const AskedOption& one : asked)
+    rows.push_back({clause_of(one.meaning), one.value, one.option});
+  return rows.empty() ? "" : plot::html_table({"what", "as given", "option"}, rows);
+}
+
+/// Rows of CSV, folded away, with four digits.
+std::string html_rows(const Rows& rows, io::CsvManner manner) {
+  if (rows.lines.empty())
+    return "";
+  const std::vector<io::CsvCell> headings(rows.headings.begin(), rows.headings.end());
+  const io::CsvTable table("rows", io::csv_line(headings, manner) + rows.lines);
+  std::vector<std::vector<std::string>> all;
+  for (std::size_t row = 0; row < table.row_count(); ++row)
+    for (std::string& cell : all.emplace_back(table.fields(row)))
+      if (const std::optional<double> number = parse_number(cell))
+        cell = short_text(*number, 4);
+  return plot::html_folded("Every row", plot::html_table(rows.headings, all));
+}
+
+/// "29 November 2026, granum 0.2.0".
+std::string dated(const Record& record) { return record.date + ", granum " + std::string(version()); }
+
+/// A row for each assumed input; below it what else the answer rests on.
+std::string html_assumptions(const std::vector<Note>& notes) {
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> sentences;
+  for (const Note& note : notes) {
+    const estimate::Note& what = note.what;
+    if (note.seen == Seen::data)
+      continue;
+    if (what.name.empty()) {
+      sentences.push_back(what.sentence());
+      continue;
+    }
+    const estimate::InputRow* const row = estimate::find_input(input_key(what));
+    rows.push_back({row != nullptr ? clause_of(row->meaning) : what.name, what.value,
+                    what.deviation > 0 ? pretty(what.deviation, what.dimension) : "-", what.reason, what.name});
+  }
+  return (rows.empty()
+              ? ""
+              : plot::html_table({"assumed", "value", "one standard deviation", "why", "option that sets it"},
+                                 rows)) +
+         (sentences.empty() ? "" : plot::html_list(sentences));
+}
+
+} // namespace
+
+std::string page(const Document& document, const Record& record) {
+  std::vector<std::string> sentences = document.sentences;
   std::vector<plot::PageFigure> figures;
-  std::string numbers, pictures, folded;
+  std::string numbers, every_row, pictures, folded;
+  bool ranges_above = false;
   for (const Section& section : document.sections) {
-    if (const auto* ranges = std::get_if<Ranges>(&section.what); ranges != nullptr && !ranges->rows.empty())
+    if (const auto* ranges = std::get_if<Ranges>(&section.what); ranges != nullptr && !ranges->rows.empty()) {
       sentences.push_back(sentence_of(*ranges));
+      ranges_above = true;
+    }
     if (const auto* of = std::get_if<Picture>(&section.what)) {
       if (of->folded.empty())
         figures.push_back(figure_of(*of));
       else
         folded += plot::html_folded(of->folded, plot::html_figure(figure_of(*of)));
     }
+    if (const auto* rows = std::get_if<Rows>(&section.what))
+      every_row += html_rows(*rows, document.manner);
     if (section.seen == Seen::always || section.seen == Seen::full)
       numbers += std::visit([](const auto& what) { return html_of(what); }, section.what);
   }
-  for (const Note& note : document.notes)
-    if (note.seen != Seen::data)
-      notes.push_back(note.what.sentence());
+  if (ranges_above)
+    sentences.push_back(std::string("In brackets: low to high. ") + what_a_range_means);
+  if (!record.date.empty())
+    sentences.push_back(dated(record));
   if (figures.empty())
     figures.emplace_back();
   for (std::size_t k = 1; k < figures.size(); ++k)
@@ -152,15 +213,23 @@ std::string page(const Document& document) {
   if (!pictures.empty() || !folded.empty())
     pictures = plot::html_section("pictures", "Pictures", pictures + folded);
   const std::string text = screen(document, true);
-  std::string body = plot::html_first_screen(document.question, sentences, figures.front()) + pictures +
-                     plot::html_section("numbers", "Every number", numbers) +
-                     plot::html_section("assumptions", "Assumptions and sources", plot::html_list(notes)) +
-                     plot::html_section("sources", "Sources",
-                                        plot::html_list(sources_in(text + json_text(json(document), -1))));
+  const std::vector<Reference> sources = references_in(text + json_text(json(document), -1));
+  const auto worded = [&](const std::string& html) {
+    return with_source_links(document.manner.decimal_sign == ',' ? with_decimal_commas(html) : html, sources);
+  };
+  const auto section_of = [](const char* id, const char* title, const std::string& content) {
+    return content.empty() ? "" : plot::html_section(id, title, content);
+  };
+  const std::string& question = document.question.empty() ? document.title : document.question;
+  std::string body = worded(plot::html_first_screen(question, sentences, figures.front()));
+  body += section_of("asked", "What was asked", html_asked(record.asked));
+  body += worded(pictures + section_of("numbers", "Every number", numbers + every_row));
   if (!document.warnings.ok())
-    body += plot::html_section("warnings", "Warnings", plot::html_list(document.warnings.notes));
-  body += plot::html_section("all", "All results",
-                             plot::html_folded("Output on the terminal", plot::html_preformatted(text)));
+    body += worded(plot::html_section("warnings", "Warnings", plot::html_list(document.warnings.notes)));
+  body += worded(section_of("assumptions", "Assumptions", html_assumptions(document.notes)));
+  body += section_of("sources", "Sources", html_sources(sources));
+  body += worded(plot::html_section(
+      "all", "All results", plot::html_folded("Output on the terminal", plot::html_preformatted(text))));
   return plot::html_page("granum " + document.command, body);
 }
 

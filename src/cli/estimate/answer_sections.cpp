@@ -9,6 +9,8 @@
 #include <granum/core/text.hpp>
 #include <granum/sands/strain.hpp>
 
+#include "cli/options/packing_json.hpp"
+
 namespace granum::cli {
 
 using estimate::Answer;
@@ -183,6 +185,12 @@ std::string preparation_remark(const Question& q) {
          "with "
          "a friction coefficient of 0.5 to the largest number possible at this void ratio" +
          by_densest + ". --preparation, --rattler-fraction or --mechanical-coordination-number narrows it.";
+}
+
+void add_packing(Document& to, const InputValues& values, const effective::State& state, bool sand_beside) {
+  to.add(Seen::data, Data{"inputs", packing_json(values, state)});
+  if (sand_beside)
+    to.add(Seen::data, Data{"sand_inputs", packing_json(as_sand(values), state)});
 }
 
 void add_answers(Document& to, const AnswerCase& c) {

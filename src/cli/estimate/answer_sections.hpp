@@ -15,6 +15,9 @@ namespace granum::cli {
 /// "sand (measured laws)" or "beads (spheres of the model)".
 [[nodiscard]] const char* title_of(estimate::GrainShape shape);
 
+/// The inputs of the answer, "inputs", and of an answer for a sand beside it, "sand_inputs", without the
+/// stress.
+void add_packing(Document& to, const InputValues& values, const effective::State& state, bool sand_beside);
 /// The answer, or both, with what their ranges are made of: "answer" and "sand_answer" in JSON, the latter
 /// null where one kind of grains is asked for.
 void add_answers(Document& to, const AnswerCase& c);

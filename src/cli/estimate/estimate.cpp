@@ -103,14 +103,19 @@ Items input_lines(const AnswerCase& c, const ordered_json& packing) {
   return to;
 }
 
-void add_inputs(Document& to, const AnswerCase& c, const ordered_json& packing) {
+void add_inputs(Document& to, const AnswerCase& c, const InputValues& values) {
   const State& s = c.answer.state();
-  to.add(Seen::full, input_lines(c, packing));
-  to.add(Seen::data, Data{"inputs", packing});
-  Items stress{.key = "inputs"}, state;
-  io::add_item(stress.items, "stress_v", s.stress_v);
-  io::add_item(stress.items, "stress_h", s.stress_h);
-  to.add(Seen::data, std::move(stress));
+  const bool sand = c.question.grain_shape == GrainShape::sand;
+  to.add(Seen::full, input_lines(c, packing_json(sand ? as_sand(values) : values, s)));
+  add_packing(to, sand ? as_sand(values) : values, s, c.sand_answer.has_value());
+  for (const char* key : {"inputs", "sand_inputs"}) {
+    Items stress{.key = key};
+    io::add_item(stress.items, "stress_v", s.stress_v);
+    io::add_item(stress.items, "stress_h", s.stress_h);
+    if (key == std::string_view("inputs") || c.sand_answer)
+      to.add(Seen::data, std::move(stress));
+  }
+  Items state;
   const auto add = [&state](const char* heading, const io::Value& value) {
     state.items.emplace_back(heading, "", [value](const io::Only&) { return value; });
   };
@@ -321,7 +326,7 @@ Document document_of(const Options& o, const AnswerCase& c) {
               .question = "How stiff is it, and how well is that known?"};
   to.warnings = slips_of(o, state);
   to.add_notes(c.assumptions);
-  add_inputs(to, c, packing_json(o.inputs, state));
+  add_inputs(to, c, o.inputs);
   add_answers(to, c);
   Items notes{.key = "answer"};
   std::vector<std::string> sentences;
@@ -359,7 +364,8 @@ ExitCode run(Options o) {
     make_densest(o.inputs);
   const AnswerCase c = solve_answer(o.inputs, o.uncertain);
   Document document = document_of(o, c);
-  if (!o.outlets.picture.empty() || !o.outlets.report.empty())
+  add_sources(document);
+  if (o.outlets.draws())
     document.add(Seen::data,
                  Picture{{chart_of(o, c)}, "The shear modulus around this state, with its range."});
   return deliver(o.outlets, document);

@@ -7,7 +7,7 @@
 #include <exception>
 #include <string_view>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/estimate/inputs.hpp>
@@ -202,6 +202,24 @@ std::vector<std::string> take_arguments(const Command& program, const Command& c
   if (faults.empty() && unreadable)
     std::rethrow_exception(unreadable);
   return faults;
+}
+
+namespace {
+
+std::vector<AskedOption>& asked() {
+  static std::vector<AskedOption> all;
+  return all;
+}
+
+} // namespace
+
+const std::vector<AskedOption>& asked_options() { return asked(); }
+
+void remember_asked(const std::vector<TypedArgument>& arguments) {
+  for (const TypedArgument& typed : arguments)
+    if (typed.option != nullptr && typed.option->group != output_group)
+      asked().push_back(
+          {typed.word, fmt::format("{}", fmt::join(typed.values, " ")), typed.option->meaning});
 }
 
 InvalidArgument as_typed(const InvalidArgument& error, const std::vector<TypedArgument>& arguments) {

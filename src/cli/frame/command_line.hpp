@@ -35,6 +35,15 @@ struct TypedArgument {
 [[nodiscard]] std::vector<std::string> take_arguments(const Command& program, const Command& command,
                                                       const std::vector<TypedArgument>& arguments);
 
+/// An input as it was typed, for the record of a run.
+struct AskedOption {
+  std::string option, value, meaning; ///< "--pressure", "100kPa", "Effective mean stress"
+};
+/// Those of the command that runs, without those of output.
+[[nodiscard]] const std::vector<AskedOption>& asked_options();
+/// To be called once, before the command runs.
+void remember_asked(const std::vector<TypedArgument>& arguments);
+
 /// The error with a number that the library refused named as it was typed, "--stress-h" for "stress_h"; as it
 /// is where another number was typed: the refused one is of another state, such as a prediction.
 [[nodiscard]] InvalidArgument as_typed(const InvalidArgument& error,

@@ -121,13 +121,14 @@ void add_infer_options(Command& command, InferOptions& o) {
   add_prediction_options(command, o);
   add_output_options(command, o.output);
   add_picture(command, o.picture, "Draw data, fit and prediction over the mean stress");
+  add_report(command, o.report);
   std::vector<std::string> keys;
   for (const inverse::QuantityRow& row : inverse::quantities())
     keys.emplace_back(row.key);
   command.add(output_group, {{.name = "--picture-of",
                               .value = choice(keys, o.picture_of),
                               .meaning = "Quantity in the picture; by default the first measured one",
-                              .needs = {{"--picture"}}}});
+                              .needs = {{"--picture --report", "--picture or --report"}}}});
 }
 
 Quantity pictured(const InferOptions& o, const InferCase& question) {
@@ -257,7 +258,7 @@ std::string title_text(const Inferred& all) {
 }
 
 ExitCode run(const InferOptions& o) {
-  Outlets to{.output = o.output, .picture = o.picture, .full = true, .always_csv = true};
+  Outlets to{.output = o.output, .picture = o.picture, .report = o.report, .full = true, .always_csv = true};
   require_free(to);
   const InferCase question = infer_case(o);
   const Quantity of_picture = pictured(o, question);
@@ -273,8 +274,10 @@ ExitCode run(const InferOptions& o) {
   document.warnings.merge(all.validity);
   add_inferred(document, all);
   const bool explained = !all.beads || all.beads->together;
-  if (explained && !to.picture.empty())
-    document.add(Seen::data, Picture{charts_of(all, of_picture)});
+  if (explained && to.draws())
+    document.add(Seen::data, Picture{charts_of(all, of_picture), "Measured, fitted and forecast; from low to "
+                                                                 "high is one standard error to each side."});
+  add_sources(document);
   if (!explained)
     to.picture.clear();
   const ExitCode code = deliver(to, document);

@@ -46,7 +46,7 @@ struct InferOptions {
   std::vector<std::string> predict_pressure; ///< with unit
   Number predict_stress_ratio;
   Number predict_void_ratio;
-  std::string picture; ///< file; empty for none
+  std::string picture, report; ///< files; empty for none
   std::string picture_of;
 };
 
@@ -65,7 +65,7 @@ struct InferCase {
   inverse::SandGrowth sand_growth = inverse::SandGrowth::measured;
   bool of_spheres = true; ///< unless the grains are given as sand
   std::vector<PredictedState> predicted;
-  nlohmann::ordered_json packing; ///< contact, grains and packing, SI
+  nlohmann::ordered_json packing, sand_packing; ///< inputs of spheres, or of a sand; of a sand beside them
   estimate::Notes assumptions;    ///< inputs that were not given
   io::CsvManner manner = {};      ///< of the table of measurements
 };

@@ -282,7 +282,9 @@ InferCase infer_case(const InferOptions& given) {
   if (const std::optional<estimate::Note> density = assumed_density(values, uncertain))
     question.assumptions.push_back(*density);
   note_implied_deviations(values, uncertain, question.assumptions);
-  question.packing = packing_json(values, first);
+  question.packing = packing_json(question.of_spheres ? values : as_sand(values), first);
+  if (question.of_spheres && question.sand)
+    question.sand_packing = packing_json(as_sand(values), first);
   question.options = {
       .grain_density = values.number(Input::grain_density),
       .pore_density = elastic::water_density * values.within(Input::saturation),

@@ -455,6 +455,8 @@ void add_inferred(Document& to, const Inferred& all) {
   const Inference* const fit = all.beads && all.beads->together ? &*all.beads->together : nullptr;
   std::vector<StateRow> of_sand, of_beads;
   to.add(Seen::data, Data{"inputs", question.packing});
+  if (all.both())
+    to.add(Seen::data, Data{"sand_inputs", question.sand_packing});
   if (all.sand) {
     of_sand = states_of(all.of_sand, GrainShape::sand, &*all.sand, nullptr);
     add_sand(to, all.of_sand, *all.sand, of_sand);

@@ -9,7 +9,39 @@ namespace granum::cli {
 using estimate::Input;
 using nlohmann::ordered_json;
 
+namespace {
+
+/// Whether the size of the grains is known, not only how they differ.
+bool is_sized(const estimate::InputValues& values) {
+  return values.given(Input::d50) || values.given(Input::radius) || values.sizes->mean_radius();
+}
+
+/// What an answer for a sand takes; the moduli of the grains are for the contacts that are inferred.
+ordered_json sand_json(const estimate::InputValues& values, const effective::State& s) {
+  ordered_json json = {{"grain_shape", "sand"}};
+  if (values.known_sand != nullptr)
+    json["sand"] = values.known_sand->key;
+  json["void_ratio"] = s.void_ratio;
+  for (const Input input : {Input::relative_density, Input::least_void_ratio, Input::largest_void_ratio,
+                            Input::uniformity, Input::d50, Input::shear_strain})
+    if (values.given(input))
+      json[estimate::row_of(input).key] = values.number(input);
+  if (values.sizes)
+    json["sizes"] = values.sizes->text();
+  if (values.sizes && is_sized(values))
+    json["gradation"] = json_of(sizes::gradation(*values.sizes, radius_of(values)));
+  json.update({{"grain_shear_modulus", s.law.grain().shear_modulus},
+               {"grain_poisson_ratio", s.law.grain().poisson_ratio},
+               {"grain_density", values.number(Input::grain_density)},
+               {"saturation", values.number(Input::saturation)}});
+  return json;
+}
+
+} // namespace
+
 ordered_json packing_json(const estimate::InputValues& values, const effective::State& s) {
+  if (estimate::known_shape(values) == estimate::GrainShape::sand)
+    return sand_json(values, s);
   ordered_json json = {{"contact", name(values.contact)}};
   for (const estimate::InputRow& row : estimate::inputs())
     if (row.law != nullptr && row.law->shape == values.contact)

@@ -140,11 +140,12 @@ void add_sweep_options(Command& command, SweepOptions& o) {
       "Draw the answer with its range and the rungs along the path; stresses and answers over depth; or "
       "G of a table's rows");
   command.row("--picture").excludes = {{"--json"}};
+  add_report(command, o.report);
   command.add(output_group,
               {{.name = "--picture-of",
                 .value = choice(names_of(swept_quantities(), &SweptQuantity::name), o.picture_of),
                 .meaning = "Quantity in the picture of a path; by default G_hv",
-                .needs = {{"--picture"}}}});
+                .needs = {{"--picture --report", "--picture or --report"}}}});
 }
 
 ExitCode run(SweepOptions o) {

@@ -53,7 +53,7 @@ struct SweepOptions {
   std::size_t points = 25;
   std::string spacing;    ///< empty: log on the isotropic path, linear elsewhere
   std::string table;      ///< file; empty for a path
-  std::string picture;    ///< file; empty for none
+  std::string picture, report; ///< files; empty for none
   std::string picture_of; ///< empty: by default
 };
 

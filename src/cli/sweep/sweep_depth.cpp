@@ -405,13 +405,14 @@ ExitCode sweep_depth(const SweepOptions& o) {
   document.add(Seen::always, ground_lines(layers));
   document.add(Seen::always, depth_table(states));
   document.add(Seen::always, depth_legend(states));
-  document.add(Seen::data, Data{"inputs", packing_json(last.point.layer->options.inputs,
-                                                       last.state.answer->question.state)});
+  add_packing(document, last.point.layer->options.inputs, last.state.answer->question.state,
+              !known_shape(last.point.layer->options.inputs));
   document.add(Seen::data, Data{"ground", ground_json(layers)});
+  add_sources(document);
   for (const Layer& layer : layers)
     document.warnings.merge(layer.ground.validity);
   document.warnings.merge(tally.validity());
-  if (!to.picture.empty())
+  if (to.draws())
     document.add(Seen::data, Picture{picture_of(o, depths, layers)});
   return tally.conclude(deliver_sweep(to, document));
 }

@@ -172,12 +172,13 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
   }
   const AnswerCase first = solve_answer(at_stress(o.inputs, path.points[first_answered(states)].stress), {});
   Document document = std::move(output).document(remarks_on(o, first.assumptions));
-  document.add(Seen::data, Data{"inputs", packing_json(o.inputs, first.question.state)});
+  add_packing(document, o.inputs, first.question.state, !known_shape(o.inputs));
   document.add(Seen::data, Data{"path", path.text});
+  add_sources(document);
   document.warnings = tally.validity();
   for (const Number* end : {&o.from, &o.to})
     document.warnings.merge(likely_mistakes(*end));
-  if (!to.picture.empty())
+  if (to.draws())
     document.add(Seen::data, Picture{{chart_of(o, path, states, rungs)}});
   return tally.conclude(deliver_sweep(to, document));
 }

@@ -263,13 +263,14 @@ Document SweptRows::document(const estimate::Notes& remarks) && {
 }
 
 Outlets outlets_of(const SweepOptions& o) {
-  return {.output = o.output, .picture = o.picture, .always_csv = true, .csv_on_screen = true};
+  return {.output = o.output, .picture = o.picture, .report = o.report, .always_csv = true, .csv_on_screen = true};
 }
 
 ExitCode deliver_sweep(const Outlets& to, const Document& document) {
   const ExitCode code = deliver(to, document);
   if (!to.output.out.empty()) // else the screen would be empty
-    print(fmt::format("written: {}{}\n", to.output.out, to.picture.empty() ? "" : ", " + to.picture));
+    print(fmt::format("written: {}{}{}\n", to.output.out, to.picture.empty() ? "" : ", " + to.picture,
+                      to.report.empty() ? "" : ", " + to.report));
   return code;
 }
 

@@ -153,7 +153,7 @@ class TableSweep {
     SpeedRatio ratio;
     const SweptState state = state_of(row, stress, ratio);
     tally_.count(state, fmt::format("line {}", table_.line(row)));
-    if (state.answer && !options_.picture.empty()) {
+    if (state.answer && outlets_of(options_).draws()) {
       const effective::State& packing = state.answer->answer.state();
       points_.push_back(
           {.mean_stress = packing.mean_stress(),
@@ -263,7 +263,8 @@ ExitCode sweep_table(const SweepOptions& o, const Rungs& rungs) {
   require_free(to);
   TableSweep sweep(o, rungs);
   Document document = std::move(sweep).document();
-  if (!to.picture.empty())
+  add_sources(document);
+  if (to.draws())
     document.add(Seen::data, Picture{{chart_of(sweep.points())}});
   return sweep.tally().conclude(deliver_sweep(to, document));
 }
