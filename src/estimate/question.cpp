@@ -42,6 +42,11 @@ void require_possible(const Question& q) {
   if (q.grain_density)
     require_positive("grain_density", *q.grain_density, "kg/m3");
   if (q.grain_shape == GrainShape::sand) {
+    constexpr double largest = 20; // laws of C_u to 8, held there; beyond, coarse grains float in fine ones
+    if (q.sand.uniformity.value_or(1) > largest)
+      throw InvalidArgument(
+          "uniformity", *q.sand.uniformity, "",
+          "[1, 20]: the laws are of sands to C_u = 8, and no wider grading was tested here");
     effective::require_valid(q.state);
     return;
   }

@@ -170,6 +170,8 @@ ordered_json json(const Document& document) {
 }
 
 std::string csv(const Document& document) {
+  if (!document.own_text.empty())
+    return document.own_text;
   io::CsvContent out{.notes = {{"program", fmt::format("granum {} {}", version(), document.command)}},
                      .headings = {},
                      .rows = {},
