@@ -13,6 +13,13 @@ granum_cli_test("curves: a row that fails leaves the others" EXIT 1 STDERR "unus
   --table "${CMAKE_CURRENT_BINARY_DIR}/curves.csv" --strain 0.0001%..1% --for table --json)
 granum_cli_test("curves: columns of a profile" EXIT 0 STDERR "." STDOUT "\ncurve,depth_m,p_kPa,V_s_m/s,unit_weight_kN/m3,strain_percent,[^\n]*\n.granum, sand, 2 m, p. [0-9.]+ kPa.,2,"
   ARGS sweep --void-ratio 0.7 --depth 2m..9m --points 2 --strain 0.0001%..1% --for table)
+granum_cli_test("curves: K_0 of a state" EXIT 0 STDERR "." STDOUT "p. 66\\.67 kPa" ARGS sweep --void-ratio 0.7 --stress-v 100kPa --k0 0.5
+  --strain 0.0001%..1% --for pystrata)
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/curve.csv" "e,p_kPa\n0.7,50\n")
+granum_cli_test("curves: a table of one row has the columns of a table" EXIT 0 STDERR "." STDOUT "\ncurve,line,p_kPa," ARGS sweep
+  --table "${CMAKE_CURRENT_BINARY_DIR}/curve.csv" --strain 0.0001%..1% --for table)
+granum_cli_test("curves: soil types of a table are an array" EXIT 0 STDERR "." STDOUT "^[^{]+{" ARGS sweep
+  --table "${CMAKE_CURRENT_BINARY_DIR}/curve.csv" --strain 0.0001%..1% --for strata)
 
 function(granum_curve_refuses what message)
   granum_cli_test("curves: ${what}" EXIT 2 STDERR "^granum: error: ${message}" ARGS sweep ${ARGN})

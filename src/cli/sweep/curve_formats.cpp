@@ -126,17 +126,18 @@ std::string pystrata_text(const std::vector<StrainCurve>& curves, const std::vec
   return text;
 }
 
-std::string strata_text(const std::vector<StrainCurve>& curves, const std::vector<std::string>& comments) {
+std::string strata_text(const std::vector<StrainCurve>& curves, const std::vector<std::string>& comments,
+                        bool alone) {
   const std::string notes = fmt::format("granum {}; {}", version(), fmt::join(comments, "; "));
   ordered_json all = ordered_json::array();
   for (const StrainCurve& curve : curves)
     all.push_back(strata_soil_type(curve, notes));
-  return json_text(all.size() == 1 ? all.front() : all);
+  return json_text(alone ? all.front() : all);
 }
 
-Table curve_table(const std::vector<StrainCurve>& curves) {
+Table curve_table(const std::vector<StrainCurve>& curves, bool alone) {
   io::Columns<CurveRow> columns;
-  if (curves.size() > 1)
+  if (!alone)
     add_state(columns, curves.front());
   add_number(columns, "strain_percent", "strain", per_cent,
              [](const CurveRow& row) { return row.at.strain; });

@@ -37,13 +37,14 @@ struct StrainCurve {
 [[nodiscard]] std::string pystrata_text(const std::vector<StrainCurve>& curves,
                                         const std::vector<std::string>& comments);
 /// Curves as soil types of Strata, in JSON: strains and damping in per cent, mean stress in atm, unit weight in
-/// kN/m3. A single one is an object, others are an array, as in the catalogue of a Strata file.
+/// kN/m3. That of a single state, `alone`, is an object; others are an array, as in the catalogue of a Strata
+/// file.
 /// [Strata, SoilType.cpp and NonlinearProperty.cpp: strains increase, three or more]
 [[nodiscard]] std::string strata_text(const std::vector<StrainCurve>& curves,
-                                      const std::vector<std::string>& comments);
-/// Curves as rows of a table: strain in per cent, G/G0, damping in per cent, and their ranges; more than one
-/// curve has columns of its state before them.
-[[nodiscard]] Table curve_table(const std::vector<StrainCurve>& curves);
+                                      const std::vector<std::string>& comments, bool alone);
+/// Curves as rows of a table: strain in per cent, G/G0, damping in per cent, and their ranges.
+/// \param    alone   whether it is the curve of a single state; otherwise columns of the state come first
+[[nodiscard]] Table curve_table(const std::vector<StrainCurve>& curves, bool alone);
 
 /// Answers the states of the options for each strain, and prints the curves.
 /// \throws   InvalidArgument if the first state has no answer, and for spheres, which have no law of strain

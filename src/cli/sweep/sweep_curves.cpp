@@ -29,6 +29,9 @@ struct CurveState {
   std::string error = {};                 ///< why there are no inputs
 };
 
+/// Whether the options give a single state.
+bool is_alone(const SweepOptions& o) { return o.table.empty() && o.ground.depth.empty(); }
+
 /// All of them, with what is assumed of their ground.
 struct CurveStates {
   std::vector<CurveState> all = {};
@@ -97,7 +100,12 @@ CurveStates states_of(const SweepOptions& o) {
     return states_of_table(o);
   if (!o.ground.depth.empty())
     return states_of_profile(o);
-  return {.all = {{.where = "", .inputs = o.inputs}}};
+  CurveState state{.where = "", .inputs = o.inputs};
+  if (const Number& k0 = o.ground.earth_pressure_at_rest; k0.given()) {
+    state.inputs.give(Input::k0, k0.value);
+    state.inputs = estimate::completed(std::move(state.inputs));
+  }
+  return {.all = {std::move(state)}};
 }
 
 /// The strains of the options, ascending, with four digits unless these are too few to differ.
@@ -242,7 +250,7 @@ Document document_of(const SweepOptions& o, const Curves& curves, const estimate
   inputs.grain_shape = estimate::GrainShape::sand; // which the strains implied
   inputs.leave_out(Input::shear_strain);
   to.add(Seen::data, Data{"inputs", packing_json(inputs, curves.first->question.state)});
-  to.add(Seen::data, curve_table(curves.all));
+  to.add(Seen::data, curve_table(curves.all, is_alone(o)));
   to.add_notes(notes);
   const std::vector<std::string> comments = comments_of(curves.all, notes);
   if (curves.all.size() == 1)
@@ -250,7 +258,7 @@ Document document_of(const SweepOptions& o, const Curves& curves, const estimate
   if (o.curves_for == "pystrata")
     to.own_text = pystrata_text(curves.all, comments);
   else if (o.curves_for == "strata")
-    to.own_text = strata_text(curves.all, comments);
+    to.own_text = strata_text(curves.all, comments, is_alone(o));
   to.warnings = curves.tally.validity();
   if (!o.picture.empty())
     to.add(Seen::data, Picture{{chart_of(curves.all, "G/G0", 1, &StrainPoint::ratio),
@@ -273,7 +281,7 @@ void require_curve(const SweepOptions& o, const std::vector<double>& strains) {
 ExitCode sweep_curves(const SweepOptions& o) {
   const Outlets to = outlets_of(o);
   require_free(to);
-  const bool alone = o.table.empty() && o.ground.depth.empty();
+  const bool alone = is_alone(o);
   const std::vector<double> strains = strains_of(o, alone);
   require_curve(o, strains);
   const CurveStates states = states_of(o);
