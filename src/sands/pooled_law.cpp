@@ -49,8 +49,6 @@ bool limits_tested(const Sand& sand) {
 void require_valid(const Sand& sand, double void_ratio, double mean_stress) {
   require_positive("void_ratio", void_ratio);
   require_non_negative("mean_stress", mean_stress, "Pa");
-  if (sand.uniformity)
-    require_closed("uniformity", *sand.uniformity, 1, 1e3);
   require_sand(sand);
   require_positive("level_factor", sand.level_factor);
   require_finite("exponent_shift", sand.exponent_shift);
@@ -104,6 +102,10 @@ std::optional<double> relative_density_of(const Sand& sand, double void_ratio) {
 }
 
 void require_sand(const Sand& sand) {
+  constexpr double widest = 20; // the laws hold C_u at 8; beyond, coarse grains float in fine ones
+  if (const double C_u = sand.uniformity.value_or(1); !(C_u >= 1 && C_u <= widest))
+    throw InvalidArgument("uniformity", C_u, "",
+                          "[1, 20]: the laws are of sands to C_u = 8, and wider gradings were not tested");
   if (sand.d50 && !(*sand.d50 >= silt_size))
     throw InvalidArgument(
         "d50", *sand.d50, "m",

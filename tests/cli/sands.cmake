@@ -40,7 +40,7 @@ granum_cli_test("sands: K_0 with both stresses" EXIT 2 STDERR "give one of the t
   --stress-h 50kPa --k0 0.5)
 
 # ---- the same by sweeps
-granum_cli_test("sands: columns of both, and laws" EXIT 0 STDOUT "grain_shape,sand_G_answer_Pa.*G_kokusho_Pa.*,sphere,"
+granum_cli_test("sands: columns of both, and laws" EXIT 0 STDOUT "grain_shape,sand_G_answer_MPa.*G_kokusho_MPa.*,sphere,"
   ARGS sweep --void-ratio 0.7 --from 100kPa --to 200kPa --points 2 --laws)
 granum_cli_test("sands: the ground is soil" EXIT 0 STDOUT "void ratio 0\\.7648: sand \\(measured laws\\)"
   ARGS sweep --depth 1m..20m --points 2 --sand toyoura --relative-density 60%)
@@ -132,7 +132,7 @@ granum_new_user("G_g in MPa" "estimate --void-ratio 0.7 --pressure 100kPa --grai
 granum_new_user("C_n 8" "estimate --void-ratio 0.6 --pressure 100kPa --coordination-number 8" 0 "no packing of equal spheres[^\n]*has so many contacts")
 granum_new_user("saturated sand" "estimate --sand toyoura --void-ratio 0.75 --pressure 100kPa --saturation 100%" 0 "V_p +1[56][0-9][0-9]")
 granum_new_user("ground" "sweep --sand toyoura --relative-density 60% --depth 0m..20m --water-table 2m --points 3" 0 "sand .measured laws.")
-granum_new_user("a path with laws" "sweep --sand toyoura --void-ratio 0.7 --from 50kPa --to 400kPa --points 2 --laws" 0 "G_kokusho_Pa")
+granum_new_user("a path with laws" "sweep --sand toyoura --void-ratio 0.7 --from 50kPa --to 400kPa --points 2 --laws" 0 "G_kokusho_MPa")
 granum_new_user("a table with a decimal comma" "sweep --table engineer_boreholes.csv --grain-shape sand" 1 "error: [^\n]*states failed")
 granum_new_user("a table with tabs" "sweep --table engineer_table_tabs.csv --grain-shape sand" 0 "A\t0\\.65\t100\t[^\n]*\tsand")
 granum_new_user("a table with D_r and limits" "sweep --table engineer_table_Dr_percent_emin_emax.csv" 0 "A,60,[^\n]*,sand")
@@ -160,3 +160,11 @@ granum_new_user("ground water as gwt" "sweep --depth 0m..30m --void-ratio 0.7 --
 granum_new_user("K_0 of a measured speed" "infer --vs 200m/s --void-ratio 0.7 --stress-v 100kPa --k0 0.5" 0 "sigma_h = 50 kPa")
 granum_new_user("water in the layers' file" "sweep --layers engineer_layers_water.csv --depth 0m..12m --points 4" 0 "below 2 m 1[89][0-9.]*[ \n]+kN/m3")
 granum_new_user("measured speeds beside a table's states" "sweep --table engineer_speeds.csv --grain-shape sand" 0 "1 of 3 states[^\n]*cemented")
+
+# Wider gradings than any that was tested, by each door.
+granum_cli_test("sands: C_u of 25" EXIT 2 STDERR "= 25 is outside \\[1, 20\\]" ARGS estimate --grain-shape sand --void-ratio 0.4 --pressure 100kPa --uniformity 25)
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/wide.csv" "e,p_kPa,C_u\n0.4,100,25\n0.4,100,15\n")
+granum_cli_test("sands: C_u of 25 in a row" EXIT 1 STDERR "line 2: [^\n]*25 is outside" STDOUT "." ARGS sweep --table "${CMAKE_CURRENT_BINARY_DIR}/wide.csv")
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/wide_sieve.csv" "d_mm,passing_%\n0.063,0\n0.1,12\n1,40\n4,65\n8,100\n")
+granum_cli_test("sands: C_u of a sieve curve" EXIT 2 STDERR "is outside \\[1, 20\\]" ARGS estimate --sieve "${CMAKE_CURRENT_BINARY_DIR}/wide_sieve.csv"
+  --void-ratio 0.4 --pressure 100kPa)

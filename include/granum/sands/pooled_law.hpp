@@ -42,7 +42,8 @@ struct Sand {
 };
 
 /// Refuses ground that is no sand.
-/// \throws   InvalidArgument for a d50 below silt_size and for fines above largest_fines
+/// \throws   InvalidArgument for a d50 below silt_size, for fines above largest_fines and for C_u outside of
+///           1 to 20
 /// Checked by tests/sands/test_pooled_law.cpp
 void require_sand(const Sand& sand);
 

@@ -192,6 +192,8 @@ void add_sources(Document& to) {
 }
 
 std::string csv(const Document& document) {
+  if (!document.own_text.empty())
+    return document.own_text;
   io::CsvContent out{.notes = {{"program", fmt::format("granum {} {}", version(), document.command)}},
                      .headings = {},
                      .rows = {},
@@ -284,7 +286,8 @@ ExitCode deliver(const Outlets& to, const Document& document) {
   if (!to.picture.empty())
     io::write_file(to.picture, picture(document), existing(output.force));
   if (!to.report.empty())
-    io::write_file(to.report, page(document, {.date = today(), .asked = asked_options()}), existing(output.force));
+    io::write_file(to.report, page(document, {.date = today(), .asked = asked_options()}),
+                   existing(output.force));
   return code;
 }
 

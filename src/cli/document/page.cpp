@@ -15,9 +15,9 @@ namespace granum::cli {
 
 namespace {
 
-constexpr const char* what_a_range_means =
-    "From low to high is one standard deviation to each side of the answer: about two thirds of such sands or "
-    "packings lie between, one in six below and one in six above.";
+constexpr const char* what_a_range_means = "From low to high is one standard deviation to each side of the "
+                                           "answer: about two thirds of such sands or "
+                                           "packings lie between, one in six below and one in six above.";
 
 /// "sand (measured laws): G is 118 MPa (90.73 to 153.3 MPa), V_s is ...", the first numbers of an answer.
 std::string sentence_of(const Ranges& ranges) {
@@ -168,7 +168,8 @@ std::string html_assumptions(const std::vector<Note>& notes) {
     }
     const estimate::InputRow* const row = estimate::find_input(input_key(what));
     rows.push_back({row != nullptr ? clause_of(row->meaning) : what.name, what.value,
-                    what.deviation > 0 ? pretty(what.deviation, what.dimension) : "-", what.reason, what.name});
+                    what.deviation > 0 ? pretty(what.deviation, what.dimension) : "-", what.reason,
+                    what.name});
   }
   return (rows.empty()
               ? ""
