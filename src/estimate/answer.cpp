@@ -118,6 +118,9 @@ constexpr FieldRow table[] = {
     pure(Field::slip_strain, "slip_strain", "g_slip", "slip_strain",
          "strain at which slip at contacts reduces G by 1 %", Shown::always, Spreading::logarithmic, 0,
          unlimited),
+    pure(Field::pm4sand_coefficient, "pm4sand_coefficient", "G_o", "G_o",
+         "shear modulus coefficient of PM4Sand, G/(p_atm sqrt(p'/p_atm)), p_atm = 101.3 kPa", Shown::in_full,
+         Spreading::logarithmic, 0, unlimited),
 };
 static_assert(std::size(table) == field_count);
 
@@ -373,7 +376,7 @@ Answer possible_answer(const Question& question, std::span<const Spread> spreads
   for (const FieldRow& row : fields()) {
     const bool of_sands = row.field == Field::contact_softness || row.field == Field::modulus_ratio ||
                           row.field == Field::strained_shear_modulus || row.field == Field::damping_ratio ||
-                          row.field == Field::slip_strain;
+                          row.field == Field::slip_strain || row.field == Field::pm4sand_coefficient;
     const bool exponent = row.field == Field::vertical_exponent || row.field == Field::horizontal_exponent ||
                           row.field == Field::stress_exponent;
     if (!of_sands && (!row.needs_density || question.grain_density) && (!exponent || exponents))

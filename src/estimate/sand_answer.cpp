@@ -129,6 +129,10 @@ Values sand_values(const Question& q, const Moved& moved = {}) {
   at(all, Field::stress_exponent) = exponent;
   at(all, Field::horizontal_exponent) = (sands::horizontal_share + moved.horizontal_share) * exponent;
   at(all, Field::vertical_exponent) = (sands::vertical_share - moved.horizontal_share) * exponent;
+  if (const double p = s.mean_stress(); p > 0) {
+    constexpr double p_atm = 101.3e3; // of PM4Sand [Pa]
+    at(all, Field::pm4sand_coefficient) = G_vh / std::sqrt(p_atm * p);
+  }
   if (is_strained(q))
     set_strain(all, q, moved);
   if (q.grain_density) {
@@ -156,6 +160,7 @@ bool has(const FieldRow& row, const Question& q) {
   case Field::vertical_exponent:
   case Field::horizontal_exponent:
   case Field::stress_exponent:
+  case Field::pm4sand_coefficient:
     return q.state.stress_v > 0 && q.state.stress_h > 0;
   case Field::strained_shear_modulus:
   case Field::modulus_ratio:

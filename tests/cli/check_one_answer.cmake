@@ -33,7 +33,7 @@ foreach(known "--grain-shape;sphere" "--grain-shape;sphere;--preparation;loose" 
   set(packing --void-ratio 0.65 --grain quartz --radius 0.2mm --fabric 0.05 ${known})
   if(known MATCHES "sand") # which has no rattlers that are known, and a softness of its contacts
     list(REMOVE_ITEM answer_fields rattler_fraction coordination_number)
-    list(APPEND answer_fields contact_softness strained_shear_modulus modulus_ratio damping_ratio slip_strain)
+    list(APPEND answer_fields contact_softness strained_shear_modulus modulus_ratio damping_ratio slip_strain pm4sand_coefficient)
     list(APPEND packing --strain 0.02%)
   endif()
   # Ground of equal stresses, whose stress is the beginning of a path.

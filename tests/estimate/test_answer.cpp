@@ -65,8 +65,8 @@ TEST_CASE("answer: every number of spheres is positive, and strain numbers of sa
       INFO(row.key);
       CHECK(range->low > 0);
     }
-  for (const Field of_sands :
-       {Field::modulus_ratio, Field::strained_shear_modulus, Field::damping_ratio, Field::slip_strain})
+  for (const Field of_sands : {Field::modulus_ratio, Field::strained_shear_modulus, Field::damping_ratio,
+                               Field::slip_strain, Field::pm4sand_coefficient})
     CHECK(!a.find(of_sands));
 }
 

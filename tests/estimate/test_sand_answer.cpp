@@ -91,6 +91,13 @@ TEST_CASE("a sand: measured states agree with the table of states") {
   CHECK(ratio.high > 0.83); // the median of eight published curves
 }
 
+TEST_CASE("a sand: the coefficient of PM4Sand gives G back") {
+  const estimate::Answer answer = estimate::answer(quartz(0.7, 2e5, 1e5));
+  const double p = 4e5 / 3, p_atm = 101.3e3;
+  CHECK(answer[Field::pm4sand_coefficient].value * p_atm * std::sqrt(p / p_atm) ==
+        relative(answer[Field::shear_modulus].value, 1e-13));
+}
+
 TEST_CASE("a sand: G equals the pooled law to the bit, and the moduli are consistent") {
   const sands::Sand sand{.uniformity = 2};
   const estimate::Answer a = estimate::answer(quartz(0.6, 3e5, 3e5, sand));

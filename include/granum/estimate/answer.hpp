@@ -40,9 +40,10 @@ enum class Field : std::size_t {
   strained_shear_modulus,
   modulus_ratio,
   damping_ratio,
-  slip_strain
+  slip_strain,
+  pm4sand_coefficient
 };
-inline constexpr std::size_t field_count = 22;
+inline constexpr std::size_t field_count = 23;
 
 /// For which packings a number is shown.
 enum class Shown {
