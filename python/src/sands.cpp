@@ -29,8 +29,8 @@ void bind_references(py::module_& module) {
       .show("remark", "What of it was not checked, and why its number can be used; or an empty text.",
             &Reference::remark);
   define_table(module, "references", references(),
-               {"The sources by the keys with which they are cited.",
-                "dict of Reference\n    By their keys.", "", "", "references", "core/references.hpp"});
+               {"The sources by the keys with which they are cited.", "dict of Reference\n    By their keys.",
+                "", "", "references", "core/references.hpp"});
 }
 
 void bind_known_sands(py::module_& module) {

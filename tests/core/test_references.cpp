@@ -38,15 +38,17 @@ TEST_CASE("references: letters, dashes, volume, pages and address") {
   CHECK(reference("OztoprakBolton2013").text ==
         "Oztoprak, S. and Bolton, M. D. (2013): Stiffness of sands through a laboratory test database. "
         "Géotechnique 63(1), 54–70.");
-  CHECK(reference("Hertz1882").text == "Hertz, H. (1882): Über die Berührung fester elastischer Körper. Journal "
-                                       "für die reine und angewandte Mathematik 92, 156–171.");
+  CHECK(reference("Hertz1882").text ==
+        "Hertz, H. (1882): Über die Berührung fester elastischer Körper. Journal "
+        "für die reine und angewandte Mathematik 92, 156–171.");
   CHECK(reference("Hertz1882").link == "https://doi.org/10.1515/crll.1882.92.156");
   CHECK(reference("Hertz1882").remark.empty());
   CHECK(reference("DAgostino1986").text.starts_with("D'Agostino, R. B. and Stephens, M. A. (eds) (1986): "));
 }
 
 TEST_CASE("references: a source that was not read is cited by the one that was") {
-  for (const char* key : {"Menq2003", "WangStokoe2022", "Kokusho1980", "Tsomokos2010", "IshibashiZhang1993"}) {
+  for (const char* key :
+       {"Menq2003", "WangStokoe2022", "Kokusho1980", "Tsomokos2010", "IshibashiZhang1993"}) {
     CAPTURE(key);
     CHECK(reference(key).remark.starts_with("as cited by "));
     CHECK(reference(key).remark.find(", https://github.com/") != std::string_view::npos);
@@ -54,7 +56,7 @@ TEST_CASE("references: a source that was not read is cited by the one that was")
 }
 
 TEST_CASE("references: those that a text cites") {
-  const std::vector<Reference> cited = references_in("[Menq2003; Lo2021], and Unknown2000");
+  const std::vector<Reference> cited = references_in("[Menq2003; Lo2021], and of 2000");
   REQUIRE(cited.size() == 2);
   CHECK(cited[0].key == "Lo2021");
   CHECK(cited[1].key == "Menq2003");

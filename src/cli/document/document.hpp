@@ -177,6 +177,13 @@ void add_sources(Document& to);
       .heading = std::move(label), .width = width, .digits = 3, .unit = 0.01, .absent = "-", .symbol = " %"};
 }
 
+/// What the two ends of a range, or an error, say, in words for a page.
+inline constexpr const char
+    *what_a_range_means = "From low to high is one standard deviation to each side of the answer: about "
+                          "two thirds of such sands or packings lie between, one in six below and one in "
+                          "six above.",
+    *what_an_error_means = "+- is one standard error: about two thirds of the true values lie within it.";
+
 // ---- printers
 /// Text for a terminal, without warnings.
 [[nodiscard]] std::string screen(const Document& document, bool full);
@@ -191,7 +198,7 @@ void add_sources(Document& to);
 [[nodiscard]] std::string picture(const Document& document);
 /// What the page of one run says besides its document.
 struct Record {
-  std::string date = {};                   ///< "29 November 2026"; empty: none, so that it can be made again
+  std::string date = {}; ///< "29 November 2026"; empty: none, so that it can be made again
   std::vector<AskedOption> asked = {};
 };
 /// A page of HTML: answer, picture, what was asked, tables, warnings, assumptions, sources and the full screen.

@@ -284,7 +284,8 @@ ExitCode deliver(const Outlets& to, const Document& document) {
   if (!to.picture.empty())
     io::write_file(to.picture, picture(document), existing(output.force));
   if (!to.report.empty())
-    io::write_file(to.report, page(document, {.date = today(), .asked = asked_options()}), existing(output.force));
+    io::write_file(to.report, page(document, {.date = today(), .asked = asked_options()}),
+                   existing(output.force));
   return code;
 }
 

@@ -321,9 +321,7 @@ std::string title_text(const State& s) {
 /// Every section of the result but the picture, and the warnings.
 Document document_of(const Options& o, const AnswerCase& c) {
   const State& state = c.answer.state();
-  Document to{.command = "estimate",
-              .title = title_text(c.question.state),
-              .question = "How stiff is it, and how well is that known?"};
+  Document to{.command = "estimate", .title = title_text(c.question.state)};
   to.warnings = slips_of(o, state);
   to.add_notes(c.assumptions);
   add_inputs(to, c, o.inputs);

@@ -218,8 +218,7 @@ const std::vector<AskedOption>& asked_options() { return asked(); }
 void remember_asked(const std::vector<TypedArgument>& arguments) {
   for (const TypedArgument& typed : arguments)
     if (typed.option != nullptr && typed.option->group != output_group)
-      asked().push_back(
-          {typed.word, fmt::format("{}", fmt::join(typed.values, " ")), typed.option->meaning});
+      asked().push_back({typed.word, fmt::format("{}", fmt::join(typed.values, " ")), typed.option->meaning});
 }
 
 InvalidArgument as_typed(const InvalidArgument& error, const std::vector<TypedArgument>& arguments) {

@@ -66,8 +66,8 @@ struct InferCase {
   bool of_spheres = true; ///< unless the grains are given as sand
   std::vector<PredictedState> predicted;
   nlohmann::ordered_json packing, sand_packing; ///< inputs of spheres, or of a sand; of a sand beside them
-  estimate::Notes assumptions;    ///< inputs that were not given
-  io::CsvManner manner = {};      ///< of the table of measurements
+  estimate::Notes assumptions;                  ///< inputs that were not given
+  io::CsvManner manner = {};                    ///< of the table of measurements
 };
 
 /// \throws   InvalidArgument or FileError for invalid options and tables

@@ -51,10 +51,10 @@ struct SweepOptions {
   Number eta;
   Number friction_angle{0, Dimension::angle};
   std::size_t points = 25;
-  std::string spacing;    ///< empty: log on the isotropic path, linear elsewhere
-  std::string table;      ///< file; empty for a path
+  std::string spacing;         ///< empty: log on the isotropic path, linear elsewhere
+  std::string table;           ///< file; empty for a path
   std::string picture, report; ///< files; empty for none
-  std::string picture_of; ///< empty: by default
+  std::string picture_of;      ///< empty: by default
 };
 
 using Rungs = std::vector<const effective::Rung*>;

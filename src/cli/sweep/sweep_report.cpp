@@ -263,7 +263,11 @@ Document SweptRows::document(const estimate::Notes& remarks) && {
 }
 
 Outlets outlets_of(const SweepOptions& o) {
-  return {.output = o.output, .picture = o.picture, .report = o.report, .always_csv = true, .csv_on_screen = true};
+  return {.output = o.output,
+          .picture = o.picture,
+          .report = o.report,
+          .always_csv = true,
+          .csv_on_screen = true};
 }
 
 ExitCode deliver_sweep(const Outlets& to, const Document& document) {
