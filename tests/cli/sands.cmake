@@ -66,7 +66,7 @@ granum_cli_test("sands: JSON has the inputs of each answer" EXIT 0 JSON "inputs/
   "assumed/d50/value=^0\\.0004" "sources/Menq2003/not_checked=^as cited by Kottke" ARGS estimate --void-ratio 0.7 --pressure 100kPa --json)
 granum_cli_test("sands: no size is made up for a sand of known C_u" EXIT 0 JSON "inputs/uniformity=^1\\.5" "inputs/gradation=MISSING"
   "assumed/d50/value=^0\\.0004" ARGS estimate --void-ratio 0.7 --grain-shape sand --uniformity 1.5 --pressure 100kPa --json)
-granum_cli_test("sands: JSON of a depth has the inputs of the sand" EXIT 0 JSON "inputs/sand=^toyoura$" "inputs/relative_density=^0\\.(6|59999)"
+granum_cli_test("sands: JSON of a depth has the inputs of the sand" EXIT 0 JSON "inputs/sand=^toyoura$" "inputs/uniformity=^1\\.3" "inputs/relative_density=^0\\.(6|59999)"
   "inputs/contact=MISSING" "sources/Lo2021/not_checked=SAND\\.xlsx" ARGS sweep --sand toyoura --relative-density 60% --depth 1m..5m --points 3 --json)
 granum_cli_test("sands: JSON of infer has the inputs of each kind of grains" EXIT 0 JSON "inputs/contact=^sphere$" "sand_inputs/void_ratio=^0\\.(6|59999)"
   ARGS infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s+-2% --json)
