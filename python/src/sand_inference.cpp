@@ -102,7 +102,7 @@ void bind_sand_inference(py::module_& module) {
   define_method(
       type, "predict", predict_keywords("that of the first measurement"),
       {.summary = "A quantity of the sand at other stresses, with its standard error.\n\nFrom one "
-                  "measurement the standard deviation of ln G is sqrt(0.05^2 + (0.05 ln(p/p_0))^2 + "
+                  "measurement the standard deviation of ln G is sqrt(0.04^2 + (0.045 ln(p/p_0))^2 + "
                   "measurement^2), half of that for a\nspeed; measurements that contradict one another "
                   "make it larger.",
        .returns = "MeasuredRows",

@@ -131,6 +131,8 @@ EXCEPTIONS = {
     "paraview": "ParaView's files are written by the program alone",
     "table": _ARRAYS,
     "layers": _ARRAYS,
+    "for": "packing_answer at a strain; numpy makes the curve, and pystrata takes its arrays",
+    "units": _FILES,
     "to": _ARRAYS,
     "spacing": _ARRAYS,
     "points": _ARRAYS,

@@ -33,6 +33,7 @@ constexpr bool understood = false; ///< read as well, but not offered
 constexpr Row rows[] = {
     {{"", Dimension::dimensionless, 1}},
     {{"%", Dimension::dimensionless, 1e-2}},
+    {{"percent", Dimension::dimensionless, 1e-2}, understood},
     {{"Pa", Dimension::pressure, 1}},
     {{"kPa", Dimension::pressure, 1e3}},
     {{"MPa", Dimension::pressure, 1e6}},
@@ -204,17 +205,33 @@ std::optional<double> factor_between(Dimension from, Dimension to) {
   return std::nullopt;
 }
 
-/// What a heading has behind the quantity; empty if it begins otherwise. A prime is an apostrophe, and the
-/// Greek letter is its name.
+/// Whether a quantity is a word, such as void_ratio, and no symbol, in which case matters.
+bool is_word(std::string_view quantity) {
+  constexpr std::size_t shortest = 5;
+  return quantity.size() >= shortest &&
+         quantity.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string_view::npos;
+}
+
+/// Whether a character may be that of a word: in any case, and with a blank or - for _.
+bool is_letter_of_word(char character, char letter) {
+  return std::tolower(static_cast<unsigned char>(character)) == letter ||
+         (letter == '_' && (character == ' ' || character == '-'));
+}
+
+/// What a heading has behind the quantity; empty if it begins otherwise. A prime is an apostrophe, the Greek
+/// letter is its name, and words are spelt as people do.
 std::optional<std::string_view> behind(std::string_view heading, std::string_view quantity) {
   constexpr std::pair<std::string_view, std::string_view> same[] = {
       {"\u2032", "'"}, {"\u2019", "'"}, {"\u03c3", "sigma"}};
+  const bool word = is_word(quantity);
   while (!quantity.empty()) {
     const auto* const sign = std::find_if(std::begin(same), std::end(same), [&](const auto& pair) {
       return heading.starts_with(pair.first) && quantity.starts_with(pair.second);
     });
     const bool found = sign != std::end(same);
-    if (!found && (heading.empty() || heading[0] != quantity[0]))
+    const bool letter = !found && !heading.empty() &&
+                        (heading[0] == quantity[0] || (word && is_letter_of_word(heading[0], quantity[0])));
+    if (!found && !letter)
       return std::nullopt;
     heading.remove_prefix(found ? sign->first.size() : 1);
     quantity.remove_prefix(found ? sign->second.size() : 1);

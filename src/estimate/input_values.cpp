@@ -185,8 +185,10 @@ bool by_usual_limits(const InputValues& values) {
 }
 
 std::pair<double, double> void_ratio_limits(const InputValues& values) {
-  if (by_usual_limits(values))
-    return {sands::usual_least_void_ratio, sands::usual_largest_void_ratio};
+  if (by_usual_limits(values)) {
+    const sands::UsualLimits usual = sands::usual_limits(uniformity_of(values));
+    return {usual.least, usual.largest};
+  }
   return {values.number(Input::least_void_ratio), values.number(Input::largest_void_ratio)};
 }
 
@@ -208,7 +210,7 @@ void imply_by_relative_density(InputValues& values) {
   const auto [least, largest] = void_ratio_limits(values);
   values.imply(Input::void_ratio,
                sands::void_ratio_of_relative_density(values.within(Input::relative_density), least, largest),
-               usual ? sands::usual_void_ratio_deviation : 0);
+               usual ? sands::usual_limits(uniformity_of(values)).deviation : 0);
 }
 
 /// sigma_h from sigma_v and K_0.

@@ -108,9 +108,19 @@ void add_names(Notes& notes, const InputValues& values) {
   if (values.known_sand == nullptr)
     return;
   const sands::KnownSand& sand = *values.known_sand;
-  const std::string tests = sand.tests ? std::to_string(sand.tests->count) + " tests of this sand"
-                                       : "no tests of this sand are included";
-  add_sentence(notes, std::string(sand.name) + " [" + sand.source + "]: " + tests, sand.source);
+  add_sentence(notes,
+               std::string(sand.name) + ": d50, C_u, e_min and e_max as far as published [" + sand.source +
+                   "]" + (sand.tests ? "" : "; no tests of this sand are included"),
+               sand.source);
+  if (sand.tests)
+    add_sentence(notes,
+                 std::to_string(sand.tests->count) + " tests of this sand [Lo2021]" +
+                     (*sand.remark == '\0' ? "" : ", " + std::string(sand.remark)) + ": void ratios " +
+                     short_text(sand.tests->void_ratio_low) + " to " +
+                     short_text(sand.tests->void_ratio_high) + ", " +
+                     pretty(sand.tests->stress_low, Dimension::pressure) + " to " +
+                     pretty(sand.tests->stress_high, Dimension::pressure),
+                 "Lo2021");
 }
 
 /// "0.43", or below sands::low_stress both exponents.
@@ -150,8 +160,15 @@ void add_sand_notes(Notes& notes, const InputValues& values, const Question& q) 
   };
   add("G = " + sands::formula(q.sand) + ", p_a = 100 kPa, s = " + exponent_text(q.sand, p) +
           "; one standard deviation of G is a factor of " +
-          short_text(sands::stated_factor(q.sand, q.state.void_ratio, p), 3) + " [Lo2021]",
+          short_text(sands::stated_factor(q.sand, q.state.void_ratio, p), 3) +
+          ", two are its square [Lo2021]",
       "Lo2021");
+  if (q.shear_strain && p > 0)
+    add("G/G0 = 1/(1 + (strain/g_r)^0.81), g_r = 0.062 % C_u^-0.3 (p'/p_a)^0.37" +
+        std::string(q.sand.uniformity ? "" : " with C_u = 1.5") +
+        "; one standard deviation is a factor of 1.6 of g_r. D = 0.8 % (p'/p_a)^-0.15 + 19.5 % (1 - "
+        "G/G0)^1.22, "
+        "a centre of published laws, not of tests");
   if (p > 0 && p < sands::least_tested_stress)
     add("no sand was tested below p' = 25 kPa; the factor is larger there");
   add(std::string("nu is a mean of measurements; its scatter changes E little, ") +
@@ -169,11 +186,12 @@ void add_sand_notes(Notes& notes, const InputValues& values, const Question& q) 
         pretty(contact::mineral("quartz").material.shear_modulus, Dimension::pressure) +
         ") unless others are given and k_t/k_n of smooth spheres. From G alone, few contacts and soft "
         "contacts cannot be distinguished");
-  if (by_usual_limits(values))
+  if (by_usual_limits(values)) {
+    const sands::UsualLimits usual = sands::usual_limits(q.sand.uniformity);
     add("void ratio " + short_text(q.state.void_ratio) + " follows from the relative density with e_min " +
-        short_text(sands::usual_least_void_ratio) + " and e_max " +
-        short_text(sands::usual_largest_void_ratio) +
-        ", usual values of sands; G does not depend on this void ratio");
+        short_text(usual.least) + " and e_max " + short_text(usual.largest) + ", usual values of sands" +
+        (q.sand.uniformity ? " of this C_u" : "; G does not depend on this void ratio"));
+  }
   if (q.knows_contacts() || q.preparation != effective::Preparation{} || q.state.rolling > 0)
     add("contacts, their rolling resistance and preparation are for the model of spheres; measured laws do "
         "not use them");

@@ -75,7 +75,9 @@ void require_finite_values(const Values& all);
 
 /// Whether a void ratio follows from D_r with the limits of usual sands.
 bool by_usual_limits(const InputValues& values);
-/// e_min and e_max: those that are known, or those of usual sands.
+/// C_u: as it is given, of the sizes, or of the named sand.
+std::optional<double> uniformity_of(const InputValues& values);
+/// e_min and e_max: those that are known, or those of usual sands of that C_u.
 std::pair<double, double> void_ratio_limits(const InputValues& values);
 
 } // namespace granum::estimate

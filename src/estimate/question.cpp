@@ -42,6 +42,7 @@ void require_possible(const Question& q) {
   if (q.grain_density)
     require_positive("grain_density", *q.grain_density, "kg/m3");
   if (q.grain_shape == GrainShape::sand) {
+    sands::require_sand(q.sand);
     effective::require_valid(q.state);
     return;
   }
@@ -246,26 +247,40 @@ effective::State state_of(const InputValues& values, const stress::AxialStress& 
   return state;
 }
 
+std::optional<double> uniformity_of(const InputValues& values) {
+  if (values.given(Input::uniformity))
+    return values.number(Input::uniformity);
+  if (values.sizes)
+    return sizes::gradation(*values.sizes, 1).uniformity();
+  return values.known_sand != nullptr ? values.known_sand->uniformity : std::nullopt;
+}
+
+namespace {
+
+/// The share of silt and clay: as it is given, or of a sieve curve.
+std::optional<double> fines_of(const InputValues& values) {
+  if (values.given(Input::fines) || !values.sizes || !values.sizes->mean_radius())
+    return values.given(Input::fines) ? std::optional(values.within(Input::fines)) : std::nullopt;
+  constexpr double by_mass = 3;
+  return values.sizes->share_below(sands::silt_size / 2 / *values.sizes->mean_radius(), by_mass);
+}
+
+} // namespace
+
 sands::Sand sand_of(const InputValues& values) {
-  sands::Sand sand;
+  sands::Sand sand{.uniformity = uniformity_of(values), .fines = fines_of(values)};
   const bool sized = values.given(Input::d50) || (values.given(Input::radius) && !values.law);
-  sand.uniformity = values.if_given(Input::uniformity);
   if (values.sizes) {
-    const sizes::Gradation grading = sizes::gradation(*values.sizes, radius_of(values));
-    sand.uniformity = sand.uniformity.value_or(grading.uniformity());
     if (values.sizes->mean_radius() || sized)
-      sand.d50 = grading.d50;
+      sand.d50 = sizes::gradation(*values.sizes, radius_of(values)).d50;
   } else if (values.law)
     sand.d50 = values.if_given(Input::d50);
   else if (sized)
     sand.d50 = 2 * radius_of(values);
-  if (values.known_sand != nullptr) {
-    if (!sand.uniformity)
-      sand.uniformity = values.known_sand->uniformity;
+  if (values.known_sand != nullptr)
     sand.tests = values.known_sand->tests;
-  }
-  if (values.sizes || values.given(Input::uniformity) || values.stated(Input::least_void_ratio) ||
-      values.stated(Input::largest_void_ratio))
+  if (values.sizes || values.given(Input::uniformity) || values.given(Input::fines) ||
+      values.stated(Input::least_void_ratio) || values.stated(Input::largest_void_ratio))
     sand.tests.reset(); // of another batch
   sand.least_void_ratio = values.if_given(Input::least_void_ratio);
   sand.largest_void_ratio = values.if_given(Input::largest_void_ratio);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/slip.hpp>
-#include <granum/sands/pooled_law.hpp>
+#include <granum/sands/strain.hpp>
 
 #include "core/root.hpp"
 #include "parts.hpp"
@@ -19,13 +20,13 @@ using sands::Sand;
 
 /// Changes of each law of sands from its middle.
 struct Moved {
-  double shear_factor = 1;      ///< factor on G
-  double poisson_ratio = 0;     ///< added
-  double exponent = 0;          ///< added to s
-  double horizontal_share = 0;  ///< added to m/s
-  double shear_anisotropy = 0;  ///< added to G_hh/G_vh
-  double young_anisotropy = 0;  ///< added to E_h/E_v
-  double log_modulus_ratio = 0; ///< added to ln(G/G0)
+  double shear_factor = 1;     ///< factor on G
+  double poisson_ratio = 0;    ///< added
+  double exponent = 0;         ///< added to s
+  double horizontal_share = 0; ///< added to m/s
+  double shear_anisotropy = 0; ///< added to G_hh/G_vh
+  double young_anisotropy = 0; ///< added to E_h/E_v
+  sands::StrainMoves strain = {};
 };
 
 /// The isotropic stress with the same effect on G_vh: sigma_v^n sigma_h^m = p^(n + m).
@@ -87,15 +88,19 @@ double slip_strain(Values& all, const Question& q) {
   return effective::strain_of_slip_loss(onset, loss) / at(all, Field::contact_softness);
 }
 
+sands::StrainAnswer strained(const Question& q, const sands::StrainMoves& moves) {
+  return sands::strained({.strain = *q.shear_strain,
+                          .void_ratio = q.state.void_ratio,
+                          .mean_stress = q.state.mean_stress(),
+                          .sand = q.sand},
+                         moves);
+}
+
 void set_strain(Values& all, const Question& q, const Moved& moved) {
-  const sands::StrainAnswer strained = sands::strained({.strain = *q.shear_strain,
-                                                        .void_ratio = q.state.void_ratio,
-                                                        .mean_stress = q.state.mean_stress(),
-                                                        .sand = q.sand});
-  const double ratio = std::min(1.0, strained.ratio * std::exp(moved.log_modulus_ratio));
-  at(all, Field::modulus_ratio) = ratio;
-  at(all, Field::strained_shear_modulus) = ratio * at(all, Field::shear_modulus);
-  at(all, Field::damping_ratio) = sands::damping_ratio(ratio);
+  const sands::StrainAnswer of_strain = strained(q, moved.strain);
+  at(all, Field::modulus_ratio) = of_strain.ratio;
+  at(all, Field::strained_shear_modulus) = of_strain.ratio * at(all, Field::shear_modulus);
+  at(all, Field::damping_ratio) = of_strain.damping;
   at(all, Field::slip_strain) = slip_strain(all, q);
 }
 
@@ -195,11 +200,15 @@ Answer sand_answer(const Question& q, std::span<const Spread> spreads) {
   add("anisotropy", true, {.young_anisotropy = -sands::young_anisotropy_deviation},
       {.young_anisotropy = sands::young_anisotropy_deviation});
   if (is_strained(q)) {
-    const sands::StrainAnswer strained = sands::strained(
-        {.strain = *q.shear_strain, .void_ratio = q.state.void_ratio, .mean_stress = p, .sand = q.sand});
-    add("strain", true, {.log_modulus_ratio = -strained.log_deviation},
-        {.log_modulus_ratio = strained.log_deviation});
-    all.validity_.merge(strained.validity);
+    for (const auto& [name, part] : {std::pair{"strain", &sands::StrainMoves::reference_strain},
+                                     {"damping", &sands::StrainMoves::least_damping},
+                                     {"damping", &sands::StrainMoves::damping_growth}}) {
+      Moved less, more;
+      less.strain.*part = -1;
+      more.strain.*part = 1;
+      add(name, true, less, more);
+    }
+    all.validity_.merge(strained(q, {}).validity);
   }
   for (const Spread& spread : spreads)
     all.effects_.push_back(effect_of(spread.input, spread.assumed, all.middle_, sand_values(spread.less),

@@ -292,7 +292,7 @@ Eigen::VectorXd ContactModel::residuals(const std::vector<StateGroup>& groups,
 }
 
 Inference ContactModel::solve(std::shared_ptr<const ContactModel> model, double start) {
-  std::vector<Eigen::VectorXd> starts{std::log(start - model->isostatic_) *
+  std::vector<Eigen::VectorXd> starts{std::log(std::max(start - model->isostatic_, just_rigid)) *
                                       Eigen::VectorXd::Unit(model->parameter_count(), 0)};
   for (std::size_t number = 0; number < model->options_.contacts.numbers.size(); ++number)
     for (const double deviation : {-1.0, 1.0}) {

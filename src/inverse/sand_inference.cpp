@@ -50,10 +50,12 @@ bool compresses(Quantity quantity) {
 /// The sand at the void ratio and stresses of a state, with changed level, exponent and Poisson's ratio.
 Question moved(const Question& known, const effective::State& at, const Parameters& x) {
   Question q = known;
-  if (q.sand.relative_density) // it moves with the void ratio, between usual limits or those of the sand
-    *q.sand.relative_density -= (at.void_ratio - known.state.void_ratio) /
-                                (q.sand.largest_void_ratio.value_or(sands::usual_largest_void_ratio) -
-                                 q.sand.least_void_ratio.value_or(sands::usual_least_void_ratio));
+  if (q.sand.relative_density) { // it moves with the void ratio, between usual limits or those of the sand
+    const sands::UsualLimits usual = sands::usual_limits(q.sand.uniformity);
+    *q.sand.relative_density -=
+        (at.void_ratio - known.state.void_ratio) /
+        (q.sand.largest_void_ratio.value_or(usual.largest) - q.sand.least_void_ratio.value_or(usual.least));
+  }
   q.state.void_ratio = at.void_ratio;
   q.state.stress_v = at.stress_v;
   q.state.stress_h = at.stress_h;
@@ -251,7 +253,8 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
   constexpr double unlikely = 0.01;
   if (found.probability_ < unlikely)
     found.validity_.add(
-        "the measurements contradict each other if all are of one sand: chi^2 " +
+        "the measurements contradict each other if all are of one sand: one level of G does not fit them, "
+        "chi^2 " +
         short_text(found.chi_square_, 3) + " at " + std::to_string(found.degrees_of_freedom_) +
         " degrees of freedom; errors are enlarged " + short_text(found.widening_, 2) + " times" +
         (growth == SandGrowth::measured && !at_one_stress(all)

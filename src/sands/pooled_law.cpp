@@ -22,8 +22,13 @@ namespace {
 constexpr double low_stress_exponent = 0.50; ///< s below low_stress
 constexpr double noted_above =
     2 * MPa; ///< up to here, and below least_tested_stress, the range widens without a note
-constexpr double least_e = 0.40, largest_e = 0.93;
-constexpr double gravel = 4.75 * mm, least_d50 = 0.06 * mm; ///< limits of sand
+constexpr double largest_factor = 1.9; ///< of stated_factor: gravel, and far outside of the tests
+/// Of the tested sands together: only its ranges are used.
+constexpr SandTests all_tests{.void_ratio_low = 0.40,
+                              .void_ratio_high = 0.93,
+                              .stress_low = least_tested_stress,
+                              .stress_high = largest_tested_stress};
+constexpr double gravel = 4.75 * mm; ///< d50 from here on
 
 double largest(double a, double b, double c) { return std::max({a, b, c}); }
 
@@ -44,10 +49,7 @@ bool limits_tested(const Sand& sand) {
 void require_valid(const Sand& sand, double void_ratio, double mean_stress) {
   require_positive("void_ratio", void_ratio);
   require_non_negative("mean_stress", mean_stress, "Pa");
-  if (sand.uniformity)
-    require_closed("uniformity", *sand.uniformity, 1, 1e3);
-  if (sand.d50)
-    require_positive("d50", *sand.d50, "m");
+  require_sand(sand);
   require_positive("level_factor", sand.level_factor);
   require_finite("exponent_shift", sand.exponent_shift);
   require_finite("poisson_shift", sand.poisson_shift);
@@ -65,7 +67,8 @@ double level(const Sand& sand, double e) {
   case PooledForm::density_and_limits:
     return 92.7 * MPa * std::pow(10, 0.294 * *relative_density_of(sand, e) - 0.287 * *sand.least_void_ratio);
   case PooledForm::grading:
-    return 39.4 * MPa * hardin_richart_factor(2.97, e) * std::pow(*sand.uniformity, -0.252);
+    return 36.4 * MPa * hardin_richart_factor(2.97, e) *
+           std::pow(std::min(*sand.uniformity, largest_tested_uniformity), -0.126);
   case PooledForm::relative_density:
     return 69.2 * MPa * std::pow(10, 0.241 * *sand.relative_density);
   case PooledForm::void_ratio:
@@ -98,10 +101,26 @@ std::optional<double> relative_density_of(const Sand& sand, double void_ratio) {
              : sand.relative_density;
 }
 
+void require_sand(const Sand& sand) {
+  constexpr double widest = 20; // the laws hold C_u at 8; beyond, coarse grains float in fine ones
+  if (const double C_u = sand.uniformity.value_or(1); !(C_u >= 1 && C_u <= widest))
+    throw InvalidArgument("uniformity", C_u, "",
+                          "[1, 20]: the laws are of sands to C_u = 8, and wider gradings were not tested");
+  if (sand.d50 && !(*sand.d50 >= silt_size))
+    throw InvalidArgument(
+        "d50", *sand.d50, "m",
+        "[6.3e-05, inf): finer ground is silt or clay, to which laws of sands do not apply");
+  if (sand.fines && !(*sand.fines >= 0 && *sand.fines <= largest_fines))
+    throw InvalidArgument("fines", *sand.fines, "",
+                          "[0, 0.5]: with more than half finer than 0.063 mm the ground is silt or clay, to "
+                          "which laws of sands do not apply");
+}
+
 void require_density(const Sand& sand, double void_ratio) {
   constexpr double densest = 1.2, rounding = 1e-9, agreement = 0.02;
   // One limit alone: no sand is looser than e_max, or denser than e_min by a fifth of a usual distance.
-  constexpr double below = 0.2 * (usual_largest_void_ratio - usual_least_void_ratio);
+  const UsualLimits usual = usual_limits(sand.uniformity);
+  const double below = 0.2 * (usual.largest - usual.least);
   if (!sand.least_void_ratio && sand.largest_void_ratio)
     require_closed("void_ratio", void_ratio, 0, *sand.largest_void_ratio + rounding);
   if (sand.least_void_ratio && !sand.largest_void_ratio)
@@ -139,7 +158,8 @@ std::string formula(const Sand& sand) {
   case PooledForm::density_and_limits:
     return "92.7 MPa 10^(0.294 D_r - 0.287 e_min) (p'/p_a)^s";
   case PooledForm::grading:
-    return "39.4 MPa (2.97-e)^2/(1+e) C_u^-0.252 (p'/p_a)^s";
+    return std::string("36.4 MPa (2.97-e)^2/(1+e) C_u^-0.126 (p'/p_a)^s") +
+           (*sand.uniformity > largest_tested_uniformity ? ", with C_u = 8 in the first power" : "");
   case PooledForm::relative_density:
     return "69.2 MPa 10^(0.241 D_r) (p'/p_a)^s";
   case PooledForm::void_ratio:
@@ -150,7 +170,7 @@ std::string formula(const Sand& sand) {
 
 GrowthExponent growth_exponent(const Sand& sand, double mean_stress) {
   return mean_stress < low_stress ? GrowthExponent{low_stress_exponent + sand.exponent_shift, 0.07}
-                                  : GrowthExponent{exponent(sand), 0.05};
+                                  : GrowthExponent{exponent(sand), 0.045};
 }
 
 double growth_factor(const Sand& sand, double mean_stress) {
@@ -179,26 +199,57 @@ double extrapolated_shear_modulus(const Sand& sand, double void_ratio, double me
   return sand.level_factor * level(sand, void_ratio) * growth_factor(sand, mean_stress);
 }
 
-double stated_factor(const Sand& sand, double void_ratio, double mean_stress) {
-  constexpr double most = 1.6;
-  const bool unusual = sand.uniformity.value_or(uniform_sand) > largest_tested_uniformity || !sand.quartz ||
-                       sand.d50.value_or(mm) > gravel ||
-                       (form_of(sand) == PooledForm::density_and_limits && !limits_tested(sand));
-  if (unusual)
-    return most;
-  double within = 1.3;
-  if (sand.tests)
-    within = 1.15;
-  else if (form_of(sand) == PooledForm::density_and_limits)
-    within = 1.25;
+namespace {
+
+/// Squared deviation of ln G because a stress or a void ratio lies outside of tests.
+double by_extrapolation(double void_ratio, double mean_stress, const SandTests& tests) {
   const double p = std::max(mean_stress, 1.0); // without stress the modulus is zero
-  const double by_stress =
-      0.3 * beyond(std::log(p), std::log(least_tested_stress), std::log(largest_tested_stress));
-  const double limits_apart = has_limits(sand) ? *sand.largest_void_ratio - *sand.least_void_ratio
-                                               : usual_largest_void_ratio - usual_least_void_ratio;
-  const double beyond_limits = limits_apart * beyond(relative_density_of(sand, void_ratio).value_or(0), 0, 1);
-  const double by_density = 3 * std::max(beyond_limits, beyond(void_ratio, least_e, largest_e));
-  return std::min(most, std::exp(std::hypot(std::log(within), by_stress, by_density)));
+  const double by_stress = 0.3 * beyond(std::log(p), std::log(tests.stress_low), std::log(tests.stress_high));
+  const double by_density = 3 * beyond(void_ratio, tests.void_ratio_low, tests.void_ratio_high);
+  return by_stress * by_stress + by_density * by_density;
+}
+
+/// The same outside of e_min to e_max.
+double by_limits(const Sand& sand, double void_ratio) {
+  const UsualLimits usual = usual_limits(sand.uniformity);
+  const double apart =
+      has_limits(sand) ? *sand.largest_void_ratio - *sand.least_void_ratio : usual.largest - usual.least;
+  const double by_density = 3 * apart * beyond(relative_density_of(sand, void_ratio).value_or(0), 0, 1);
+  return by_density * by_density;
+}
+
+/// One standard deviation of a factor, widened by a variance.
+double widened(double within, double variance) {
+  return std::exp(std::hypot(std::log(within), std::sqrt(variance)));
+}
+
+/// The factor of a sand without tests of its own, within all tests.
+double unnamed_factor(const Sand& sand, PooledForm form) {
+  if (sand.uniformity.value_or(uniform_sand) >= largest_tested_uniformity || sand.d50.value_or(mm) > gravel)
+    return largest_factor;
+  const bool unusual = !sand.quartz || sand.fines.value_or(0) > clean_fines ||
+                       (form == PooledForm::density_and_limits && !limits_tested(sand));
+  const double clean = form == PooledForm::density_and_limits ? 1.35
+                       : form == PooledForm::relative_density ? 1.45
+                                                              : 1.4;
+  return unusual ? 1.6 : clean;
+}
+
+} // namespace
+
+double stated_factor(const Sand& sand, double void_ratio, double mean_stress) {
+  Sand unnamed = sand;
+  unnamed.tests.reset();
+  const PooledForm form = form_of(unnamed);
+  const double by_uniformity =
+      form == PooledForm::grading ? 0.2 * std::log(*sand.uniformity / uniform_sand) : 0;
+  const double outside =
+      std::max(by_extrapolation(void_ratio, mean_stress, all_tests), by_limits(sand, void_ratio));
+  const double of_sands = std::min(
+      largest_factor, widened(unnamed_factor(unnamed, form), by_uniformity * by_uniformity + outside));
+  if (!sand.tests)
+    return of_sands;
+  return std::min(of_sands, widened(1.15, by_extrapolation(void_ratio, mean_stress, *sand.tests)));
 }
 
 std::string level_remark(double level) {
@@ -217,10 +268,12 @@ Validity outside_of_tests(const Sand& sand, double void_ratio, double mean_stres
   Validity notes;
   const auto note = [&](const char* what, double value, double low, double high, const char* unit) {
     if (value < low || value > high)
-      notes.add(std::string(what) + " of " + short_text(value) + unit +
-                " lies outside of the sands tested, " + short_text(low) + " to " + short_text(high) + unit);
+      notes.add(std::string(what) + " of " + short_text(value) + unit + " lies outside of the " +
+                (sand.tests ? "tests of this sand, " : "sands tested, ") + short_text(low) + " to " +
+                short_text(high) + unit);
   };
-  note("a void ratio", void_ratio, least_e, largest_e, "");
+  const SandTests& tests = sand.tests ? *sand.tests : all_tests;
+  note("a void ratio", void_ratio, tests.void_ratio_low, tests.void_ratio_high, "");
   if (const double D_r = relative_density_of(sand, void_ratio).value_or(0); D_r > 1.005)
     notes.add("a relative density of " + percent_text(D_r) + " is beyond the densest state of its sand");
   if (has_limits(sand) && !limits_tested(sand))
@@ -233,8 +286,12 @@ Validity outside_of_tests(const Sand& sand, double void_ratio, double mean_stres
               " lies far outside of the sands tested, 25 to 500 kPa");
   if (sand.uniformity)
     note("a C_u", *sand.uniformity, 1, largest_tested_uniformity, "");
-  if (sand.d50)
-    note("a d50", *sand.d50 / mm, least_d50 / mm, gravel / mm, " mm");
+  if (sand.d50 && *sand.d50 > gravel)
+    notes.add("a d50 of " + pretty(*sand.d50, Dimension::length) + " is gravel: beyond the sands tested");
+  if (sand.fines.value_or(0) > clean_fines)
+    notes.add(percent_text(*sand.fines) +
+              " of fines (silt and clay, finer than 0.063 mm): the sands tested are "
+              "clean; others scatter by a factor of 1.6");
   if (!sand.quartz)
     notes.add("the sands tested are of quartz; other grains scatter by a factor of 1.6");
   return notes;
@@ -247,98 +304,12 @@ PoissonRatio poisson_ratio(const Sand& sand, double mean_stress) {
   return {std::clamp(nu, 0.08, 0.35) + sand.poisson_shift, graded ? 0.08 : 0.06};
 }
 
-namespace {
-
-double in_per_cent(const StrainedSand& s) { return 100 * s.strain; }
-double in_atmospheres(const StrainedSand& s) { return s.mean_stress / standard_atmosphere; }
-double uniformity(const StrainedSand& s) { return s.sand.uniformity.value_or(uniform_sand); }
-
-/// 1/(1 + (strain/at_half)^a)^b, strains in per cent.
-double hyperbola(double strain, double at_half, double a, double b = 1) {
-  return std::pow(1 + std::pow(strain / at_half, a), -b);
-}
-
-double wang_stokoe_plain(const StrainedSand& s) {
-  return hyperbola(in_per_cent(s), 0.068 * std::pow(in_atmospheres(s), 0.4), 0.729, 0.985);
-}
-
-double wang_stokoe_ratio_e(const StrainedSand& s) {
-  const double at_half = 0.13 * std::pow(s.void_ratio, 0.545) - 0.043;
-  return hyperbola(in_per_cent(s), std::max(at_half, 1e-3) * std::pow(in_atmospheres(s), 0.45), 0.804, 0.882);
-}
-
-double wang_stokoe_ratio_e_C_u(const StrainedSand& s) {
-  const double at_half = 0.05 * std::pow(s.void_ratio, 0.1 * uniformity(s)) + 0.011;
-  return hyperbola(in_per_cent(s), at_half * std::pow(in_atmospheres(s), 0.45), 0.834, 0.839);
-}
-
-double darendeli(const StrainedSand& s) {
-  return hyperbola(in_per_cent(s), 0.0352 * std::pow(in_atmospheres(s), 0.3483), 0.919);
-}
-
-double menq_ratio(const StrainedSand& s) {
-  const double C_u = uniformity(s), p = in_atmospheres(s);
-  const double a = std::max(0.86 + 0.1 * std::log10(p), 0.1);
-  return hyperbola(in_per_cent(s), 0.12 * std::pow(C_u, -0.6) * std::pow(p, 0.5 * std::pow(C_u, -0.15)), a);
-}
-
-double ishibashi_zhang(const StrainedSand& s) {
-  const auto part = [&](double strain, double power) {
-    return std::tanh(std::log(std::pow(strain / s.strain, power)));
-  };
-  const double K = 0.5 * (1 + part(0.000102, 0.492)), m = 0.272 * (1 - part(0.000556, 0.4));
-  return std::min(1.0, K * std::pow(s.mean_stress / 1e3, m));
-}
-
-constexpr std::array<StrainLaw, 6> strain_table{{
-    {"wang-stokoe-e-C_u", "WangStokoe2022",
-     "1/(1+(g/g_r)^0.834)^0.839, g_r = (0.05 e^(0.1 C_u)+0.011) % (p/atm)^0.45", wang_stokoe_ratio_e_C_u},
-    {"wang-stokoe-e", "WangStokoe2022",
-     "1/(1+(g/g_r)^0.804)^0.882, g_r = (0.13 e^0.545-0.043) % (p/atm)^0.45", wang_stokoe_ratio_e},
-    {"wang-stokoe", "WangStokoe2022", "1/(1+(g/g_r)^0.729)^0.985, g_r = 0.068 % (p/atm)^0.4",
-     wang_stokoe_plain},
-    {"darendeli", "Darendeli2001", "1/(1+(g/g_r)^0.919), g_r = 0.0352 % (p/atm)^0.3483", darendeli},
-    {"menq", "Menq2003",
-     "1/(1+(g/g_r)^a), a = 0.86+0.1 log10(p/atm), g_r = 0.12 % C_u^-0.6 (p/atm)^(0.5 C_u^-0.15)", menq_ratio},
-    {"ishibashi-zhang", "IshibashiZhang1993",
-     "K p^m, p in kPa, K = 0.5(1+tanh ln((0.000102/g)^0.492)), m = 0.272(1-tanh ln((0.000556/g)^0.4))",
-     ishibashi_zhang},
-}};
-
-/// Standard deviation of ln(G/G0) between the laws.
-double spread(const StrainedSand& s) {
-  double sum = 0, squares = 0;
-  for (const StrainLaw& law : strain_table) {
-    const double y = std::log(law.ratio(s));
-    sum += y;
-    squares += y * y;
-  }
-  const auto n = static_cast<double>(strain_table.size());
-  return std::sqrt(std::max(0.0, (squares - sum * sum / n) / (n - 1)));
-}
-
-} // namespace
-
-std::span<const StrainLaw> strain_laws() { return strain_table; }
-
-double damping_ratio(double r) { return std::max(0.0, 0.333 * (0.586 * r * r - 1.547 * r + 1)); }
-
-StrainAnswer strained(const StrainedSand& s) {
-  require_open("strain", s.strain, 0, 0.05 * (1 + 1e-12));
-  require_positive("mean_stress", s.mean_stress, "Pa");
-  (void)extrapolated_shear_modulus(s.sand, s.void_ratio, s.mean_stress); // refuses impossible values
-  StrainAnswer out{.ratio = s.sand.uniformity ? wang_stokoe_ratio_e_C_u(s) : wang_stokoe_ratio_e(s),
-                   .validity = {}};
-  const double r = out.ratio, usual = std::log(1.13);
-  out.log_deviation = std::min(std::max(usual, spread(s)), -std::log(r));
-  out.damping = damping_ratio(r);
-  if (s.strain > 5e-3)
-    out.validity.add("beyond a shear strain of 0.5 % the laws of G(strain) are not valid: strength governs");
-  else if (s.strain > 2e-4)
-    out.validity.add(
-        "above a shear strain of about 0.02 % cycles compact drained sand, or raise its pore pressure: "
-        "the result depends on their number");
-  return out;
+UsualLimits usual_limits(const std::optional<double>& uniformity) {
+  const double wider =
+      std::log(std::clamp(uniformity.value_or(uniform_sand), 1.0, largest_tested_uniformity) / uniform_sand);
+  return {.least = 0.601 - 0.164 * wider,
+          .largest = 0.907 - 0.120 * wider,
+          .deviation = uniformity ? 0.08 : 0.11};
 }
 
 } // namespace granum::sands

@@ -274,7 +274,7 @@ class Attack {
     row.name = "sweep";
     row.json = false;
     row.words.erase(std::remove(row.words.begin(), row.words.end(), "--json"), row.words.end());
-    row.words.insert(row.words.end(), {"--table", row_});
+    row.words.insert(row.words.end(), {"--table", row_, "--units", "si"});
     const Ended swept = run(row);
     judge(swept);
     const std::vector<std::map<std::string, double>> found = attack::cells_of_rows(swept.out);

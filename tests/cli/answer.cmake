@@ -71,9 +71,10 @@ granum_cli_test("answer: given options override the preset" EXIT 0 JSON "inputs/
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --grain quartz --grain-shear-modulus 45GPa --json)
 granum_cli_test("answer: unknown grain" EXIT 2 STDERR "grain 'cheese' is unknown; known are quartz" ARGS estimate --void-ratio 0.6
   --pressure 100kPa --grain cheese)
-granum_cli_test("answer: sand" EXIT 0 STDOUT "e = 0\\.802 .e_min 0\\.616, e_max 0\\.988.*d50 = 200 um.*G_g = 44 GPa.*Toyoura sand .CubrinovskiIshihara2002"
+granum_cli_test("answer: sand" EXIT 0 STDOUT "e = 0\\.802 .e_min 0\\.616, e_max 0\\.988.*d50 = 200 um.*G_g = 44 GPa.*33 tests of this sand .Lo2021"
   ARGS estimate --full --sand toyoura --relative-density 50% --pressure 100kPa)
-granum_cli_test("answer: a sand with limits of its tests" EXIT 0 JSON "inputs/void_ratio=^0\\.8(3$|30|29)"
+granum_cli_test("answer: a sand outside of its tests" EXIT 0 JSON "inputs/void_ratio=^0\\.8(3$|30|29)"
+  STDERR "void ratio of 0\\.83 lies outside of the tests of this sand"
   ARGS estimate --sand hostun --relative-density 50% --pressure 100kPa --json)
 granum_cli_test("answer: its own limits" EXIT 0 JSON "inputs/void_ratio=^0\\.(65|6499999|6500000)"
   ARGS estimate --relative-density 0.5 --least-void-ratio 0.55 --largest-void-ratio 0.75 --pressure 100kPa --json)

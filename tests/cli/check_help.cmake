@@ -31,7 +31,7 @@ set(packing "Density and stress" "Contacts" "Grains" "Shape of the contacts" "Si
 check_help("" "From closed forms" "From the files of a DEM code" "By simulation" "Options" "Output")
 check_help("estimate" ${packing} "More results" "Output" "Examples")
 check_help("infer" "Measured" ${packing} "Predicted" "Output" "Examples")
-check_help("sweep" ${packing} "Path" "Ground" "Table and columns" "Output" "Rungs")
+check_help("sweep" ${packing} "Curves over strain" "Path" "Ground" "Table and columns" "Output" "Rungs")
 check_help("fit" "Arguments" "Columns" "Law" "Output" "Examples")
 check_help("analyse" "Arguments" "Grains" "Shape of the contacts" "Files" "Measurements" "Output")
 check_help("verify" "Scene" "Run" "Output")

@@ -5,6 +5,7 @@ cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/arguments.cmake")
 execute_process(COMMAND "${PROGRAM}" ${arguments} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
 
+string(REGEX REPLACE "granum: note: [^\n]*\n" "" err "${err}")
 set(told "${out}")
 if(NOT err STREQUAL "")
   set(told "${err}")

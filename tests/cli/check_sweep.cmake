@@ -110,11 +110,12 @@ endif()
 
 # A picture needs no other file.
 run(sweep ${packing} --from 10kPa --to 1MPa --points 9 --picture "${FOLDER}/alone.svg")
-if(NOT (code EQUAL 0 AND EXISTS "${FOLDER}/alone.svg" AND out MATCHES "\np_Pa,"))
+if(NOT (code EQUAL 0 AND EXISTS "${FOLDER}/alone.svg" AND out MATCHES "\np_kPa,"))
   fail("a picture alone")
 endif()
 
 # Eq. (1) of the swept moduli: s of cones
+run(sweep ${packing} --from 10kPa --to 1MPa --points 9 --out "${FOLDER}/iso.csv" --units si --force)
 run(fit "${FOLDER}/iso.csv" --modulus-column G_hv_rung2 --sum-only --json)
 string(JSON s GET "${out}" s)
 if(NOT (code EQUAL 0 AND s MATCHES "^0\\.(5$|49999999|50000000)"))

@@ -30,6 +30,10 @@ granum_cli_test("depth: a low K_0 is remarked" EXIT 0 STDOUT "depth" STDERR "war
 granum_cli_test("depth: under --strict" EXIT 4 STDOUT "depth" STDERR "stress ratio 3\\.33" ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 0m..30m
   --k0 0.3 --strict)
 
+# A strain adds a table on the screen; without stress there is no number.
+granum_cli_test("depth: a strain" EXIT 0 STDERR "." STDOUT "G/G0 +damping [^\n]*\n +0 +- +- +-\n +10 +[0-9.]+ \\([0-9.]+-[0-9.]+\\) +0\\.[0-9]+ \\(0\\.[0-9]+-0\\.[0-9]+\\) "
+  ARGS sweep --void-ratio 0.7 --depth 0m..10m --points 2 --strain 0.1%)
+
 # Weights that void ratio and grains contradict.
 granum_cli_test("depth: too heavy" EXIT 0 STDOUT "depth" STDERR "warning: --unit-weight 22 kN/m3 contradicts void ratio 0\\.6 [^\n]* 19\\.91 kN/m3 with all pores full"
   ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 0m..30m --unit-weight 22kN/m3)

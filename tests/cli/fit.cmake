@@ -80,3 +80,15 @@ add_test(NAME "cli: fit: picture" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/fit picture"
     -P "${CMAKE_CURRENT_SOURCE_DIR}/check_fit_picture.cmake")
 set_tests_properties("cli: fit: picture" PROPERTIES LABELS cli)
+
+# V_s: G = density V_s^2. s is twice that of V_s, here 2 log(341/205)/log(8) with little scatter.
+granum_cli_test("fit: V_s with a density" EXIT 0 JSON "inputs/by_speed=^(ON|true)$" "inputs/modulus_column=^Vs$" "inputs/void_ratio_column=^e_c$"
+  "s=^0\\.489" ARGS fit fit_speeds.csv --json)
+granum_cli_test("fit: V_s is named in the law" EXIT 0 STDOUT "^rho Vs\\^2 = C p_a" ARGS fit fit_speeds.csv)
+# (1900 (1 + 0.7)/2650) is the factor of G between the two tables
+granum_cli_test("fit: V_s of dry grains of 2650 kg/m3" EXIT 0 STDERR "2650 kg/m3 and dry pores" JSON "s=^0\\.489" "C=^723\\.9"
+  ARGS fit fit_speeds_bare.csv --json)
+granum_cli_test("fit: C of the given density" EXIT 0 JSON "C=^882\\.3" ARGS fit fit_speeds.csv --json)
+granum_cli_test("fit: V_s by its name" EXIT 0 STDERR "2650" JSON "inputs/by_speed=^(ON|true)$" ARGS fit fit_speeds_bare.csv --modulus-column V_s --json)
+granum_cli_test("fit: V_s without any density" EXIT 3 STDERR "fit_speeds_no_density\\.csv:1: [^\n]*rho_kg/m3" ARGS fit fit_speeds_no_density.csv)
+granum_cli_test("fit: suction" EXIT 3 STDERR "fit_suction\\.csv:3: column 'suction_kPa' has 20: suction" ARGS fit fit_suction.csv)

@@ -102,7 +102,7 @@ granum_new_user("the same the other way round"
 granum_new_user("three densities, said once" "estimate --porosity 38% --void-ratio 0.6 --solid-fraction 0.62 --pressure 1" 2
   "^granum: error: the density is given more than once[^\n]*\ngranum: error: --pressure = 1 has no unit[^\n]*\n$")
 granum_new_user("options of other kinds of sweeps, all at once" "sweep --void-ratio 0.6 --pressure 1kPa --eta 0.5 --k0 0.4 --columns all --force" 2
-  "--pressure goes with --table; .*--eta goes with --path txc.*--k0 goes with --depth.*--force goes with --out, --picture or --report")
+  "--pressure goes with --table or --for; .*--eta goes with --path txc.*--k0 goes with --depth.*--force goes with --out, --picture or --report")
 granum_new_user("choices of the parser beside what they exclude" "sweep --depth 0m..3m --void-ratio 0.6 --from 1kPa --rungs 7 --points 1" 2
   "excludes.*--rungs: 7 not in.*--points: ")
 granum_new_user("what needs another option" "plan --force --set study.grain=4" 2 "--force requires --out")
@@ -148,13 +148,13 @@ granum_cli_test("people: a likely mistake is in the JSON" EXIT 0 STDERR "warning
   JSON "warnings/0=^--void-ratio 60: is it per cent, 60%" ARGS estimate --void-ratio 60 --pressure 100kPa --json)
 granum_cli_test("people: of infer too, strictly" EXIT 4 STDERR "error: --grain-shear-modulus 44 kPa: softer than rubber; did you mean 44 GPa"
   JSON "command=infer" ARGS infer --void-ratio 0.6 --pressure 100kPa --vs 0.3m/s --grain-shear-modulus 44kPa --strict --json)
-granum_cli_test("people: of a path" EXIT 0 STDERR "warning: 2 of 2 states [^\n]*state 1: --radius 500 mm: [^\n]*did you mean 500 um" STDOUT "p_Pa"
+granum_cli_test("people: of a path" EXIT 0 STDERR "warning: 2 of 2 states [^\n]*state 1: --radius 500 mm: [^\n]*did you mean 500 um" STDOUT "p_kPa"
   ARGS sweep --void-ratio 0.6 --radius 0.5m --from 10kPa --to 100kPa --points 2)
 granum_cli_test("people: over depth" EXIT 0 STDERR "warning: 2 of 2 states [^\n]*1 m: --d50 200 mm: [^\n]*did you mean 200 um" STDOUT "s'_v"
   ARGS sweep --void-ratio 0.6 --d50 0.2m --depth 1m..2m --points 2)
 granum_cli_test("people: a depth of 5 mm is no mistyped stress" EXIT 0 STDOUT "s'_v"
   ARGS sweep --void-ratio 0.6 --depth 0m..5mm --points 2 --strict)
-granum_cli_test("people: the ends of a path" EXIT 4 STDERR "^granum: error: --from 10 Pa [^\n]*\n$" STDOUT "p_Pa"
+granum_cli_test("people: the ends of a path" EXIT 4 STDERR "^granum: error: --from 10 Pa [^\n]*\n$" STDOUT "p_kPa"
   ARGS sweep --void-ratio 0.6 --from 10Pa --to 100kPa --points 3 --strict)
 granum_cli_test("people: a picture with an uncertain pressure" EXIT 0 STDOUT "V_s "
   ARGS estimate --void-ratio 0.6 --pressure 100kPa --uncertainty pressure=5% --force --picture "${CMAKE_CURRENT_BINARY_DIR}/pressure.svg")

@@ -166,3 +166,78 @@ TEST_CASE("inputs at doors: an option and a column of one input contradict each 
     CHECK_THROWS_AS(by_column(values, *row, "1"), InvalidArgument);
   }
 }
+
+TEST_CASE("inputs: headings that people have are those of the inputs") {
+  struct Case {
+    const char* heading;
+    Input input;
+    double number; ///< of "2" in SI
+  };
+  for (const auto& [heading, input, number] :
+       {Case{"e_c", Input::void_ratio, 2}, Case{"Void Ratio", Input::void_ratio, 2},
+        Case{"Mean Effective Stress (kPa)", Input::pressure, 2e3},
+        Case{"mean_effective_stress_kPa", Input::pressure, 2e3}, Case{"p' [kPa]", Input::pressure, 2e3},
+        Case{"Confining pressure (MPa)", Input::pressure, 2e6}, Case{"\u03c33'(kPa)", Input::pressure, 2e3},
+        Case{"\u03c3'1 (kPa)", Input::stress_v, 2e3},
+        Case{"Vertical effective stress (kPa)", Input::stress_v, 2e3},
+        Case{"Dr (%)", Input::relative_density, 0.02},
+        Case{"Relative density (%)", Input::relative_density, 0.02}, Case{"D50 (mm)", Input::d50, 2e-3},
+        Case{"Coefficient of uniformity", Input::uniformity, 2}}) {
+    CAPTURE(heading);
+    const io::CsvTable table("rows.csv", std::string(heading) + "\n2\n");
+    const InputValues given;
+    InputColumns columns(table, given);
+    columns.bind_packing();
+    columns.bind_material();
+    CHECK(columns.unread().empty());
+    const InputValues row = columns.row(0);
+    REQUIRE(row.stated(input));
+    CHECK(row.number(input) == doctest::Approx(number).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("inputs: of two headings of one input the first is read, and others are named") {
+  const InputValues given;
+  const auto remarks = [&](const char* text) {
+    const io::CsvTable table("rows.csv", text);
+    InputColumns columns(table, given);
+    columns.bind_packing();
+    columns.bind(Input::shear_strain);
+    return std::pair(columns.row(0), columns.remarks());
+  };
+  const auto [first, unread] = remarks("e_0,e_c\n0.8,0.7\n");
+  CHECK(first.number(Input::void_ratio) == 0.7); // after consolidation
+  REQUIRE(unread.size() == 1);
+  CHECK(unread[0].ends_with(": e_0"));
+  const auto [both, none] = remarks("sigma_1_kPa,sigma_3_kPa\n200,100\n");
+  CHECK(both.number(Input::stress_h) == 100e3);
+  CHECK(none.empty());
+  CHECK(remarks("sigma_3_kPa\n100\n").second.size() == 1); // taken as the mean stress
+  CHECK(remarks("strain\n1e-4\n").second.size() == 1);     // without a unit
+  for (const char* heading : {"strain_%", "strain_percent", "strain (%)", "strain [-]"})
+    CHECK(remarks((std::string(heading) + "\n0.01\n").c_str()).second.empty());
+  CHECK(remarks("strain_percent\n0.01\n").first.number(Input::shear_strain) == 1e-4);
+}
+
+TEST_CASE("inputs: gamma is a strain without a unit, and no strain with the unit of a weight") {
+  const InputValues given;
+  for (const auto& [text, strain] :
+       {std::pair("gamma\n1e-4\n", true), std::pair("gamma_kN/m3\n17\n", false)}) {
+    const io::CsvTable table("rows.csv", text);
+    InputColumns columns(table, given);
+    CHECK(columns.bind(Input::shear_strain) == strain);
+  }
+}
+
+TEST_CASE("inputs: suction is refused with its line") {
+  const InputValues given;
+  for (const char* text :
+       {"suction_kPa\n0\n5\n", "Matric suction (kPa)\n0\n5\n", "pore_pressure_kPa\n5\n-5\n"}) {
+    const io::CsvTable table("rows.csv", text);
+    CHECK_THROWS_AS(InputColumns(table, given), FileError);
+  }
+  for (const char* text : {"suction_kPa\n0\n", "pore_pressure_kPa\n5\n", "e\n0.7\n"}) {
+    const io::CsvTable table("rows.csv", text);
+    CHECK_NOTHROW(InputColumns(table, given));
+  }
+}

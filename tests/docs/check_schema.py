@@ -42,9 +42,12 @@ sweep --void-ratio 0.6 --from 10kPa --to 100kPa --points 2 --rungs 0,3 --laws
 sweep --void-ratio 0.6 --path txc --from 100kPa --eta 0.5 --points 2 --rungs 1,2
 sweep --void-ratio 0.6 --depth 0m..10m --points 2 --water-table 2m
 sweep --layers layers.csv --depth 1m..20m --points 3
+sweep --layers layers.csv --depth 1m..20m --points 3 --strain 0.001%..1% --for table
 sweep --table sand_rows.csv
+sweep --table sand_rows.csv --strain 0.001%..1% --for table
 sweep --table sweep_states.csv
 fit isotropic_by_hand.csv
+fit fit_speeds.csv
 fit hv_dense_cone.csv
 fit hv_dense_cone.csv --sum-only --void-ratio-function none --weights absolute
 analyse analyse_lattice.grains analyse_lattice.contacts --grain-density 2650kg/m3 --probes analyse_probes.csv

@@ -88,7 +88,7 @@ TEST_CASE("a sand: measured states agree with the table of states") {
   strained.shear_strain = 1e-4;
   const Range ratio = field(strained, Field::modulus_ratio);
   CHECK(ratio.low < 0.76);
-  CHECK(ratio.high > 0.87);
+  CHECK(ratio.high > 0.83); // the median of eight published curves
 }
 
 TEST_CASE("a sand: G equals the pooled law to the bit, and the moduli are consistent") {

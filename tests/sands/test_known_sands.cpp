@@ -23,7 +23,7 @@ TEST_CASE("known sands: keys are unique, numbers possible, minerals known") {
     if (sand.least_void_ratio)
       CHECK(*sand.least_void_ratio < *sand.largest_void_ratio);
     if (sand.d50)
-      CHECK((*sand.d50 > 0.05e-3 && *sand.d50 < 2e-3));
+      CHECK((*sand.d50 > 0.05e-3 && *sand.d50 <= 2e-3));
   }
   CHECK_THROWS_WITH_AS((void)known_sand("sahara"), doctest::Contains("toyoura, ottawa"), InvalidArgument);
 }

@@ -3,8 +3,8 @@
 //     sands <table.csv>
 // Columns: sand (a number or name), C_u, p_kPa, e, G_MPa; D50_mm, e_min and e_max where they are known.
 // Prints, for each law and each form of the pooled one, bias, root mean square of log10 and the share of
-// tests within factors, each sand with the same weight; then the pooled law by sand, forecasts from one test
-// to another of one sand, and by how much they miss. Exit code 0 unless the table cannot be read.
+// tests within factors, each sand with the same weight; then the pooled law by sand, its constants fitted
+// again, and forecasts from one test to another of one sand. Exit code 0 unless the table cannot be read.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,9 +12,11 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
@@ -63,6 +65,20 @@ std::vector<Test> read_tests(const std::string& file) {
   return tests;
 }
 
+/// Relative density between the limits of the sand.
+double D_r_of(const Test& t) {
+  return (*t.known.largest_void_ratio - t.void_ratio) /
+         (*t.known.largest_void_ratio - *t.known.least_void_ratio);
+}
+
+/// The void ratio at which the library answers: of D_r and C_u alone it is that of usual limits.
+double answered_void_ratio(const sands::Sand& sand, double void_ratio) {
+  if (!sand.relative_density || sand.least_void_ratio || !sand.uniformity)
+    return void_ratio;
+  const sands::UsualLimits usual = sands::usual_limits(sand.uniformity);
+  return usual.largest - *sand.relative_density * (usual.largest - usual.least);
+}
+
 /// log10 of estimate over measured, sand by sand.
 using Misses = std::map<std::string, std::vector<double>>;
 
@@ -85,16 +101,19 @@ Score score_of(const Misses& misses) {
   return {std::pow(10, mean / n), std::sqrt(square / n)};
 }
 
-double covered(const Misses& misses, double factor) {
+/// Share of values that are at most so large, each sand with the same weight.
+double covered_by(const Misses& misses, double largest) {
   double share = 0;
   for (const auto& [sand, values] : misses) {
     std::size_t within = 0;
     for (const double value : values)
-      within += std::abs(value) <= std::log10(factor);
+      within += std::abs(value) <= largest;
     share += static_cast<double>(within) / static_cast<double>(values.size());
   }
   return share / static_cast<double>(misses.size());
 }
+
+double covered(const Misses& misses, double factor) { return covered_by(misses, std::log10(factor)); }
 
 void print(const char* name, const Misses& misses) {
   if (misses.empty())
@@ -104,8 +123,8 @@ void print(const char* name, const Misses& misses) {
   for (const auto& [sand, values] : misses)
     tests += values.size();
   std::printf("  %-28s %3zu %5zu   %5.3f   %5.3f   %3.0f %% %3.0f %% %3.0f %%\n", name, misses.size(), tests,
-              score.bias, score.rms, 100 * covered(misses, 1.15), 100 * covered(misses, 1.3),
-              100 * covered(misses, 1.6));
+              score.bias, score.rms, 100 * covered(misses, 1.15), 100 * covered(misses, 1.4),
+              100 * covered(misses, 1.96));
 }
 
 Misses misses_of(const std::vector<Test>& tests,
@@ -118,12 +137,13 @@ Misses misses_of(const std::vector<Test>& tests,
 }
 
 void print_levels(const std::vector<Test>& tests) {
-  std::printf("                             sands tests    bias     rms   within 1.15, 1.3, 1.6\n");
+  std::printf("                             sands tests    bias     rms   within 1.15, 1.4, 1.96\n");
   const auto pooled = [&](const char* name,
                           const std::function<std::optional<sands::Sand>(const Test&)>& known) {
     print(name, misses_of(tests, [&](const Test& t) -> std::optional<double> {
             const std::optional<sands::Sand> sand = known(t);
-            return sand ? std::optional(sands::pooled_shear_modulus(*sand, t.void_ratio, t.mean_stress))
+            return sand ? std::optional(sands::extrapolated_shear_modulus(
+                              *sand, answered_void_ratio(*sand, t.void_ratio), t.mean_stress))
                         : std::nullopt;
           }));
   };
@@ -132,11 +152,14 @@ void print_levels(const std::vector<Test>& tests) {
          [](const Test& t) { return std::optional(sands::Sand{.uniformity = t.known.uniformity}); });
   const auto limited = [](const Test& t) { return t.known.least_void_ratio && t.known.largest_void_ratio; };
   pooled("pooled: D_r", [&](const Test& t) -> std::optional<sands::Sand> {
-    if (!limited(t))
+    return limited(t) && D_r_of(t) >= 0 && D_r_of(t) <= 1.2
+               ? std::optional(sands::Sand{.relative_density = D_r_of(t)})
+               : std::nullopt;
+  });
+  pooled("pooled: D_r, C_u", [&](const Test& t) -> std::optional<sands::Sand> {
+    if (!limited(t) || !t.known.uniformity)
       return std::nullopt;
-    const double D_r = (*t.known.largest_void_ratio - t.void_ratio) /
-                       (*t.known.largest_void_ratio - *t.known.least_void_ratio);
-    return D_r >= 0 && D_r <= 1.2 ? std::optional(sands::Sand{.relative_density = D_r}) : std::nullopt;
+    return sands::Sand{.uniformity = t.known.uniformity, .relative_density = D_r_of(t)};
   });
   pooled("pooled: e, e_min, e_max", [&](const Test& t) {
     return limited(t) ? std::optional(sands::Sand{.least_void_ratio = t.known.least_void_ratio,
@@ -180,19 +203,99 @@ void print_sands(const std::vector<Test>& tests) {
                 of_sand.front().known.uniformity.value_or(0), of_sand.size(), graded.bias, graded.rms,
                 best.bias, best.rms);
   }
-  for (const double factor : {1.08, 1.15, 1.25, 1.3})
+  for (const double factor : {1.08, 1.15, 1.25, 1.4})
     std::printf("  bias within %.2f: %2zu, %2zu of %zu sands\n", factor, within(biases, factor),
                 within(best_biases, factor), biases.size());
+}
+
+/// A form of the law: ln of G over void-ratio factor and growth is constant + sum of coefficients x terms.
+struct Form {
+  const char* name;
+  bool by_void_ratio; ///< G/F(e) is fitted, else G
+  std::vector<double> (*terms)(const Test& t);
+};
+
+Eigen::VectorXd row_of(const Form& form, const Test& t) {
+  const std::vector<double> terms = form.terms(t);
+  Eigen::VectorXd row(static_cast<Eigen::Index>(terms.size()) + 1);
+  row[0] = 1;
+  for (std::size_t k = 0; k < terms.size(); ++k)
+    row[static_cast<Eigen::Index>(k) + 1] = terms[k];
+  return row;
+}
+
+double target_of(const Form& form, const Test& t) {
+  const sands::Sand grading{.uniformity = t.known.uniformity};
+  const double factor = form.by_void_ratio ? sands::hardin_richart_factor(2.97, t.void_ratio) : 1;
+  return std::log(t.shear_modulus / factor / sands::growth_factor(grading, t.mean_stress));
+}
+
+/// The constants of a form by least squares, each sand with the same weight, without one of the sands.
+Eigen::VectorXd fitted(const Form& form, const std::vector<Test>& tests, const std::string& without) {
+  std::map<std::string, double> counts;
+  for (const Test& t : tests)
+    ++counts[t.sand];
+  const auto n = static_cast<Eigen::Index>(form.terms(tests.front()).size()) + 1;
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+  for (const Test& t : tests) {
+    if (t.sand == without)
+      continue;
+    const Eigen::VectorXd row = row_of(form, t);
+    normal += row * row.transpose() / counts[t.sand];
+    right += row * target_of(form, t) / counts[t.sand];
+  }
+  return normal.ldlt().solve(right);
+}
+
+/// The fits of the pooled law, with its exponent of stress, repeated on these tests.
+void print_fits(const std::vector<Test>& tests) {
+  const Form forms[] = {
+      {"e", true, [](const Test&) { return std::vector<double>{}; }},
+      {"e, C_u", true, [](const Test& t) { return std::vector{std::log(*t.known.uniformity)}; }},
+      {"D_r", false, [](const Test& t) { return std::vector{D_r_of(t)}; }},
+      {"D_r, e_min", false,
+       [](const Test& t) {
+         return std::vector{D_r_of(t), *t.known.least_void_ratio};
+       }},
+  };
+  std::vector<Test> known;
+  for (const Test& t : tests)
+    if (t.known.uniformity && t.known.least_void_ratio && t.known.largest_void_ratio)
+      known.push_back(t);
+  std::set<std::string> names;
+  for (const Test& t : known)
+    names.insert(t.sand);
+  constexpr std::size_t needed = 6; // sands, so that a fit without one of them is determined
+  if (names.size() < needed)
+    return;
+  std::printf(
+      "\nfits of these tests: G at 100 kPa [MPa], coefficients; rms of log10 with whole sands left out\n");
+  for (const Form& form : forms) {
+    const Eigen::VectorXd all = fitted(form, known, "");
+    std::map<std::string, Eigen::VectorXd> others;
+    const Misses misses = misses_of(known, [&](const Test& t) -> std::optional<double> {
+      if (!others.contains(t.sand))
+        others[t.sand] = fitted(form, known, t.sand);
+      const double off = row_of(form, t).dot(others[t.sand]) - target_of(form, t);
+      return t.shear_modulus * std::exp(off);
+    });
+    std::printf("  %-12s %6.1f", form.name, std::exp(all[0]) / 1e6);
+    for (Eigen::Index k = 1; k < all.size(); ++k)
+      std::printf("  %+.3f", form.by_void_ratio ? all[k] : all[k] / std::log(10.0));
+    std::printf("   rms %.3f\n", score_of(misses).rms);
+  }
 }
 
 /// From each test of a sand to each other at nearly the same void ratio.
 void print_forecasts(const std::vector<Test>& tests) {
   constexpr double edges[] = {1.4, 2.1, 3.3, 6, 33}, same = 0.01;
   std::printf("\nforecasts from one pressure to another of one sand at one void ratio\n"
-              "  p ratio      pairs   rms of log10, stated, rms over stated\n");
+              "  p ratio      pairs   rms of log10, stated, rms over stated, within one, two\n");
   for (std::size_t k = 0; k + 1 < std::size(edges); ++k) {
     Misses misses;
     std::map<std::string, double> stated;
+    Misses deviations; // in units of the stated one
     std::size_t pairs = 0;
     for (const Test& from : tests)
       for (const Test& to : tests) {
@@ -204,7 +307,9 @@ void print_forecasts(const std::vector<Test>& tests) {
         const double G = from.shear_modulus * sands::growth_factor(sand, to.mean_stress) /
                          sands::growth_factor(sand, from.mean_stress);
         misses[from.sand].push_back(std::log10(G / to.shear_modulus));
-        stated[from.sand] += sands::forecast_variance(sand, from.mean_stress, to.mean_stress);
+        const double variance = sands::forecast_variance(sand, from.mean_stress, to.mean_stress);
+        stated[from.sand] += variance;
+        deviations[from.sand].push_back(misses[from.sand].back() * std::log(10.0) / std::sqrt(variance));
         ++pairs;
       }
     if (misses.empty())
@@ -214,8 +319,9 @@ void print_forecasts(const std::vector<Test>& tests) {
       variance += sum / static_cast<double>(misses[sand].size());
     const double error = std::sqrt(variance / static_cast<double>(stated.size())) / std::log(10.0);
     const double rms = score_of(misses).rms;
-    std::printf("  %4.1f to %-4.1f %6zu   %5.3f  %5.3f  %4.2f\n", edges[k], edges[k + 1], pairs, rms, error,
-                rms / error);
+    std::printf("  %4.1f to %-4.1f %6zu   %5.3f  %5.3f  %4.2f  %3.0f %% %3.0f %%\n", edges[k], edges[k + 1],
+                pairs, rms, error, rms / error, 100 * covered_by(deviations, 1),
+                100 * covered_by(deviations, 2));
   }
 }
 
@@ -232,6 +338,7 @@ int main(int argc, char** argv) {
       throw FileError(argv[1], 0, "holds no test with p, e and G");
     print_levels(tests);
     print_sands(tests);
+    print_fits(tests);
     print_forecasts(tests);
     return 0;
   } catch (const std::exception& error) {

@@ -43,6 +43,7 @@ enum class Input : std::size_t {
   relative_density,
   least_void_ratio,
   largest_void_ratio,
+  fines,
   saturation,
   k0,
   shear_strain,

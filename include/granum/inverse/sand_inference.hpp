@@ -23,7 +23,7 @@ enum class SandGrowth {
 class SandInference {
  public:
   /// A quantity at another state of the same sand. One standard deviation of ln G from one measurement is
-  /// sqrt(0.05^2 + (0.05 ln(p/p_0))^2 + measurement^2), half of that for a speed; it is multiplied by
+  /// sqrt(0.04^2 + (0.045 ln(p/p_0))^2 + measurement^2), half of that for a speed; it is multiplied by
   /// widening() where the measurements contradict each other.
   /// \throws   InvalidArgument as estimate::answer, for a speed without the density of the grains, and for a
   ///           compression wave in wet pores
@@ -71,7 +71,7 @@ class SandInference {
 
 /// Level, exponent and Poisson's ratio by least squares in ln of the measured values. The values of the
 /// tested sands for the last two, with their deviations, enter as additional measurements.
-/// Assumes   dry or drained sand; values from one ground, with a scatter from test to test of 5 % of G
+/// Assumes   dry or drained sand; values from one ground, with a scatter from test to test of 4 % of G
 /// \param    sand   its properties; the state in it is not used
 /// \throws   InvalidArgument without measurements, for values not positive, for V_p of less than sqrt(4/3)
 ///           V_s at one state, for an exponent that fitted measurements do not determine (its standard error

@@ -140,6 +140,7 @@ struct Document {
   io::CsvManner manner = {};                                            ///< of the CSV file, as both below
   std::string signs = "compression positive; z is the vertical axis v"; ///< empty: no such comment
   std::vector<std::pair<std::string, std::string>> comments = {};       ///< on its columns
+  std::string own_text = {}; ///< in the form of another program, instead of CSV; empty: none
 
   template <class What>
   void add(Seen seen, What what) {
@@ -192,7 +193,7 @@ inline constexpr const char
 /// The sections alone, as members of an object.
 [[nodiscard]] nlohmann::ordered_json members_of(const std::vector<Section>& sections);
 /// Data and notes as comments; then Rows, or the rows of the first table with headings, or else one row of
-/// all items with headings and all ranges.
+/// all items with headings and all ranges. A document with a text of its own is that text.
 [[nodiscard]] std::string csv(const Document& document);
 /// Charts as one SVG file. \throws InvalidArgument if there are none
 [[nodiscard]] std::string picture(const Document& document);

@@ -192,6 +192,8 @@ void add_sources(Document& to) {
 }
 
 std::string csv(const Document& document) {
+  if (!document.own_text.empty())
+    return document.own_text;
   io::CsvContent out{.notes = {{"program", fmt::format("granum {} {}", version(), document.command)}},
                      .headings = {},
                      .rows = {},

@@ -20,6 +20,7 @@ AnswerCase bare_answer(const InputValues& values, const std::vector<std::string>
   estimate::Question question = question_of(values);
   std::vector<estimate::UncertainInput> inputs = uncertain_inputs(values, uncertainties);
   std::optional<estimate::Answer> of_sand;
+  std::string sand_refused;
   double sand_grain_modulus = 0;
   if (!known_shape(values)) {
     try {
@@ -27,7 +28,8 @@ AnswerCase bare_answer(const InputValues& values, const std::vector<std::string>
       const estimate::Question of_grains = question_of(sand);
       of_sand = estimate::answer(of_grains, uncertain_inputs(sand, uncertainties));
       sand_grain_modulus = of_grains.state.law.grain().shear_modulus;
-    } catch (const InvalidArgument&) { // a sand cannot be so, but a packing of spheres can
+    } catch (const InvalidArgument& refused) { // a sand cannot be so, but a packing of spheres can
+      sand_refused = std::string("sand: ") + refused.what();
     }
   }
   try {
@@ -36,6 +38,7 @@ AnswerCase bare_answer(const InputValues& values, const std::vector<std::string>
             .inputs = std::move(inputs),
             .answer = std::move(answer),
             .sand_answer = std::move(of_sand),
+            .sand_refused = std::move(sand_refused),
             .sand_grain_modulus = sand_grain_modulus};
   } catch (const InvalidArgument& refused) {
     if (!of_sand)

@@ -32,6 +32,8 @@ struct AnswerCase {
   std::optional<estimate::Answer> sand_answer = std::nullopt;
   /// Why there is no answer for spheres, though the kind of grains is not given: `answer` is that for a sand.
   std::string beads_refused = {};
+  /// Why there is no answer for a sand, though the kind of grains is not given.
+  std::string sand_refused = {};
   double sand_grain_modulus = 0; ///< G_g of sand_answer, if there is one [Pa]
   double uniformity = 0;         ///< C_u of the measured laws [1]
   bool uniformity_assumed = false;

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 #include <granum/core/text.hpp>
-#include <granum/sands/pooled_law.hpp>
+#include <granum/sands/strain.hpp>
 
 #include "cli/options/packing_json.hpp"
 
@@ -246,7 +246,7 @@ Table measured_laws_table(const AnswerCase& c) {
   Table laws = table_of(
       "measured_sands",
       fmt::format("G of published laws at e = {}, p' = {}, C_u = {}{}; bias: mean ratio of calculated to "
-                  "measured G in 789 tests of 38 clean sands",
+                  "measured G in 166 tests of 23 clean sands",
                   short_text(s.void_ratio), pretty(s.mean_stress(), Dimension::pressure),
                   short_text(c.uniformity), c.uniformity_assumed ? " assumed" : ""),
       columns, c.sands);

@@ -11,7 +11,7 @@
 #include <granum/elastic/waves.hpp>
 #include <granum/estimate/ladder.hpp>
 #include <granum/rock_physics/cement.hpp>
-#include <granum/sands/pooled_law.hpp>
+#include <granum/sands/strain.hpp>
 
 #include "answer_sections.hpp"
 #include "cli/options/densest_packing.hpp"
@@ -338,8 +338,9 @@ Document document_of(const Options& o, const AnswerCase& c) {
   const Validity of_forms = add_closed_forms(to, c, o.bounds ? Seen::always : Seen::data);
   if (o.bounds || c.question.grain_shape == GrainShape::sphere) // a sand has measured laws
     to.warnings.merge(of_forms);
-  if (!c.beads_refused.empty())
-    to.warnings.add(c.beads_refused);
+  for (const std::string& refused : {c.beads_refused, c.sand_refused})
+    if (!refused.empty())
+      to.warnings.add(refused);
   to.warnings.merge(c.answer.validity());
   if (c.sand_answer)
     for (const std::string& note : c.sand_answer->validity().notes)

@@ -55,7 +55,7 @@ std::string meaning_of(const Measured& s, double stress) {
   const double error = s.standard_error;
   const auto below = [&](double number) { return s.value + 2 * error < number; };
   const auto above = [&](double number) { return s.value - 2 * error > number; };
-  const std::string text = "Measured sands have s = 0.40 C_u^0.18 +- 0.05 (C_u: uniformity coefficient), "
+  const std::string text = "Measured sands have s = 0.40 C_u^0.18 +- 0.045 (C_u: uniformity coefficient), "
                            "0.43 if they are uniform. ";
   if (below(1.0 / 3))
     return text + "s below 1/3: contacts that stiffen little with stress, for instance by bonds or cement.";
@@ -105,14 +105,16 @@ plot::Chart chart_of(const FitQuestion& question, const hardin::Fit& fit,
                         .colour = plot::Colour::closed_form};
   };
   plot::Chart chart{
-      .title = fmt::format("{} of {}", question.modulus_column, question.file),
+      .title = fmt::format("{} of {}", modulus_name(question), question.file),
       .x = {.title =
                 plot::printed_signs(i == j     ? i + " [kPa]"
                                     : separate ? fmt::format("({}^{:.3f} {}^{:.3f})^(1/s) [kPa]", i, m, j, n)
                                                : fmt::format("sqrt({} {}) [kPa]", i, j)),
             .scale = plot::Scale::logarithmic,
             .unit = 1e3},
-      .y = {.title = question.modulus_column + "/f(e) [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
+      .y = {.title = plot::printed_signs(modulus_name(question)) + "/f(e) [MPa]",
+            .scale = plot::Scale::logarithmic,
+            .unit = 1e6},
       .series = {data, line(fmt::format("law, s = {:.3f} \u00b1 {:.2g}", s, fit.exponent_sum.standard_error),
                             s, 0, plot::Tone::full)}};
   std::size_t dashes = 1;
@@ -171,6 +173,7 @@ nlohmann::ordered_json inputs_json(const FitQuestion& question, std::size_t rows
   return {{"file", question.file},
           {"rows", rows},
           {"modulus_column", question.modulus_column},
+          {"by_speed", question.by_speed},
           {"stress_i_column", question.stress_i_column},
           {"stress_j_column", question.stress_j_column},
           {"void_ratio_column", question.void_ratio_column},
@@ -188,7 +191,7 @@ Document document_of(const FitQuestion& question, const hardin::FitReport& repor
                                               : fmt::format("(sqrt({} {})/p_a)^s", i, j);
   Document to{.command = "fit",
               .title = fmt::format("{} = C p_a f(e) {}\n{} rows of {}; p_a = {}, f(e) {}, {} residuals",
-                                   question.modulus_column, stresses, fit.residuals.size(), question.file,
+                                   modulus_name(question), stresses, fit.residuals.size(), question.file,
                                    pretty(question.atmospheric_pressure, Dimension::pressure),
                                    question.void_ratio_function, question.weights)};
   to.add(Seen::data, Data{"inputs", inputs_json(question, fit.residuals.size())});
@@ -244,7 +247,9 @@ void add_column_options(Command& command, FitQuestion& question) {
       "Columns",
       {{.name = "--modulus-column",
         .value = text(question.modulus_column),
-        .meaning = "Column of the modulus; by default the first of G, G_max, G_0, G_vh, ... in the table"},
+        .meaning =
+            "Column of the modulus; by default the first of G, G_max, G_0, G_vh, ... in the table, or of "
+            "V_s, with the density of a column or of void ratio and grains"},
        {.name = "--stress-i-column",
         .value = text(question.stress_i_column),
         .meaning = "Column of sigma_i, whose exponent is m; by default sigma_h; p in tables with only a mean "
@@ -295,8 +300,9 @@ Command make_fit() {
                   .run = [question] { return run(*question); }};
   command.add({.name = "file",
                .value = text(question->file, "data.csv"),
-               .meaning = "CSV file with a modulus, two stresses or one mean stress, and e; headings such as "
-                          "G_MPa,sigma_v_kPa,sigma_h_kPa,e or p_kPa,G_MPa,e",
+               .meaning =
+                   "CSV file with a modulus or V_s, two stresses or one mean stress, and e; headings such as "
+                   "G_MPa,sigma_v_kPa,sigma_h_kPa,e or p_kPa,V_s_m/s,e",
                .required = true});
   add_column_options(command, *question);
   add_fit_law_options(command, *question);

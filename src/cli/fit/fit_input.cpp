@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
+#include <granum/elastic/waves.hpp>
 #include <granum/io/csv/table.hpp>
 
 #include "cli/options/input_columns.hpp"
@@ -26,12 +27,17 @@ Names with(Names names, std::string_view others) {
 
 /// Usual names of columns; the first is used in errors.
 struct KnownNames {
-  Names modulus = with(with({}, column_names::shear_modulus), column_names::shear_modulus_hh);
-  Names vertical = with(names_of_column(Input::stress_v), "sigma_1 sigma1 sigma_a sigma_z");
-  Names horizontal = with(names_of_column(Input::stress_h), "sigma_3 sigma3 sigma_r sigma_x");
-  Names mean = with(names_of_column(Input::pressure), "p0 p_0 p'_0 p0' sigma_0 sigma0 sigma_c sigma_m "
-                                                      "sigma_3 sigma3 sigma sigma' stress");
-  Names void_ratio = with(names_of_column(Input::void_ratio), "e_0 e0");
+  Names modulus = with(with({}, column_names::shear_modulus),
+                       std::string(column_names::shear_modulus_hh) + " G_answer"); // of granum sweep
+  Names speed = with(with({}, column_names::shear_wave_speed), column_names::shear_wave_speed_hh);
+  Names density = with({}, "rho rho_b bulk_density density unit_weight gamma");
+  Names grain_density = names_of_column(Input::grain_density);
+  Names saturation = names_of_column(Input::saturation);
+  Names vertical = names_of_column(Input::stress_v);
+  Names horizontal = names_of_column(Input::stress_h);
+  Names mean = with(names_of_column(Input::pressure),
+                    "sigma_3 sigma'_3 sigma_3' sigma3 sigma'3 sigma3' sigma sigma' stress");
+  Names void_ratio = names_of_column(Input::void_ratio);
   Names porosity = names_of_column("", "porosity");
 };
 
@@ -77,8 +83,21 @@ char direction_of(const std::string& modulus, std::size_t place) {
   return of_one_direction ? last : "hv"[place];
 }
 
+/// Takes the speed where a table has no modulus, or where the column that is named is one.
+void find_speed(const io::CsvTable& table, FitQuestion& question) {
+  if (question.modulus_column.empty() && found_in(table, known_names().modulus).empty())
+    question.modulus_column = found_in(table, known_names().speed);
+  const std::string named = quantity_of(table, question.modulus_column, Dimension::speed);
+  question.by_speed = std::ranges::any_of(table.headings(), [&](const std::string& heading) {
+    return !named.empty() && has_unit(heading, named, Dimension::speed);
+  });
+  if (question.by_speed)
+    question.modulus_column = named;
+}
+
 void fill_in_columns(const io::CsvTable& table, FitQuestion& question) {
   question.void_ratio_column_given = !question.void_ratio_column.empty();
+  find_speed(table, question);
   for (std::string* column : {&question.modulus_column, &question.stress_i_column, &question.stress_j_column})
     *column = quantity_of(table, *column, Dimension::pressure);
   question.void_ratio_column = quantity_of(table, question.void_ratio_column, Dimension::dimensionless);
@@ -154,6 +173,75 @@ std::vector<std::optional<double>> void_ratios(const io::CsvTable& table, FitQue
   return std::vector<std::optional<double>>(table.row_count(), 1.0);
 }
 
+/// Densities of all rows [kg/m3], from the columns that there are; void ratios as in void_ratios.
+class Densities {
+ public:
+  Densities(const io::CsvTable& table, FitQuestion& question,
+            const std::vector<std::optional<double>>& void_ratio)
+      : table_(table), void_ratio_(void_ratio) {
+    const KnownNames& known = known_names();
+    const auto numbers = [&](const Names& names, Dimension dimension) {
+      const std::string name = found_in(table, names);
+      return name.empty() ? Numbers() : numbers_in(table, name, dimension);
+    };
+    whole_ = numbers(known.density, Dimension::density);
+    if (!whole_.empty())
+      return;
+    if (!table.has(question.void_ratio_column))
+      throw FileError(table.name(), table.heading_line(),
+                      "has V_s, but no density: add a column of the void ratio, e, or rho_kg/m3");
+    grains_ = numbers(known.grain_density, Dimension::density);
+    saturation_ = numbers(known.saturation, Dimension::dimensionless);
+    if (grains_.empty() || saturation_.empty())
+      question.remarks.add(fmt::format(
+          "G = rho V_s^2 with {}{}{}; columns rho_s_kg/m3 and S_r, or rho_kg/m3, say "
+          "otherwise",
+          grains_.empty() ? "grains of 2650 kg/m3" : "",
+          grains_.empty() && saturation_.empty() ? " and " : "", saturation_.empty() ? "dry pores" : ""));
+  }
+
+  /// \throws   InvalidArgument for numbers out of range
+  [[nodiscard]] std::optional<double> of_row(std::size_t row) const {
+    if (!whole_.empty())
+      return whole_[row];
+    const std::optional<double> grains =
+        grains_.empty() ? estimate::row_of(Input::grain_density).by_default : grains_[row];
+    const std::optional<double> saturation = saturation_.empty() ? 0 : saturation_[row];
+    if (!grains || !saturation || !void_ratio_[row])
+      return std::nullopt;
+    estimate::require_within(estimate::row_of(Input::grain_density), *grains, "rho_s");
+    estimate::require_within(estimate::row_of(Input::saturation), *saturation, "S_r");
+    return elastic::bulk_density({.grain_density = *grains,
+                                  .void_ratio = *void_ratio_[row],
+                                  .pore_density = *saturation * elastic::water_density});
+  }
+
+ private:
+  using Numbers = std::vector<std::optional<double>>;
+  const io::CsvTable& table_;
+  const std::vector<std::optional<double>>& void_ratio_;
+  Numbers whole_, grains_, saturation_;
+};
+
+/// The moduli of all rows [Pa]; of a column of V_s by the density.
+std::vector<std::optional<double>> moduli(const io::CsvTable& table, FitQuestion& question,
+                                          const std::vector<std::optional<double>>& void_ratio) {
+  if (!question.by_speed)
+    return numbers_in(table, question.modulus_column, Dimension::pressure);
+  auto numbers = numbers_in(table, question.modulus_column, Dimension::speed);
+  const Densities densities(table, question, void_ratio);
+  for (std::size_t row = 0; row < numbers.size(); ++row)
+    try {
+      const std::optional<double> density = densities.of_row(row);
+      numbers[row] = numbers[row] && density
+                         ? std::optional(elastic::shear_modulus_from_speed(*numbers[row], *density))
+                         : std::nullopt;
+    } catch (const InvalidArgument& error) {
+      throw FileError(table.name(), table.line(row), error.what());
+    }
+  return numbers;
+}
+
 /// A sand at 100 kPa has about 100 MPa; if all rows are a thousandth of that or less, units were confused.
 void judge_modulus(const std::vector<hardin::MeasuredModulus>& rows, FitQuestion& question) {
   constexpr double softest = 2e6, hardest = 100e9, least_stress = 10e3; // [Pa]
@@ -163,23 +251,28 @@ void judge_modulus(const std::vector<hardin::MeasuredModulus>& rows, FitQuestion
       largest = std::max(largest, row.shear_modulus);
   if (largest > 0 && largest < softest)
     question.remarks.add(fmt::format("{} of at most {}: no sand is so soft; did you mean {}?",
-                                     question.modulus_column, pretty(largest, Dimension::pressure),
+                                     modulus_name(question), pretty(largest, Dimension::pressure),
                                      pretty(1e3 * largest, Dimension::pressure)));
   else if (largest > hardest)
     question.remarks.add(fmt::format("{} of {}: no sand is so stiff; did you mean {}?",
-                                     question.modulus_column, pretty(largest, Dimension::pressure),
+                                     modulus_name(question), pretty(largest, Dimension::pressure),
                                      pretty(largest / 1e3, Dimension::pressure)));
 }
 
 } // namespace
 
+std::string modulus_name(const FitQuestion& question) {
+  return question.by_speed ? "rho " + question.modulus_column + "^2" : question.modulus_column;
+}
+
 std::vector<hardin::MeasuredModulus> read_rows(FitQuestion& question) {
   const io::CsvTable table = io::read_csv(question.file);
+  refuse_suction(table);
   fill_in_columns(table, question);
-  const auto modulus = numbers_in(table, question.modulus_column, Dimension::pressure);
   const auto stress_i = numbers_in(table, question.stress_i_column, Dimension::pressure);
   const auto stress_j = numbers_in(table, question.stress_j_column, Dimension::pressure);
   const auto void_ratio = void_ratios(table, question);
+  const auto modulus = moduli(table, question, void_ratio);
   const hardin::VoidRatioFunction function = hardin::void_ratio_function(question.void_ratio_function);
   std::vector<hardin::MeasuredModulus> rows;
   std::size_t left_out = 0;

@@ -24,7 +24,6 @@ struct OtherNames {
 
 /// Properties that granum does not model, with their messages.
 constexpr Synonyms not_modelled[] = {
-    {"fines finescontent fc", "fines are not modelled: the laws apply to clean sands"},
     {"ocr overconsolidation age ageing",
      "overconsolidation and age are not modelled; granum infer uses a measured wave speed of the ground"},
     {"spt nspt n60 n1 blowcount cpt qc qt",

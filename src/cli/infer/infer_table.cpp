@@ -66,8 +66,7 @@ estimate::Notes table_remarks(const InputColumns& columns, const InputValues& ro
        {Input::coordination_number, Input::mechanical_coordination_number, Input::rattler_fraction})
     if (remarks.empty() && row[input].source == estimate::Source::table)
       add_sentence(remarks, "C_n, z* and rattlers in the table are not used, because they are inferred");
-  if (const std::vector<std::string> unread = columns.unread(); !unread.empty())
-    add_sentence(remarks, unread_text(unread));
+  name_remarks(remarks, columns.remarks());
   return remarks;
 }
 

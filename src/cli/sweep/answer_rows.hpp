@@ -41,8 +41,8 @@ class AnswerRows {
   /// A row, with what its inputs imply.
   /// \throws   InvalidArgument
   [[nodiscard]] AnswerRow row(std::size_t row) const;
-  /// Headings of unused columns.
-  [[nodiscard]] std::vector<std::string> unread() const { return columns_.unread(); }
+  /// As those of InputColumns.
+  [[nodiscard]] std::vector<std::string> remarks() const { return columns_.remarks(); }
 
  private:
   void bind_ground(bool layers);

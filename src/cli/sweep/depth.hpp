@@ -45,6 +45,15 @@ void add_ground_options(Command& command, GroundOptions& options);
 /// \throws   as resolve_ground; FileError for a table whose tops do not begin at 0 or do not increase
 [[nodiscard]] std::vector<Layer> layers_of(const SweepOptions& options);
 
+/// The layer at a depth; at a boundary the lower one.
+[[nodiscard]] const Layer& layer_at(const std::vector<Layer>& layers, double depth);
+/// The assumptions of all layers down to the deepest depth, and then those of single layers.
+[[nodiscard]] estimate::Notes assumptions_of(const std::vector<Layer>& layers, double deepest);
+
+/// The inputs at an effective stress, with the saturation of a depth.
+/// \param    depth   from the top of the ground [m]
+[[nodiscard]] InputValues values_in_ground(const SweepOptions& options, const GroundCase& ground,
+                                           double depth, const stress::AxialStress& effective);
 /// The answer, as of granum estimate, at the stresses and saturation of a depth.
 /// \param    depth   from the top of the ground [m]
 [[nodiscard]] GroundState state_in_ground(const SweepOptions& options, const GroundCase& ground, double depth,

@@ -122,7 +122,9 @@ void add_ground_options(Command& command, GroundOptions& o) {
       "Ground",
       {{.name = "--depth",
         .value = std::move(depth),
-        .meaning = "Stiffness over depth in level ground, between two depths: 0m..30m",
+        .meaning =
+            "Stiffness over depth in level ground, between two depths: 0m..30m; with V_s30, the travel "
+            "time of a shear wave and the period 4 H/V_s",
         .excludes = {{"--path --from --to --eta --friction-angle --spacing --table --rungs --picture-of"}},
         .synonyms = {{"z"}}},
        {.name = "--layers",
@@ -151,7 +153,7 @@ void add_ground_options(Command& command, GroundOptions& o) {
        {.name = "--k0",
         .value = number(o.earth_pressure_at_rest),
         .meaning = "K_0, horizontal over vertical effective stress in the ground",
-        .needs = in_ground,
+        .needs = {{"--depth --table --for", "--depth"}},
         .synonyms = {{"k0 ko"}}},
        {.name = "--surcharge",
         .value = number(o.surcharge),

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include <granum/core/error.hpp>
 #include <granum/io/csv/table.hpp>
 
@@ -61,7 +63,6 @@ std::vector<Layer> layers_of(const SweepOptions& o) {
   const io::CsvTable table = io::read_csv(o.ground.layers);
   AnswerRows reader(table, o, RowsOf::layers);
   const std::vector<AnswerRow> rows = rows_of(table, reader);
-  const std::vector<std::string> unread = reader.unread();
   std::vector<Layer> layers;
   for (std::size_t k = 0; k < table.row_count(); ++k) {
     try {
@@ -74,23 +75,36 @@ std::vector<Layer> layers_of(const SweepOptions& o) {
         const stress::GroundStress end = stress::stress_at(above.ground.ground, layer.top - above.top);
         layer.ground = below(std::move(layer.ground), layer.top, end.effective.v);
       }
-      if (!unread.empty())
-        add_sentence(layer.ground.assumptions, unread_text(unread));
       layers.push_back(std::move(layer));
     } catch (const InvalidArgument& error) {
       throw FileError(o.ground.layers, table.line(k), error.what());
     }
   }
+  estimate::Notes remarks;
+  name_remarks(remarks, reader.remarks());
+  for (Layer& layer : layers)
+    layer.ground.assumptions.insert(layer.ground.assumptions.end(), remarks.begin(), remarks.end());
   return layers;
+}
+
+const Layer& layer_at(const std::vector<Layer>& layers, double depth) {
+  const auto next = std::find_if(layers.begin() + 1, layers.end(),
+                                 [depth](const Layer& layer) { return layer.top > depth; });
+  return *(next - 1);
+}
+
+InputValues values_in_ground(const SweepOptions& o, const GroundCase& ground, double depth,
+                             const stress::AxialStress& effective) {
+  InputValues values = at_stress(o.inputs, effective);
+  const auto& table = ground.ground.water_table;
+  values.give(Input::saturation, table && depth > *table ? 1.0 : ground.saturation);
+  return values;
 }
 
 GroundState state_in_ground(const SweepOptions& o, const GroundCase& ground, double depth,
                             const Rungs& rungs) {
   const stress::GroundStress stress = stress::stress_at(ground.ground, depth);
-  InputValues values = at_stress(o.inputs, stress.effective);
-  const auto& table = ground.ground.water_table;
-  values.give(Input::saturation, table && depth > *table ? 1.0 : ground.saturation);
-  return {stress, swept(values, rungs)};
+  return {stress, swept(values_in_ground(o, ground, depth, stress.effective), rungs)};
 }
 
 } // namespace granum::cli

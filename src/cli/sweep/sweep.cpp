@@ -8,6 +8,7 @@
 #include <granum/core/error.hpp>
 
 #include "cli/options/densest_packing.hpp"
+#include "curves.hpp"
 
 namespace granum::cli {
 
@@ -45,6 +46,52 @@ std::vector<std::string> names_of(std::span<const Item> items, const char* Item:
   return names;
 }
 
+/// A number that is recorded as given.
+Value points_value(SweepOptions& o) {
+  Value value = whole_number(o.points, 2, 1000000);
+  value.take = [&o, take = value.take](const std::string& name, const std::string& text) {
+    take(name, text);
+    o.points_given = true;
+  };
+  return value;
+}
+
+/// A strain, or the first and the last of a curve.
+OptionRow strain_row(SweepOptions& o) {
+  OptionRow row = input_option(o.inputs, Input::shear_strain);
+  row.meaning += "; with --for a range of them, 0.0001%..1%";
+  row.value.joins_units = true;
+  row.value.take = [&o, one = row.value.take](const std::string& name, const std::string& text) {
+    const auto ends = ends_of_range(text);
+    if (!ends)
+      return one(name, text);
+    for (const std::string& end : *ends) {
+      one(name, end);
+      o.strains.push_back(o.inputs.within(Input::shear_strain));
+    }
+    if (!(o.strains[0] < o.strains[1]))
+      throw InvalidArgument(fmt::format("{} = '{}' must be the smaller strain, then the larger", name, text));
+  };
+  return row;
+}
+
+void add_curve_options(Command& command, SweepOptions& o) {
+  command.add(strain_row(o));
+  Value form =
+      choice({"table", "pystrata", "strata"}, [&o](const std::string& word) { o.curves_for = word; });
+  command.add(
+      "Curves over strain",
+      {{.name = "--for",
+        .value = std::move(form),
+        .meaning = "Curves of G/G0 and damping over --strain FROM..TO, for one state or each depth or "
+                   "row, in the form of a program of site response: a table, TOML of pystrata, or JSON "
+                   "of Strata. 13 strains unless --points gives another number for one state",
+        .excludes = {{"--path --from --to --eta --friction-angle --spacing --rungs --laws --columns "
+                      "--picture-of --densest"}},
+        .needs = {{"--strain", "--strain FROM..TO, the strains of its curves"}},
+        .synonyms = {{"curve curves siteresponse deepsoil"}}}});
+}
+
 void add_path_options(Command& command, SweepOptions& o) {
   const std::vector<Belonging> sheared = {
       {"--path", "txc rtxc rtxe txe", "iso", "--path txc, rtxc, rtxe and txe, not with iso"}};
@@ -79,8 +126,8 @@ void add_path_options(Command& command, SweepOptions& o) {
         .value = choice({"log", "linear"}, o.spacing),
         .meaning = "Spacing of the states in p' or eta; by default log for iso, linear for others"},
        {.name = "--points",
-        .value = whole_number(o.points, 2, 1000000),
-        .meaning = "States on the path, or depths, both ends included"}});
+        .value = points_value(o),
+        .meaning = "States on the path, or depths, or strains of one curve, both ends included"}});
 }
 
 void add_table_options(Command& command, SweepOptions& o) {
@@ -91,6 +138,8 @@ void add_table_options(Command& command, SweepOptions& o) {
   rungs.delimiter = ',';
   Value columns = choice({"usual", "all"}, [&o](const std::string& text) { o.all_columns = text == "all"; });
   columns.by_default = "usual";
+  Value units = choice({"practice", "si"}, [&o](const std::string& text) { o.si = text == "si"; });
+  units.by_default = "practice";
   command.add(
       "Table and columns",
       {{.name = "--table",
@@ -111,7 +160,11 @@ void add_table_options(Command& command, SweepOptions& o) {
         .meaning = "Columns of the CSV. usual: G, V_s, V_p, z* and s of the answer with their ranges, and G "
                    "at a strain if one is given; all: "
                    "all moduli and "
-                   "speeds, and every rung for a table"}});
+                   "speeds, and every rung for a table"},
+       {.name = "--units",
+        .value = std::move(units),
+        .meaning = "Units of the CSV. practice: kPa for stresses, MPa for moduli, five digits; si: exact SI",
+        .excludes = {{"--for"}}}});
 }
 
 /// Stresses are options for a table only: a path and the ground determine theirs.
@@ -119,13 +172,13 @@ void restrict_stresses(Command& command) {
   for (const char* stress : {"--pressure", "--stress-v", "--stress-h"})
     command.row(stress).needs = {
         {"--table", "--table; with --depth the stress follows from the weight of the ground", "--depth"},
-        {"--table --depth", "--table; the stress of a path begins at --from"}};
+        {"--table --depth --for", "--table or --for; the stress of a path begins at --from"}};
 }
 
 void add_sweep_options(Command& command, SweepOptions& o) {
   add_packing_options(command, o.inputs);
   add_answer_options(command, o.inputs);
-  command.add(input_option(o.inputs, Input::shear_strain));
+  add_curve_options(command, o);
   OptionRow densest = densest_row(o.densest);
   densest.excludes.push_back({"--table --layers", "--densest made is for one kind of grains: give a column "
                                                   "least_void_ratio with the void ratio of each"});
@@ -151,12 +204,20 @@ void add_sweep_options(Command& command, SweepOptions& o) {
 ExitCode run(SweepOptions o) {
   const bool by_path = o.table.empty() && o.ground.depth.empty();
   o.inputs.ground = !o.ground.depth.empty();
+  if (o.strains.empty() != o.curves_for.empty())
+    throw InvalidArgument(o.strains.empty()
+                              ? "--for goes with a range of strains, --strain 0.0001%..1%"
+                              : "--strain FROM..TO is a curve: give --for table, pystrata or strata");
+  if (!o.table.empty() && !o.strains.empty())
+    return sweep_curves(o);
   if (!o.table.empty())
     return sweep_table(o, chosen_rungs(o));
   if (o.ground.layers.empty()) // layers set their own K_0
     o.inputs = estimate::completed(std::move(o.inputs));
   if (!o.densest.empty())
     make_densest(o.inputs);
+  if (!o.strains.empty())
+    return sweep_curves(o);
   return by_path ? sweep_path(o, chosen_rungs(o)) : sweep_depth(o);
 }
 

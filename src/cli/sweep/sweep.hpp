@@ -18,6 +18,7 @@
 
 #include "cli/estimate/answer_sections.hpp"
 #include "cli/frame/frame.hpp"
+#include "practice.hpp"
 
 /// The computations of granum sweep, state by state, and their output: along a path, over depth, and for the
 /// rows of a table.
@@ -42,6 +43,7 @@ struct SweepOptions {
   GroundOptions ground;
   bool all_columns = false;
   bool law_columns = false; ///< published laws of sands as columns
+  bool si = false;          ///< CSV in exact SI, instead of units of practice
   std::string densest;      ///< "made": of the densest packing of the same grains, for z*
   OutputOptions output;
   std::vector<std::string> rungs; ///< keys
@@ -51,6 +53,9 @@ struct SweepOptions {
   Number eta;
   Number friction_angle{0, Dimension::angle};
   std::size_t points = 25;
+  bool points_given = false;
+  std::vector<double> strains; ///< first and last of a curve; empty without one
+  std::string curves_for;      ///< the form of its file: "table", "pystrata", "strata"
   std::string spacing;         ///< empty: log on the isotropic path, linear elsewhere
   std::string table;           ///< file; empty for a path
   std::string picture, report; ///< files; empty for none
@@ -123,6 +128,14 @@ class SweptRows {
   /// \param    manner     of the table of the states
   SweptRows(const SweepOptions& options, Rungs rungs, std::vector<std::string> headings,
             const AskedOfRows& asked, io::CsvManner manner = {});
+
+  /// Columns that the options have in units of practice where these are asked for.
+  template <class Row>
+  static io::Columns<Row> in_units(io::Columns<Row> columns, const SweepOptions& options) {
+    if (!options.si && !options.output.json)
+      to_practice(columns);
+    return columns;
+  }
 
   /// Headings of the cells after the first ones: answer, rungs, notes, error.
   [[nodiscard]] std::vector<std::string> result_headings() const;

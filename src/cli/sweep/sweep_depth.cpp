@@ -9,6 +9,7 @@
 #include "cli/frame/json_members.hpp"
 #include "cli/options/packing_json.hpp"
 #include "depth.hpp"
+#include "site.hpp"
 
 namespace granum::cli {
 
@@ -44,13 +45,6 @@ struct DepthState {
   DepthPoint point;
   SweptState state;
 };
-
-/// The layer at a depth; at a boundary the lower one.
-const Layer& layer_at(const std::vector<Layer>& layers, double depth) {
-  const auto next = std::find_if(layers.begin() + 1, layers.end(),
-                                 [depth](const Layer& layer) { return layer.top > depth; });
-  return *(next - 1);
-}
 
 DepthState state_at(const std::vector<Layer>& layers, double depth) {
   const Layer& layer = layer_at(layers, depth);
@@ -165,6 +159,25 @@ Table depth_table(const std::vector<DepthState>& states) {
   return table;
 }
 
+/// G, G/G0 and damping at the strain with their ranges; without rows if none is given.
+Table strain_table(const std::vector<DepthState>& states) {
+  using Of = const DepthState&;
+  const auto range = [](Field field, double unit) {
+    return [field, unit](Of at) {
+      const bool any = at.state.answer && at.state.answer->answer.find(field);
+      return any ? brief_range(at.state.answer->answer[field], unit) : std::string("-");
+    };
+  };
+  const io::Columns<DepthState> columns = {
+      {"", "", [](Of at) { return brief(at.point.depth, 4); }, shown_as("depth [m]", {}, 9)},
+      {"", "", range(Field::strained_shear_modulus, 1e6), shown_as("G(strain) [MPa]", {}, 20)},
+      {"", "", range(Field::modulus_ratio, 1), shown_as("G/G0", {}, 20)},
+      {"", "", range(Field::damping_ratio, 0.01), shown_as("damping [%]", {}, 20)}};
+  const bool strained = std::ranges::any_of(
+      states, [](Of at) { return at.state.answer && at.state.answer->answer.find(Field::modulus_ratio); });
+  return table_of("", "", columns, strained ? states : std::vector<DepthState>());
+}
+
 /// What the columns are, and where the range at the last depth comes from.
 Prose depth_legend(const std::vector<DepthState>& states) {
   const DepthState& deepest = *last_answered(states);
@@ -223,7 +236,7 @@ ordered_json ground_json(const std::vector<Layer>& layers) {
 }
 
 SweptRows rows_of(const SweepOptions& o, const std::vector<DepthState>& states) {
-  const io::Columns<DepthPoint> columns = depth_columns(!o.ground.layers.empty());
+  const io::Columns<DepthPoint> columns = SweptRows::in_units(depth_columns(!o.ground.layers.empty()), o);
   SweptRows output(o, {}, io::headings_of(columns), asked_of(o.inputs));
   for (const DepthState& at : states) {
     std::vector<io::CsvCell> cells;
@@ -247,7 +260,8 @@ estimate::Notes assumptions_of(const Layer& layer, double bottom, bool alone) {
   return all;
 }
 
-/// The assumptions of all layers down to the deepest depth, and then those of single layers.
+} // namespace
+
 estimate::Notes assumptions_of(const std::vector<Layer>& layers, double deepest) {
   std::vector<std::pair<const Layer*, estimate::Notes>> assumed;
   for (auto layer = layers.begin(); layer != layers.end() && layer->top < deepest; ++layer) {
@@ -269,6 +283,8 @@ estimate::Notes assumptions_of(const std::vector<Layer>& layers, double deepest)
   all.insert(all.end(), of_layers.begin(), of_layers.end());
   return all;
 }
+
+namespace {
 
 bool is_of(const DepthState& at, estimate::GrainShape shape) {
   return at.state.answer && at.state.answer->question.grain_shape == shape;
@@ -386,6 +402,18 @@ std::vector<plot::Chart> picture_of(const SweepOptions& o, const std::vector<dou
           field_panel(o, states, Field::compression_wave_speed, "V_p [m/s]", 1)};
 }
 
+/// What the site's response needs; a note where a depth has no V_s.
+void add_site(Document& document, const std::vector<Layer>& layers, double base) {
+  try {
+    const SiteResponse site = site_response(layers, base);
+    document.add(Seen::always, site_items(site));
+    document.comments.emplace_back("site", site_text(site));
+  } catch (const InvalidArgument& error) {
+    document.add(Seen::data, Data{"site", nullptr});
+    document.add_notes(std::vector{fmt::format("no travel time of a shear wave: {}", error.what())});
+  }
+}
+
 Tally tally_of(const std::vector<DepthState>& states) {
   Tally tally;
   for (const DepthState& at : states)
@@ -413,6 +441,8 @@ ExitCode sweep_depth(const SweepOptions& o) {
   document.title = depth_title(layers, *last.state.answer);
   document.add(Seen::always, ground_lines(layers));
   document.add(Seen::always, depth_table(states));
+  document.add(Seen::always, strain_table(states));
+  add_site(document, layers, depths.back());
   document.add(Seen::always, depth_legend(states));
   add_packing(document, last.point.layer->options.inputs, last.state.answer->question.state,
               !known_shape(last.point.layer->options.inputs));

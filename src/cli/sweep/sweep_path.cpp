@@ -152,7 +152,7 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
   const Outlets to = outlets_of(o);
   require_free(to);
   const Path path = make_path(o);
-  const io::Columns<PathPoint> columns = point_columns();
+  const io::Columns<PathPoint> columns = SweptRows::in_units(point_columns(), o);
   std::vector<std::string> headings = io::headings_of(columns);
   for (const char* heading : {"e", "C_n", "a"})
     headings.emplace_back(heading);
@@ -164,9 +164,10 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
     std::vector<io::CsvCell> cells;
     io::add_cells(cells, columns, point);
     const effective::State* packing = state.answer ? &state.answer->answer.state() : nullptr;
-    cells.emplace_back(packing != nullptr ? packing->void_ratio : nothing);
-    cells.emplace_back(packing != nullptr ? *packing->coordination_number : nothing);
-    cells.emplace_back(packing != nullptr ? packing->fabric_anisotropy : nothing);
+    for (const double number : {packing != nullptr ? packing->void_ratio : nothing,
+                                packing != nullptr ? *packing->coordination_number : nothing,
+                                packing != nullptr ? packing->fabric_anisotropy : nothing})
+      cells.emplace_back(o.si ? number : practice_number(number));
     output.add(std::move(cells), members(columns, point), state);
     tally.count(state, fmt::format("state {}", states.size()));
   }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
+#include <granum/core/text.hpp>
 
 #include "cli/frame/help.hpp"
 #include "cli/frame/json_members.hpp"
@@ -47,6 +48,13 @@ constexpr SweptQuantity quantities[] = {
     {"s", Dimension::dimensionless, Field::stress_exponent,
      [](const RungAnswer& a) { return exponent(a, [](const StressExponents& e) { return e.sum(); }); }},
 };
+
+/// Whether a heading is that of a stress, which practice has in kPa.
+bool is_stress(std::string_view heading) {
+  constexpr std::string_view stresses[] = {"p_", "q_", "sigma_", "total_sigma_", "pore_pressure_"};
+  return std::ranges::any_of(stresses,
+                             [heading](std::string_view stress) { return heading.starts_with(stress); });
+}
 
 void add_once(std::vector<std::string>& texts, const std::string& text) {
   if (std::find(texts.begin(), texts.end(), text) == texts.end())
@@ -119,12 +127,32 @@ void add_law_columns(io::Columns<SweptState>& to) {
     });
 }
 
+/// G over that of the law p_atm sqrt(p/p_atm), which PM4Sand takes as its constant G0, p_atm = 101.3 kPa.
+/// \param    before   prefix of the headings
+void add_pm4sand(io::Columns<SweptState>& to, const std::string& before,
+                 const Answer* (*answer_of)(const SweptState&)) {
+  using estimate::Range;
+  for (const auto& [name, part] :
+       {std::pair{"answer", &Range::value}, {"low", &Range::low}, {"high", &Range::high}})
+    to.emplace_back(fmt::format("{}G_over_p_atm_{}", before, name), "",
+                    [answer_of, part = part](const SweptState& state) -> std::optional<double> {
+                      constexpr double p_atm = 101.3e3;
+                      const Answer* const answer = answer_of(state);
+                      const double p = answer != nullptr ? answer->state().mean_stress() : 0;
+                      if (!(p > 0))
+                        return std::nullopt;
+                      return (*answer)[Field::shear_modulus].*part / (p_atm * std::sqrt(p / p_atm));
+                    });
+}
+
 /// What follows the first cells of a row; in JSON besides the answer.
 io::Columns<SweptState> result_columns(const SweepOptions& o, const Rungs& rungs, const AskedOfRows& asked,
                                        bool with_shape) {
   using Of = const SweptState&;
   io::Columns<SweptState> columns;
   io::add_part(columns, answer_columns(o.all_columns, asked.strained), answer_in);
+  if (o.all_columns)
+    add_pm4sand(columns, "", answer_in);
   add_rung_columns(columns, rungs);
   columns.emplace_back("notes", "", [](Of state) { return joined(remarks_of(state), "; "); });
   columns.emplace_back("", "notes", remarks_of);
@@ -136,12 +164,27 @@ io::Columns<SweptState> result_columns(const SweepOptions& o, const Rungs& rungs
     columns.emplace_back(shape_heading, "", shape_of);
   if (asked.both)
     io::add_part(columns, answer_columns(o.all_columns, asked.strained, "sand_"), sand_in);
+  if (asked.both && o.all_columns)
+    add_pm4sand(columns, "sand_", sand_in);
   if (o.law_columns)
     add_law_columns(columns);
   return columns;
 }
 
 } // namespace
+
+PracticeHeading practice_heading(const std::string& heading) {
+  constexpr std::string_view pascal = "_Pa";
+  if (!heading.ends_with(pascal))
+    return {heading};
+  const std::string name = heading.substr(0, heading.size() - pascal.size());
+  return is_stress(heading) ? PracticeHeading{name + "_kPa", 1e-3} : PracticeHeading{name + "_MPa", 1e-6};
+}
+
+double practice_number(double number) {
+  constexpr int digits = 5;
+  return std::isfinite(number) ? *parse_number(short_text(number, digits)) : number;
+}
 
 std::span<const SweptQuantity> swept_quantities() { return quantities; }
 
@@ -224,7 +267,7 @@ SweptRows::SweptRows(const SweepOptions& options, Rungs rungs, std::vector<std::
   if (const auto found = std::find(rows_.headings.begin(), rows_.headings.end(), shape_heading);
       found != rows_.headings.end())
     shape_cell_ = static_cast<std::size_t>(found - rows_.headings.begin());
-  columns_ = result_columns(options, rungs_, asked, !shape_cell_);
+  columns_ = in_units(result_columns(options, rungs_, asked, !shape_cell_), options);
 }
 
 std::vector<std::string> SweptRows::result_headings() const { return io::headings_of(columns_); }

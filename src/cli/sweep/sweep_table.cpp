@@ -60,8 +60,10 @@ class TableSweep {
  public:
   TableSweep(const SweepOptions& options, const Rungs& rungs)
       : options_(options), rungs_(rungs), table_(io::read_csv(options.table)), reader_(table_, options),
-        stresses_(reader_.in_ground() ? stress_columns() : io::Columns<RowStress>{}),
-        speeds_(reader_.has_speed() ? speed_columns() : io::Columns<SpeedRatio>{}),
+        stresses_(
+            SweptRows::in_units(reader_.in_ground() ? stress_columns() : io::Columns<RowStress>{}, options)),
+        speeds_(
+            SweptRows::in_units(reader_.has_speed() ? speed_columns() : io::Columns<SpeedRatio>{}, options)),
         output_(options_of_rows(), rungs, leading_headings(), asked_of_rows(), table_.manner()) {
     std::vector<std::string> results = output_.result_headings();
     for (const std::vector<std::string>& more : {io::headings_of(stresses_), io::headings_of(speeds_)})
@@ -179,9 +181,7 @@ class TableSweep {
 
   [[nodiscard]] estimate::Notes remarks() const {
     estimate::Notes remarks = assumptions_.value_or(estimate::Notes());
-    const std::vector<std::string> unread = reader_.unread();
-    if (!unread.empty())
-      add_sentence(remarks, unread_text(unread));
+    name_remarks(remarks, reader_.remarks());
     return remarks;
   }
 

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves of G/G0 and damping over strain, by the rules of the programs that read them:
+// pystrata, src/pystrata/site.py: models have unique names; strains are positive, as many as values, and fractions;
+// G/G0 is cut to [0.001, 1] and damping to [0, 0.49].
+// Strata, source/SoilType.cpp, NonlinearProperty.cpp: each key below is read; strains and damping are in per cent and
+// strains increase; two strains would have no interpolation.
+#include <fstream>
+#include <set>
+
+#include <doctest/doctest.h>
+#include <granum/core/text.hpp>
+#include <granum/io/csv/table.hpp>
+#include <nlohmann/json.hpp>
+#include <toml++/toml.h>
+
+#include "swept_file.hpp"
+
+namespace {
+
+using namespace granum;
+
+const std::vector<std::string> state{"--void-ratio", "0.7", "--uniformity", "1.5", "--pressure", "100kPa"};
+
+std::vector<std::string> with(std::vector<std::string> words, std::initializer_list<const char*> more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+void check_strains(const std::vector<double>& strains, double first, double last) {
+  REQUIRE(strains.size() >= 3);
+  CHECK(strains.front() == doctest::Approx(first).epsilon(1e-12));
+  CHECK(strains.back() == doctest::Approx(last).epsilon(1e-12));
+  for (std::size_t k = 1; k < strains.size(); ++k)
+    CHECK(strains[k] > strains[k - 1]);
+}
+
+void check_curve(const std::vector<double>& ratios, const std::vector<double>& damping, double largest) {
+  REQUIRE(ratios.size() == damping.size());
+  for (std::size_t k = 0; k < ratios.size(); ++k) {
+    CHECK(ratios[k] > 0);
+    CHECK(ratios[k] <= 1);
+    CHECK(damping[k] >= 0);
+    CHECK(damping[k] <= largest);
+    if (k > 0) {
+      CHECK(ratios[k] <= ratios[k - 1]);
+      CHECK(damping[k] >= damping[k - 1]);
+    }
+  }
+}
+
+std::vector<double> numbers_in(const toml::node_view<toml::node>& array) {
+  std::vector<double> numbers;
+  REQUIRE(array.is_array());
+  for (const toml::node& node : *array.as_array()) {
+    REQUIRE(node.is_floating_point());
+    numbers.push_back(*node.value<double>());
+  }
+  return numbers;
+}
+
+} // namespace
+
+TEST_CASE("curves: a table has strain, G/G0 and damping first, then their ranges") {
+  const std::string text = swept(with(state, {"--strain", "0.0001%..1%", "--for", "table"}));
+  const io::CsvTable table("curve", text);
+  const std::vector<std::string> first(table.headings().begin(), table.headings().begin() + 3);
+  CHECK(first == std::vector<std::string>{"strain_percent", "G_over_G0", "damping_percent"});
+  REQUIRE(table.row_count() == 13);
+  const auto column = [&](const char* name) { return table.numbers(name, Dimension::dimensionless); };
+  const std::vector<double> strains = column("strain_percent"), ratios = column("G_over_G0"),
+                            damping = column("damping_percent");
+  check_strains(strains, 1e-4, 1);
+  check_curve(ratios, damping, 49);
+  CHECK(strains[1] == 0.0002154);
+  for (const auto& [name, low, high] : {std::tuple{&ratios, "G_over_G0_low", "G_over_G0_high"},
+                                        std::tuple{&damping, "damping_low_percent", "damping_high_percent"}})
+    for (std::size_t k = 0; k < name->size(); ++k) {
+      CHECK(column(low)[k] <= (*name)[k]);
+      CHECK(column(high)[k] >= (*name)[k]);
+    }
+}
+
+TEST_CASE("curves: pystrata reads models of unique names, fractions, and numbers within its limits") {
+  const std::string text =
+      swept({"--sand", "toyoura", "--relative-density", "60%", "--depth", "0m..20m", "--points", "5",
+             "--water-table", "3m", "--strain", "0.0001%..1%", "--for", "pystrata"});
+  const toml::table file = toml::parse(text);
+  const toml::array& models = *file["models"].as_array();
+  REQUIRE(models.size() == 4); // without stress, at the surface, there is no curve
+  std::set<std::string> names;
+  for (const toml::node& node : models) {
+    toml::table model = *node.as_table();
+    names.insert(model["name"].value_or(std::string()));
+    const std::vector<double> strains = numbers_in(model["mod_reduc"]["strains"]);
+    CHECK(strains == numbers_in(model["damping"]["strains"]));
+    check_strains(strains, 1e-6, 1e-2);
+    const std::vector<double> ratios = numbers_in(model["mod_reduc"]["values"]);
+    CHECK(ratios.size() == strains.size());
+    CHECK(ratios.back() >= 0.001);
+    check_curve(ratios, numbers_in(model["damping"]["values"]), 0.49);
+  }
+  CHECK(names.size() == models.size());
+}
+
+TEST_CASE("curves: Strata reads soil types in per cent, atm and kN/m3") {
+  const auto check = [](const nlohmann::json& type, double atmospheres) {
+    for (const char* key : {"name", "notes", "modulusType", "dampingType"})
+      CHECK(type.at(key).is_string());
+    for (const char* key : {"untWt", "damping", "meanStress", "pi", "ocr", "freq", "nCycles"})
+      CHECK(type.at(key).is_number());
+    for (const char* key : {"isVaried", "saveData"})
+      CHECK(type.at(key).is_boolean());
+    CHECK(type.at("modulusType") == "CustomNonlinearProperty");
+    CHECK(type.at("dampingType") == "CustomNonlinearProperty");
+    CHECK(type.at("modulusModel").at("type") == 0);
+    CHECK(type.at("dampingModel").at("type") == 1);
+    const auto of = [&type](const char* model, const char* key) {
+      return type.at(model).at(key).get<std::vector<double>>();
+    };
+    check_strains(of("modulusModel", "strain"), 1e-4, 1);
+    CHECK(of("modulusModel", "strain") == of("dampingModel", "strain"));
+    check_curve(of("modulusModel", "average"), of("dampingModel", "average"), 49);
+    CHECK(type.at("damping") == of("dampingModel", "average").front());
+    CHECK(type.at("meanStress").get<double>() == doctest::Approx(atmospheres).epsilon(1e-4));
+    CHECK(type.at("untWt").get<double>() > 12);
+    CHECK(type.at("untWt").get<double>() < 24);
+  };
+  check(nlohmann::json::parse(swept(with(state, {"--strain", "0.0001%..1%", "--for", "strata"}))),
+        100 / 101.325);
+  // Dry ground of 16 kN/m3: at 5 m 80 kPa and K_0 0.5, so a mean of two thirds of that.
+  const nlohmann::json types =
+      nlohmann::json::parse(swept({"--void-ratio", "0.7", "--unit-weight", "16kN/m3", "--depth", "5m..10m",
+                                   "--points", "2", "--strain", "0.0001%..1%", "--for", "strata"}));
+  REQUIRE(types.size() == 2);
+  check(types[0], 80 * 2 / 3.0 / 101.325);
+  CHECK(types[0].at("untWt") == 16);
+  check(types[1], 160 * 2 / 3.0 / 101.325);
+  CHECK(types[0].at("name") != types[1].at("name"));
+}
+
+TEST_CASE("curves: the numbers are those of a single strain") {
+  const std::string curve =
+      swept(with(state, {"--strain", "0.01%..0.1%", "--points", "3", "--for", "table", "--json"}));
+  const nlohmann::json points = nlohmann::json::parse(curve).at("curves");
+  REQUIRE(points.size() == 3);
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "row.csv").string();
+  std::ofstream(file) << "e,C_u,p_kPa,strain_%\n0.7,1.5,100,0.1\n";
+  const nlohmann::json row = nlohmann::json::parse(swept({"--table", file, "--json"})).at("states")[0];
+  for (const char* key : {"modulus_ratio", "damping_ratio", "strained_shear_modulus"})
+    CHECK(points[2].at(key) == row.at("answer").at(key));
+}
