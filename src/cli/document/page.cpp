@@ -251,6 +251,7 @@ std::string page(const Document& document, const Record& record) {
   }
   if (ranges_above)
     sentences.push_back(std::string("In brackets: low to high. ") + what_a_range_means);
+  sentences.insert(sentences.end(), document.sentences_after.begin(), document.sentences_after.end());
   if (!record.date.empty())
     sentences.push_back(dated(record));
   const bool in_a_row = figures.size() == 1 && figures.front().pictures.size() > 2 &&
