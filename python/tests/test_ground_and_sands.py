@@ -190,3 +190,13 @@ def test_a_bulk_modulus_on_the_command_line_is_that_of_python(run_program):
     with pytest.raises(subprocess.CalledProcessError) as refused:
         run_program("estimate", *state, *both)
     assert refused.value.returncode == 2
+
+
+def test_sources_of_laws_minerals_and_sands_are_typeset_references():
+    sources = granum.references()
+    cited = [row for table in (granum.known_sands(), granum.measured_laws(), granum.minerals()) for row in table.values()]
+    for key in {key for row in cited for key in row.source.split("; ")}:
+        said = sources[key].text + sources[key].remark
+        assert not set("\\{}$") & set(said) and "from memory" not in said
+    assert sources["OztoprakBolton2013"].text.endswith("database. Géotechnique 63(1), 54–70.")
+    assert sources["Hertz1882"].link == "https://doi.org/10.1515/crll.1882.92.156"

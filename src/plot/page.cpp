@@ -40,6 +40,7 @@ figcaption { margin: 0.3rem 0; max-width: 46rem; }
 .panel svg { display: block; width: 100%; height: auto; max-width: 46rem; }
 .trio { display: grid; gap: 0 1.6rem;
   grid-template-columns: repeat(auto-fit, minmax(min(20rem, 100%), 1fr)); }
+.row .panels { grid-template-columns: repeat(auto-fit, minmax(min(13rem, 100%), 1fr)); }
 .unchosen { display: none; }
 .switch button { font: inherit; font-size: 0.93rem; margin: 0 0.4rem 0.4rem 0; padding: 0.2rem 0.8rem;
   cursor: pointer; color: var(--ink);
@@ -90,6 +91,7 @@ summary { cursor: pointer; font-weight: 600; }
   .first:not(:has(.panel + .panel)) .panels { grid-template-columns: 1fr; }
   .trio { grid-template-columns: 1fr 1fr 1fr; gap: 0 1rem; }
   .trio .panels { grid-template-columns: 1fr; }
+  .row .panels { grid-template-columns: repeat(4, 1fr); gap: 0 0.6rem; }
 }
 )";
 }
@@ -368,7 +370,8 @@ std::string html_table(const std::vector<std::string>& headings,
   for (const std::vector<std::string>& row : rows) {
     std::string cells;
     for (std::size_t k = 0; k < row.size(); ++k)
-      cells += html_element("td", svg_escaped(row[k]), is_number(row[k]) || of_numbers(k) ? "number" : "");
+      cells += html_element("td", svg_escaped(printed_signs(row[k])),
+                            is_number(row[k]) || of_numbers(k) ? "number" : "");
     body += html_element("tr", cells);
   }
   return "<div class=\"wide\" tabindex=\"0\">" + html_element("table", html_element("tr", head) + body) +

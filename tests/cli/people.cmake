@@ -102,7 +102,7 @@ granum_new_user("the same the other way round"
 granum_new_user("three densities, said once" "estimate --porosity 38% --void-ratio 0.6 --solid-fraction 0.62 --pressure 1" 2
   "^granum: error: the density is given more than once[^\n]*\ngranum: error: --pressure = 1 has no unit[^\n]*\n$")
 granum_new_user("options of other kinds of sweeps, all at once" "sweep --void-ratio 0.6 --pressure 1kPa --eta 0.5 --k0 0.4 --columns all --force" 2
-  "--pressure goes with --table or --for; .*--eta goes with --path txc.*--k0 goes with --depth.*--force goes with --out or --picture")
+  "--pressure goes with --table or --for; .*--eta goes with --path txc.*--k0 goes with --depth.*--force goes with --out, --picture or --report")
 granum_new_user("choices of the parser beside what they exclude" "sweep --depth 0m..3m --void-ratio 0.6 --from 1kPa --rungs 7 --points 1" 2
   "excludes.*--rungs: 7 not in.*--points: ")
 granum_new_user("what needs another option" "plan --force --set study.grain=4" 2 "--force requires --out")

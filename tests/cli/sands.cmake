@@ -54,6 +54,22 @@ add_test(NAME "cli: sands: content of pictures" WORKING_DIRECTORY "${CMAKE_CURRE
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/sand_pictures"
     -P "${CMAKE_CURRENT_SOURCE_DIR}/check_sand_pictures.cmake")
 set_tests_properties("cli: sands: content of pictures" PROPERTIES LABELS cli)
+add_test(NAME "cli: sands: reports as a client reads them" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
+  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/reports"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_reports.cmake")
+set_tests_properties("cli: sands: reports as a client reads them" PROPERTIES LABELS cli)
+granum_cli_test("sands: JSON has the inputs of a sand" EXIT 0 JSON "inputs/grain_shape=^sand$" "inputs/uniformity=^2" "inputs/d50=^0\\.0002999"
+  "inputs/contact=MISSING" "inputs/radius=MISSING" "inputs/stress_v=^100000" "sand_inputs=MISSING" "assumed=MISSING"
+  "sources/Lo2021/reference=^Lo, M\\. K\\., " ARGS estimate --void-ratio 0.7 --grain-shape sand --uniformity 2 --d50 0.3mm --pressure 100kPa --json)
+granum_cli_test("sands: JSON has the inputs of each answer" EXIT 0 JSON "inputs/contact=^sphere$" "inputs/radius=^0\\.0005"
+  "sand_inputs/grain_shape=^sand$" "sand_inputs/void_ratio=^0\\.(7|69999)" "sand_inputs/contact=MISSING" "sand_inputs/stress_h=^100000"
+  "assumed/d50/value=^0\\.0004" "sources/Menq2003/not_checked=^as cited by Kottke" ARGS estimate --void-ratio 0.7 --pressure 100kPa --json)
+granum_cli_test("sands: no size is made up for a sand of known C_u" EXIT 0 JSON "inputs/uniformity=^1\\.5" "inputs/gradation=MISSING"
+  "assumed/d50/value=^0\\.0004" ARGS estimate --void-ratio 0.7 --grain-shape sand --uniformity 1.5 --pressure 100kPa --json)
+granum_cli_test("sands: JSON of a depth has the inputs of the sand" EXIT 0 JSON "inputs/sand=^toyoura$" "inputs/uniformity=^1\\.3" "inputs/relative_density=^0\\.(6|59999)"
+  "inputs/contact=MISSING" "sources/Lo2021/not_checked=SAND\\.xlsx" ARGS sweep --sand toyoura --relative-density 60% --depth 1m..5m --points 3 --json)
+granum_cli_test("sands: JSON of infer has the inputs of each kind of grains" EXIT 0 JSON "inputs/contact=^sphere$" "sand_inputs/void_ratio=^0\\.(6|59999)"
+  ARGS infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s+-2% --json)
 
 add_test(NAME "cli: sands: layers, and depths in tables" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
   COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/layers"
@@ -99,7 +115,7 @@ foreach(option "--uncertainty void-ratio=0.01" "--contacts rough" "--rattler-fra
   list(GET words 0 name)
   granum_cli_test("sands: infer refuses ${name}" EXIT 2 STDERR "${name} [^\n]*sphere" ARGS ${measured} --vs 200m/s ${words})
 endforeach()
-granum_cli_test("sands: infer assumes no uncertain input of spheres" EXIT 0 JSON "notes=^\\[ *\\]$"
+granum_cli_test("sands: infer assumes no uncertain input of spheres" EXIT 0 JSON "assumed=MISSING"
   ARGS ${measured} --vs 200m/s+-2% --grain-density 2650kg/m3 --json)
 granum_cli_test("sands: --growth packings asks for spheres" EXIT 0 JSON "grain_shape=^sphere$" "sand=^$" ARGS infer --void-ratio 0.6
   --pressure 100kPa --vs 280m/s+-2% --growth packings --json)

@@ -15,8 +15,8 @@ constexpr Reference sources[] = {
 } // namespace
 
 TEST_CASE("page text: a key of a source leads to its row") {
-  CHECK(with_source_links("<p title=\"Lo2021\">[Lo2021; Wang2022]</p>", sources) ==
-        "<p title=\"Lo2021\">[<a href=\"#Lo2021\">Lo2021</a>; Wang2022]</p>");
+  CHECK(with_source_links("<p title=\"Lo2021\">[Lo2021; of2021]</p>", sources) ==
+        "<p title=\"Lo2021\">[<a href=\"#Lo2021\">Lo2021</a>; of2021]</p>");
   CHECK(with_source_links("<style>Lo2021</style>", sources) == "<style>Lo2021</style>");
   CHECK(with_source_links("", sources).empty());
 }

@@ -42,11 +42,26 @@ TEST_CASE("reproduce: the page begins with the answer, and folds figures and tab
   const std::string html = markup(experiment);
   CHECK(well_formed(html));
   std::size_t last = 0;
-  for (const char* part :
-       {"<h1>Why does the stiffness", "In dense packings s is", "In loose packings", "data-choice=\"G_hv\"",
-        "One contact", "<details>", "Fig. 3:", "Fig. 4:", "Fig. 9:", "Fig. 15:", "Fig. 19:", "Table 2:",
-        "Table 4:", "Table 5:", "agreement with the paper", "the scene, in SI", "left out: nothing",
-        "[Chung2014]", "Output on the terminal"}) {
+  for (const char* part : {"<h1>Why does the stiffness",
+                           "In dense packings s is",
+                           "In loose packings",
+                           "data-choice=\"G_hv\"",
+                           "One contact",
+                           "<details>",
+                           "Fig. 3:",
+                           "Fig. 4:",
+                           "Fig. 9:",
+                           "Fig. 15:",
+                           "Fig. 19:",
+                           "Table 2:",
+                           "Table 4:",
+                           "Table 5:",
+                           "agreement with the paper",
+                           "the scene, in SI",
+                           "left out: nothing",
+                           "Chung2014</a>]",
+                           "<td id=\"Chung2014\">",
+                           "Output on the terminal"}) {
     CAPTURE(part);
     const std::size_t at = html.find(part, last);
     CHECK(at != std::string::npos);
@@ -60,8 +75,9 @@ TEST_CASE("reproduce: the page begins with the answer, and folds figures and tab
   CHECK(count(html, "nan") == 0);
   CHECK(count(html, "href=\"figures/fig09_cone_dense_G_hv_p.csv\"") == 1);
   // Nothing from outside.
-  for (const char* part : {"http", "src=", "<link"})
+  for (const char* part : {"http:", "src=", "<link"})
     CHECK(count(html, part) == 0);
+  CHECK(count(html, "https:") == 2 * count(html, "<a href=\"https:")); // addresses of sources
   CHECK(has(html, "in 90.0 s on"));
   CHECK(has(markup(experiment, {.seconds = 600, .resumed = true}), "since it was resumed"));
 }

@@ -133,7 +133,8 @@ struct Note {
 struct Document {
   std::string command = {};                ///< "estimate"
   std::string title = {}, question = {};   ///< first line of a screen, and of a page if that has another
-  std::vector<std::string> sentences = {}; ///< the answer in words, below that
+  std::vector<std::string> sentences = {};       ///< the answer in words, below that
+  std::vector<std::string> sentences_after = {}; ///< below the ranges in words
   std::vector<Section> sections = {};
   std::vector<Note> notes = {};
   Validity warnings = {};
@@ -177,6 +178,13 @@ void add_sources(Document& to);
   return {
       .heading = std::move(label), .width = width, .digits = 3, .unit = 0.01, .absent = "-", .symbol = " %"};
 }
+
+/// What the two ends of a range, or an error, say, in words for a page.
+inline constexpr const char
+    *what_a_range_means = "From low to high is one standard deviation to each side of the answer: about "
+                          "two thirds of such sands or packings lie between, one in six below and one in "
+                          "six above.",
+    *what_an_error_means = "+- is one standard error: about two thirds of the true values lie within it.";
 
 // ---- printers
 /// Text for a terminal, without warnings.

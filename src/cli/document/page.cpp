@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <granum/core/text.hpp>
@@ -14,10 +16,6 @@
 namespace granum::cli {
 
 namespace {
-
-constexpr const char* what_a_range_means = "From low to high is one standard deviation to each side of the "
-                                           "answer: about two thirds of such sands or "
-                                           "packings lie between, one in six below and one in six above.";
 
 /// "sand (measured laws): G is 118 MPa (90.73 to 153.3 MPa), V_s is ...", the first numbers of an answer.
 std::string sentence_of(const Ranges& ranges) {
@@ -65,6 +63,36 @@ std::string html_of(const Items& items) {
   return rows.empty()
              ? ""
              : titled(items.title, plot::html_table({headings.begin(), headings.end() - !meanings}, rows));
+}
+
+/// Lists of the same labels, one after the other, as rows of one table.
+std::string html_of(const std::vector<const Items*>& lists) {
+  std::vector<std::string> headings = {""};
+  std::vector<std::vector<std::string>> rows;
+  for (const Items* list : lists) {
+    std::vector<std::string>& cells = rows.emplace_back(std::vector{list->title});
+    for (const io::Column<io::Only>& item : list->items)
+      if (item.shown) {
+        cells.push_back(io::shown_text(*item.shown, item.of(io::Only{}), io::page_sign));
+        if (rows.size() == 1)
+          headings.push_back(item.shown->heading);
+      }
+  }
+  return plot::html_table(headings, rows);
+}
+
+/// The labels of a list that can be a row of a table: one with a title and without meanings; else none.
+std::vector<std::string> labels_of(const Items& list) {
+  std::vector<std::string> all;
+  for (const io::Column<io::Only>& item : list.items)
+    if (item.shown && (list.title.empty() || !item.shown->meaning.empty()))
+      return {};
+    else if (item.shown)
+      all.push_back(item.shown->heading);
+  return all;
+}
+bool are_alike(const Items& a, const Items& b) {
+  return !labels_of(a).empty() && labels_of(a) == labels_of(b);
 }
 
 std::string html_of(const Table& table) {
@@ -116,24 +144,43 @@ std::string html_of(const Picture& /*picture*/) { return ""; }
 std::string html_of(const Rows& /*rows*/) { return ""; }
 std::string html_of(const Data& /*data*/) { return ""; }
 
+/// A section, and those behind it that are rows of its table.
+/// \param    k   its place; then that of the last of them
+std::string html_of(const std::vector<Section>& sections, std::size_t& k) {
+  const auto list_at = [&](std::size_t at) {
+    return at < sections.size() ? std::get_if<Items>(&sections[at].what) : nullptr;
+  };
+  std::vector<const Items*> lists = {list_at(k)};
+  while (lists.front() != nullptr && list_at(k + 1) != nullptr && are_alike(*lists.front(), *list_at(k + 1)))
+    lists.push_back(list_at(++k));
+  if (lists.size() > 1)
+    return html_of(lists);
+  return std::visit([](const auto& what) { return html_of(what); }, sections[k].what);
+}
+
 } // namespace
 
 namespace {
 
 // ---- what was asked, and what is assumed
 
-/// The first clause of a meaning: "Void ratio" of "Void ratio, instead of --porosity".
-std::string clause_of(const std::string& meaning) {
+/// The first clause of a meaning: "Void ratio" of "Void ratio, instead of --porosity"; the name of the option
+/// in words where that is one of its choices.
+std::string clause_of(const std::string& meaning, const std::string& option) {
   std::size_t end = meaning.size();
-  for (const char* mark : {";", ":", ", instead of", ", such as", ", by default"})
+  for (const char* mark : {";", ":", ", instead of", ", such as", ", by default", ", separated by"})
     end = std::min(end, meaning.find(mark));
-  return meaning.substr(0, end);
+  if (meaning.find(' ') < end)
+    return meaning.substr(0, end);
+  std::string words = option.substr(std::min(option.find_first_not_of('-'), option.size()));
+  std::replace(words.begin(), words.end(), '-', ' ');
+  return words;
 }
 
 std::string html_asked(const std::vector<AskedOption>& asked) {
   std::vector<std::vector<std::string>> rows;
   for (const AskedOption& one : asked)
-    rows.push_back({clause_of(one.meaning), one.value, one.option});
+    rows.push_back({clause_of(one.meaning, one.option), one.value, one.option});
   return rows.empty() ? "" : plot::html_table({"what", "as given", "option"}, rows);
 }
 
@@ -167,7 +214,7 @@ std::string html_assumptions(const std::vector<Note>& notes) {
       continue;
     }
     const estimate::InputRow* const row = estimate::find_input(input_key(what));
-    rows.push_back({row != nullptr ? clause_of(row->meaning) : what.name, what.value,
+    rows.push_back({clause_of(row != nullptr ? row->meaning : "", what.name), what.value,
                     what.deviation > 0 ? pretty(what.deviation, what.dimension) : "-", what.reason,
                     what.name});
   }
@@ -185,7 +232,8 @@ std::string page(const Document& document, const Record& record) {
   std::vector<plot::PageFigure> figures;
   std::string numbers, every_row, pictures, folded;
   bool ranges_above = false;
-  for (const Section& section : document.sections) {
+  for (std::size_t k = 0; k < document.sections.size(); ++k) {
+    const Section& section = document.sections[k];
     if (const auto* ranges = std::get_if<Ranges>(&section.what); ranges != nullptr && !ranges->rows.empty()) {
       sentences.push_back(sentence_of(*ranges));
       ranges_above = true;
@@ -199,12 +247,18 @@ std::string page(const Document& document, const Record& record) {
     if (const auto* rows = std::get_if<Rows>(&section.what))
       every_row += html_rows(*rows, document.manner);
     if (section.seen == Seen::always || section.seen == Seen::full)
-      numbers += std::visit([](const auto& what) { return html_of(what); }, section.what);
+      numbers += html_of(document.sections, k);
   }
   if (ranges_above)
     sentences.push_back(std::string("In brackets: low to high. ") + what_a_range_means);
+  sentences.insert(sentences.end(), document.sentences_after.begin(), document.sentences_after.end());
   if (!record.date.empty())
     sentences.push_back(dated(record));
+  const bool in_a_row = figures.size() == 1 && figures.front().pictures.size() > 2 &&
+                        figures.front().pictures.front().choice.empty();
+  std::string row;
+  if (in_a_row)
+    row = plot::html_element("div", plot::html_figure(std::exchange(figures.front(), {})), "row");
   if (figures.empty())
     figures.emplace_back();
   for (std::size_t k = 1; k < figures.size(); ++k)
@@ -222,7 +276,7 @@ std::string page(const Document& document, const Record& record) {
     return content.empty() ? "" : plot::html_section(id, title, content);
   };
   const std::string& question = document.question.empty() ? document.title : document.question;
-  std::string body = worded(plot::html_first_screen(question, sentences, figures.front()));
+  std::string body = worded(plot::html_first_screen(question, sentences, figures.front()) + row);
   body += section_of("asked", "What was asked", html_asked(record.asked));
   body += worded(pictures + section_of("numbers", "Every number", numbers + every_row));
   if (!document.warnings.ok())

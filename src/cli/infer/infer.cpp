@@ -273,6 +273,8 @@ ExitCode run(const InferOptions& o) {
                                .typed = true}));
   document.warnings.merge(all.validity);
   add_inferred(document, all);
+  if (!document.sentences.empty())
+    document.sentences.emplace_back(what_an_error_means);
   const bool explained = !all.beads || all.beads->together;
   if (explained && to.draws())
     document.add(Seen::data, Picture{charts_of(all, of_picture), "Measured, fitted and forecast; from low to "

@@ -9,6 +9,7 @@
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/notes.hpp>
 #include <granum/inverse/inference.hpp>
+#include <granum/sands/pooled_law.hpp>
 
 #include "cli/options/likely_mistakes.hpp"
 #include "infer.hpp"
@@ -263,6 +264,21 @@ Validity complete_predictions(InferCase& question, const inverse::Inference& fit
   return doubts;
 }
 
+namespace {
+
+/// What the level of a sand is measured against.
+void note_average_sand(const InputValues& values, InferCase& question) {
+  add_sentence(question.assumptions,
+               "sand: level 1 is G = " + sands::formula(question.sand->sand) +
+                   ", p_a = 100 kPa, with the inferred s in place of that of average sands [Lo2021]",
+               "Lo2021");
+  for (const auto& [mineral, share] : values.minerals)
+    add_sentence(question.assumptions,
+                 std::string("grains of ") + mineral->name + " [" + mineral->source + "]", mineral->source);
+}
+
+} // namespace
+
 InferCase infer_case(const InferOptions& given) {
   InferOptions o = given;
   InferCase question;
@@ -282,6 +298,8 @@ InferCase infer_case(const InferOptions& given) {
   if (const std::optional<estimate::Note> density = assumed_density(values, uncertain))
     question.assumptions.push_back(*density);
   note_implied_deviations(values, uncertain, question.assumptions);
+  if (question.sand)
+    note_average_sand(values, question);
   question.packing = packing_json(question.of_spheres ? values : as_sand(values), first);
   if (question.of_spheres && question.sand)
     question.sand_packing = packing_json(as_sand(values), first);

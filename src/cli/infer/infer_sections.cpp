@@ -236,6 +236,19 @@ bool is_listed(Quantity quantity, bool one_direction) {
          (quantity != Quantity::G_hh && quantity != Quantity::V_s_hh && quantity != Quantity::V_p_h);
 }
 
+/// "sand (measured laws), forecast at p' = 50 kPa, e = 0.72: G 63.8 MPa +- 4.5 %, V_s 203.5 m/s +- 2.2 %."
+std::string sentence_of(const StateRow& row, const std::vector<const QuantityRow*>& quantities) {
+  std::vector<std::string> numbers;
+  for (std::size_t k = 0; k < row.forecasts.size(); ++k)
+    if (quantities[k]->quantity == Quantity::G_vh || quantities[k]->quantity == Quantity::V_s)
+      numbers.push_back(fmt::format("{} {} +- {}", quantities[k]->key,
+                                    quantity_text(*quantities[k], row.forecasts[k].value),
+                                    error_in_percent(row.forecasts[k])));
+  return fmt::format("{}, forecast at {}: {}.", title_of(row.shape), place_text(row.state),
+                     fmt::join(numbers, ", "));
+}
+constexpr std::size_t most_in_words = 3; ///< forecasts of one kind of grains
+
 /// The predictions as lists on the screen, and as an array in JSON.
 void add_predictions(Document& to, const std::string& key, const InferCase& question,
                      const std::vector<StateRow>& rows) {
@@ -245,6 +258,8 @@ void add_predictions(Document& to, const std::string& key, const InferCase& ques
     if (row.measured != nullptr)
       continue;
     predicted.push_back(row);
+    if (predicted.size() <= most_in_words)
+      to.sentences.push_back(sentence_of(row, quantities));
     Items lines{.title = "predicted at " + place_text(row.state)};
     const auto add = [&lines](const char* label, const std::string& value, const Measured& number) {
       add_line(lines, label, fmt::format("{} +- {}", value, error_in_percent(number)));

@@ -26,6 +26,8 @@ ordered_json sand_json(const estimate::InputValues& values, const effective::Sta
                             Input::uniformity, Input::d50, Input::shear_strain})
     if (values.given(input))
       json[estimate::row_of(input).key] = values.number(input);
+  if (values.known_sand != nullptr && values.known_sand->uniformity && !values.given(Input::uniformity))
+    json[estimate::row_of(Input::uniformity).key] = *values.known_sand->uniformity;
   if (values.sizes)
     json["sizes"] = values.sizes->text();
   if (values.sizes && is_sized(values))

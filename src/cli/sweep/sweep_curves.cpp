@@ -260,7 +260,7 @@ Document document_of(const SweepOptions& o, const Curves& curves, const estimate
   else if (o.curves_for == "strata")
     to.own_text = strata_text(curves.all, comments, is_alone(o));
   to.warnings = curves.tally.validity();
-  if (!o.picture.empty())
+  if (outlets_of(o).draws())
     to.add(Seen::data, Picture{{chart_of(curves.all, "G/G0", 1, &StrainPoint::ratio),
                                 chart_of(curves.all, "damping [%]", 0.01, &StrainPoint::damping)}});
   return to;

@@ -200,6 +200,15 @@ Prose depth_legend(const std::vector<DepthState>& states) {
   return prose;
 }
 
+/// "At 30 m G is 140 MPa (121 to 161 MPa), ...".
+std::string sentence_at(const DepthState& at) {
+  const estimate::Answer& answer = at.state.answer->answer;
+  return fmt::format("At {} m, p' = {}, G is {} and V_s {}.", short_text(at.point.depth),
+                     pretty(at.point.stress.effective.mean(), Dimension::pressure),
+                     range_text(Dimension::pressure, answer[Field::shear_modulus]),
+                     range_text(Dimension::speed, answer[Field::shear_wave_speed]));
+}
+
 // ---- files
 
 ordered_json ground_json(const GroundCase& c) {
@@ -439,6 +448,7 @@ ExitCode sweep_depth(const SweepOptions& o) {
               !known_shape(last.point.layer->options.inputs));
   document.add(Seen::data, Data{"ground", ground_json(layers)});
   add_sources(document);
+  document.sentences = {sentence_at(last), what_a_range_means};
   for (const Layer& layer : layers)
     document.warnings.merge(layer.ground.validity);
   document.warnings.merge(tally.validity());
