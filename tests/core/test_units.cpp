@@ -199,3 +199,15 @@ TEST_CASE("primes and the Greek letter in headings are those of the quantity") {
   CHECK_FALSE(is_column_of("p\u2032_kPa", "p"));
   CHECK_FALSE(is_column_of("\u03c3", "sigma_v"));
 }
+
+TEST_CASE("headings: words are read however they are spelt, symbols are not") {
+  for (const char* heading : {"mean_effective_stress_kPa", "Mean Effective Stress (kPa)", "MEAN EFFECTIVE STRESS [kPa]",
+                              "mean-effective-stress kPa"}) {
+    CHECK(is_column_of(heading, "mean_effective_stress"));
+    CHECK(column_factor(heading, "mean_effective_stress", Dimension::pressure) == 1e3);
+  }
+  CHECK_FALSE(is_column_of("Mean Effective Stress Ratio", "mean_effective_stress"));
+  CHECK_FALSE(is_column_of("g_MPa", "G"));
+  CHECK_FALSE(is_column_of("s_r", "S_r"));
+  CHECK(column_factor("strain_percent", "strain", Dimension::dimensionless) == 0.01);
+}

@@ -48,7 +48,8 @@ struct Unit {
 [[nodiscard]] double parse_quantity(std::string_view name, std::string_view text, Dimension dimension);
 
 /// Whether a column heading is `quantity` alone or `quantity` with a unit, as p, p_kPa, "p (kPa)", "p [kPa]"
-/// and "p kPa" are for p; "e (-)" and "e [-]" are pure numbers.
+/// and "p kPa" are for p; "e (-)" and "e [-]" are pure numbers. A word of five letters or more, such as
+/// void_ratio, is read in any case and with blanks or hyphens: "Void Ratio"; in symbols case matters.
 [[nodiscard]] bool is_column_of(std::string_view heading, std::string_view quantity);
 /// The factor to SI that the heading of a column states: 1e3 for sigma_v_kPa.
 /// Assumes   is_column_of(heading, quantity)
