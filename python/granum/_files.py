@@ -20,7 +20,7 @@ def _paths(files):
     return paths
 
 
-def frames(*files, box=None, columns=None):
+def frames(*files, box=None, columns=None, units=None):
     """An iterator over all states of a packing in some files.
 
     Parameters
@@ -29,9 +29,12 @@ def frames(*files, box=None, columns=None):
         Files of grains and, if available, of contacts, of one format, in any order. The kind of a file is
         recognised by its content. Patterns such as "dump.*.gz" are replaced by all matching files.
     box : (3,) array_like, optional
-        Edges of the periodic box [m], for CSV files (other formats contain them).
+        Edges of the periodic box [m], for files that do not contain it (CSV, VTK); others must agree with it.
     columns : dict, optional
-        Meaning of columns of dumps that cannot be recognised from their values: {"id1": "c_cl[1]"}.
+        Meaning of columns of dumps that cannot be recognised from their values: {"id1": "c_cl[1]"}; for any
+        format {"body": "none"}, no rigid bodies, and {"shape": "none"}, spheres.
+    units : str, optional
+        "si": numbers without units are SI.
 
     Returns
     -------
@@ -49,10 +52,10 @@ def frames(*files, box=None, columns=None):
     -----
     In C++: granum::io::PackingFiles of granum/io/packing_files.hpp.
     """
-    return _frames(_paths(files), box, columns or {})
+    return _frames(_paths(files), box, columns or {}, units)
 
 
-def read(*files, box=None, columns=None):
+def read(*files, box=None, columns=None, units=None):
     """The packing in some files.
 
     Parameters
@@ -60,9 +63,12 @@ def read(*files, box=None, columns=None):
     *files : path_like
         Files of grains and, if available, of contacts, as for frames().
     box : (3,) array_like, optional
-        Edges of the periodic box [m], for CSV files (other formats contain them).
+        Edges of the periodic box [m], for files that do not contain it (CSV, VTK); others must agree with it.
     columns : dict, optional
-        Meaning of columns of dumps that cannot be recognised from their values: {"id1": "c_cl[1]"}.
+        Meaning of columns of dumps that cannot be recognised from their values: {"id1": "c_cl[1]"}; for any
+        format {"body": "none"}, no rigid bodies, and {"shape": "none"}, spheres.
+    units : str, optional
+        "si": numbers without units are SI.
 
     Returns
     -------
@@ -79,7 +85,7 @@ def read(*files, box=None, columns=None):
     -----
     In C++: granum::io::PackingFiles of granum/io/packing_files.hpp.
     """
-    states = frames(*files, box=box, columns=columns)
+    states = frames(*files, box=box, columns=columns, units=units)
     packing = next(states, None)
     if packing is None:
         raise InvalidArgument("the files contain no state of a packing")

@@ -323,6 +323,10 @@ class Frames {
       packing = files_->next();
     }
     skipped_ = files_->skipped();
+    if (!packing && !files_->cut().empty() &&
+        PyErr_WarnEx(PyExc_UserWarning,
+                     ("the last frame is cut off and was left out: " + files_->cut()).c_str(), 1) != 0)
+      throw py::error_already_set();
     if (!packing)
       throw py::stop_iteration();
     return std::make_shared<Packing>(std::move(*packing));
@@ -336,8 +340,10 @@ class Frames {
 };
 
 Frames open(const std::vector<std::filesystem::path>& files, const py::object& box,
-            const std::map<std::string, std::string>& columns) {
-  io::PackingFileOptions options;
+            const std::map<std::string, std::string>& columns, const std::optional<std::string>& units) {
+  io::PackingFileOptions options{.si = units.has_value()};
+  if (units && *units != "si")
+    throw InvalidArgument("units must be 'si' or None, not '" + *units + "'");
   options.columns.insert(columns.begin(), columns.end());
   if (!box.is_none()) {
     const Vec3 edges = vector_of("box", box);
@@ -400,7 +406,7 @@ void bind_io(py::module_& module) {
                          "An iterator over the states in some files, with one state in memory at a time.")
       .show("skipped", "Frames skipped so far because another file has no frame of that time step.",
             &Frames::skipped);
-  module.def("_frames", &open, py::arg("files"), py::arg("box"), py::arg("columns"));
+  module.def("_frames", &open, py::arg("files"), py::arg("box"), py::arg("columns"), py::arg("units"));
   module.def("_lammps_packing", &lammps_packing, py::kw_only(), py::arg("id"), py::arg("position"),
              py::arg("radius"), py::arg("type"), py::arg("cell"), py::arg("periodic"), py::arg("units"),
              py::arg("step"), py::arg("column_names"), py::arg("values"), py::arg("columns"));

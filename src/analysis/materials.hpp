@@ -24,4 +24,10 @@ namespace granum::analysis {
                                                        std::span<const contact::GrainMaterial> materials,
                                                        const contact::GrainMaterial& mean);
 
+/// Whether the forces of Hertz contacts have other factors between other types of grains, by more than 2 %:
+/// the medians of f/(R^(1/2) d^(3/2)) over at least 5 contacts of a pair of types.
+/// \param    type   of each grain, or empty
+/// Checked by tests/studies/test_materials.cpp
+[[nodiscard]] bool factors_differ(const packing::Assembly& assembly, std::span<const long> type);
+
 } // namespace granum::analysis

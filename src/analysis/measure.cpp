@@ -217,7 +217,8 @@ class Measuring {
     if (given_.grain_shear_modulus) {
       out_.grain = contact::GrainMaterial{modulus, nu};
     } else if (out_.law_check && law_is_clear(*out_.law_check, rounded_) &&
-               out_.law_check->coefficient_ratio && of_any_modulus().surface().begins_at_touch) {
+               !factors_differ(assembly_, given_.type) && out_.law_check->coefficient_ratio &&
+               of_any_modulus().surface().begins_at_touch) {
       const double found = any_modulus * *out_.law_check->coefficient_ratio;
       out_.grain = contact::GrainMaterial{found, nu};
       out_.law_check->coefficient_ratio = 1;

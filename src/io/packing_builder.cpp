@@ -49,25 +49,35 @@ packing::Contact contact_of(const PairRow& row) {
           .twisting_stiffness = row.twisting_stiffness};
 }
 
-std::string many(std::size_t count, const char* what) { return std::to_string(count) + " " + what; }
-
 } // namespace
 
-void DigitWatch::see(std::string_view number) {
-  if (seen_ > enough)
-    return;
-  seen_ = std::max(seen_, significant_digits(number));
-  if (const auto value = parse_number(number))
-    largest_ = std::max(largest_, std::abs(*value));
+void PackingBuilder::require_given_box(const Mat3& cell, const std::array<bool, 3>& periodic,
+                                       std::size_t line) const {
+  constexpr double rounding = 1e-4; // of the longest edge
+  double longest = 0, apart = 0;
+  for (int k = 0; k < 3; ++k) {
+    longest = std::max(longest, norm(column(cell, k)));
+    apart = std::max(apart, norm(column(cell, k) - column(options_.box->cell, k)));
+  }
+  const auto edges = [](const Mat3& m) {
+    return short_text(norm(column(m, 0)), 8) + ", " + short_text(norm(column(m, 1)), 8) + ", " +
+           short_text(norm(column(m, 2)), 8) + " m";
+  };
+  const std::string place = grain_file_ + (line > 0 ? ":" + std::to_string(line) : "");
+  if (!(apart <= rounding * longest))
+    throw InvalidArgument("box: the edges " + edges(options_.box->cell) + " are not those of the box of " +
+                          place + ", " + edges(cell));
+  if (periodic != options_.box->periodic)
+    throw InvalidArgument("box: a periodic box is given, but " + place + " has faces that are not periodic");
 }
 
-double DigitWatch::rounding() const {
-  return few() && largest_ > 0 ? 0.5 * std::pow(10, std::floor(std::log10(largest_)) - most() + 1) : 0;
+void PackingBuilder::set_cell(const Mat3& cell, const std::array<bool, 3>& periodic, std::size_t line) {
+  if (options_.box)
+    require_given_box(cell, periodic, line);
+  use_cell(cell, periodic, line);
 }
 
-double DigitWatch::relative_rounding() const { return few() ? 0.5 * std::pow(10, 1 - most()) : 0; }
-
-void PackingBuilder::set_cell(const Mat3& given, const std::array<bool, 3>& given_periodic,
+void PackingBuilder::use_cell(const Mat3& given, const std::array<bool, 3>& given_periodic,
                               std::size_t line) {
   Mat3 cell = given;
   std::array<bool, 3> periodic = given_periodic;
@@ -128,11 +138,15 @@ void PackingBuilder::set_grains(std::vector<GrainRow> rows) {
   if (std::all_of(rows.begin(), rows.end(), [](const GrainRow& g) { return g.force.has_value(); }))
     for (const GrainRow& grain : rows)
       stated_force_.push_back(*grain.force);
-  if (!has_cell_)
+  if (!has_cell_ && options_.box)
+    use_cell(options_.box->cell, options_.box->periodic, 0);
+  else if (!has_cell_)
     bound_grains();
 }
 
 void PackingBuilder::take_bodies(const std::vector<GrainRow>& rows) {
+  if (options_.none("body"))
+    return;
   std::map<long, std::size_t> members;
   for (const GrainRow& grain : rows)
     if (grain.body && *grain.body > 0)
@@ -154,7 +168,8 @@ void PackingBuilder::take_bodies(const std::vector<GrainRow>& rows) {
   note(Finding::bodies,
        many(parts, "grains are parts of ") +
            many(number.size(), "rigid bodies, which move as one; volume shared by grains of a "
-                               "body counts twice in the void ratio"));
+                               "body counts twice in the void ratio (if they are free: --column-map "
+                               "body=none)"));
 }
 
 void PackingBuilder::drop_inner_contacts() {
@@ -162,36 +177,6 @@ void PackingBuilder::drop_inner_contacts() {
   if (!body.empty())
     std::erase_if(packing_.assembly.contacts,
                   [&](const packing::Contact& c) { return body[c.i] == body[c.j]; });
-}
-
-void PackingBuilder::compare_forces() {
-  if (stated_force_.empty() || packing_.assembly.contacts.empty() || !packing_.assembly.body.empty() ||
-      !forces_known_)
-    return;
-  std::vector<Vec3> left = stated_force_;
-  double sum = 0;
-  const auto take = [&](const packing::Contact& c) {
-    const Vec3 f = force(c);
-    sum += norm(f);
-    left[c.i] += f;
-    return f;
-  };
-  for (const packing::Contact& c : packing_.assembly.contacts)
-    left[c.j] -= take(c);
-  for (const packing::Contact& c : packing_.assembly.wall_contacts)
-    take(c);
-  const auto contacts = packing_.assembly.contacts.size() + packing_.assembly.wall_contacts.size();
-  constexpr double matters = 0.01;
-  const double size = matters * sum / static_cast<double>(contacts);
-  const auto off = static_cast<std::size_t>(
-      std::count_if(left.begin(), left.end(), [&](const Vec3& f) { return norm(f) > size; }));
-  const bool gravity = 2 * off > left.size(); // weight, or another force on all
-  if (off > 0 && !gravity)
-    note(Finding::unbalanced_rows,
-         "the forces of " +
-             many(off,
-                  "grains (fx fy fz) are not the sums of their contacts': rows of contacts, or of walls, "
-                  "are missing"));
 }
 
 void PackingBuilder::bound_grains() {
@@ -202,7 +187,7 @@ void PackingBuilder::bound_grains() {
       low[k] = std::min(low[k], packing_.assembly.position[g][k] - packing_.assembly.radius[g]);
       high[k] = std::max(high[k], packing_.assembly.position[g][k] + packing_.assembly.radius[g]);
     }
-  set_cell(Mat3::diagonal(high.x - low.x, high.y - low.y, high.z - low.z), {false, false, false}, 0);
+  use_cell(Mat3::diagonal(high.x - low.x, high.y - low.y, high.z - low.z), {false, false, false}, 0);
   note(Finding::cell_unknown, "no box in the file: the smallest upright box around the grains is the cell");
 }
 
@@ -400,53 +385,6 @@ void PackingBuilder::merge_image(std::span<const std::uint32_t> group) {
   packing_.assembly.contacts.push_back(first);
 }
 
-void PackingBuilder::note_digits(const DigitWatch& coordinates, std::string_view what, double unit) {
-  if (!coordinates.few())
-    return;
-  note(Finding::few_digits,
-       std::string(what) + " have at most " + std::to_string(coordinates.most()) + " significant digits");
-  packing_.rounding.length = unit * coordinates.rounding();
-}
-
-void PackingBuilder::note_overlap_digits(const DigitWatch& numbers, std::string_view what, double unit) {
-  if (numbers.most() == 0)
-    return;
-  const double lengths = packing_.rounding.length;
-  note_digits(numbers, what, unit);
-  packing_.rounding = {
-      .length = lengths, .overlap = unit * numbers.rounding(), .force = packing_.rounding.force};
-  overlaps_stated_ = true;
-}
-
-void PackingBuilder::note_single_precision(std::string text) {
-  note(Finding::few_digits, std::move(text));
-  double largest = 0;
-  for (const Vec3& x : positions())
-    largest = std::max({largest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
-  packing_.rounding.length = largest * static_cast<double>(std::numeric_limits<float>::epsilon()) / 2;
-}
-
-void PackingBuilder::note_counts() {
-  if (duplicated_ > 0)
-    note(Finding::duplicated, many(duplicated_, "rows repeat a pair and were left out"));
-  if (one_sided_ > 0)
-    note(Finding::one_sided, many(one_sided_, "pairs are listed from one side only"));
-  if (unsorted_)
-    note(Finding::unsorted, "the contacts were not in the order of their grains");
-  if (through_faces_ > 0)
-    note(Finding::through_faces, many(through_faces_, "rows of contacts reach through periodic faces"));
-  if (open_ > 0)
-    note(Finding::open_contacts,
-         many(open_,
-              "rows without an overlap are kept as contacts: they carry a force, or the grains just touch"));
-  if (neighbours_ > 0)
-    note(Finding::open_contacts,
-         many(neighbours_, "rows without overlap and force are neighbours, not contacts; left out"));
-  if (const std::size_t walls = packing_.assembly.wall_contacts.size(); walls > 0)
-    note(Finding::wall_contacts,
-         many(walls, "contacts with walls carry stress, but count in neither C_n nor fabric"));
-}
-
 ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
   const auto pair = [this](std::uint32_t number) {
     const packing::Contact& c = entries_[number].contact;
@@ -463,6 +401,7 @@ ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
     begin = end;
   }
   drop_inner_contacts();
+  turn_signs();
   compare_forces();
   entries_ = {};
   std::ranges::stable_sort(packing_.assembly.wall_contacts, {},

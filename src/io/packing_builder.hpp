@@ -82,6 +82,9 @@ struct PairRow {
   std::size_t line = 0;
 };
 
+/// "3 rows".
+inline std::string many(std::size_t count, const char* what) { return std::to_string(count) + " " + what; }
+
 /// Significant digits that a group of numbers is written with: the most seen, as trailing zeros are not
 /// written.
 class DigitWatch {
@@ -104,13 +107,15 @@ class DigitWatch {
 /// Combines the rows of any format into a packing, and rejects impossible ones.
 class PackingBuilder {
  public:
-  PackingBuilder(std::string grain_file, std::string contact_file)
-      : grain_file_(std::move(grain_file)), contact_file_(std::move(contact_file)) {}
+  PackingBuilder(std::string grain_file, std::string contact_file, PackingFileOptions options = {})
+      : grain_file_(std::move(grain_file)), contact_file_(std::move(contact_file)),
+        options_(std::move(options)) {}
 
-  /// \throws   FileError unless the volume is finite and positive
+  /// \throws   FileError unless the volume is finite and positive; InvalidArgument if the options give another
+  ///           box, to 1e-4 of its longest edge
   void set_cell(const Mat3& cell, const std::array<bool, 3>& periodic, std::size_t line);
-  /// Takes the grains, in the order of their ids. If no cell was set before: the smallest upright box,
-  /// and a note.
+  /// Takes the grains, in the order of their ids. If no cell was set before: the box of the options, else the
+  /// smallest upright box, and a note.
   /// \throws   FileError for no grains, an invalid radius or position, an id that occurs twice
   void set_grains(std::vector<GrainRow> rows);
 
@@ -148,7 +153,11 @@ class PackingBuilder {
   /// Adds a contact with a wall; all vectors point from the grain a to the wall.
   /// \throws   FileError for an invalid wall number, a branch of no length, numbers beyond all range
   void add_wall(const PairRow& row, long wall);
-  void note(Finding finding, std::string text) { packing_.notes.push_back({finding, std::move(text)}); }
+  /// Notes a finding, unless the options state what was not found.
+  void note(Finding finding, std::string text);
+  /// Notes the columns or arrays that were not used: those of shapes in a note of their own.
+  /// \param    place   "columns of the grains"
+  void note_unused(const std::vector<std::string>& names, const std::string& place);
   /// \param    unit   that the coordinates are in [m]
   void note_digits(const DigitWatch& coordinates, std::string_view what, double unit = 1);
   /// The same for the source of the overlaps, if the rows of contacts contain it.
@@ -180,7 +189,11 @@ class PackingBuilder {
   };
 
   void bound_grains();
+  void use_cell(const Mat3& cell, const std::array<bool, 3>& periodic, std::size_t line);
+  void require_given_box(const Mat3& cell, const std::array<bool, 3>& periodic, std::size_t line) const;
   void take_bodies(const std::vector<GrainRow>& rows);
+  /// Forces that pull all overlapping spheres apart have the other sign.
+  void turn_signs();
   /// Contacts inside of a body carry no force.
   void drop_inner_contacts();
   /// Compares the sums of the contact forces with those that the file of grains states.
@@ -199,6 +212,7 @@ class PackingBuilder {
 
   std::string grain_file_;
   std::string contact_file_;
+  PackingFileOptions options_;
   ImportedPacking packing_;
   PeriodicCell cell_;
   bool has_cell_ = false;

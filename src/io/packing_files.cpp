@@ -2,6 +2,7 @@
 #include <granum/io/packing_files.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <string>
@@ -78,11 +79,13 @@ std::vector<NamedFile> files_of(const fs::path& name) {
     out.push_back({.file = PackingFile(name), .name = name.string()});
     return out;
   }
-  for (const SeriesEntry& entry : read_collection(TextSource(name)))
+  for (const SeriesEntry& entry : read_collection(TextSource(name))) {
     out.push_back({.file = PackingFile(name.parent_path() / entry.file),
                    .name = name.string(),
                    .place = out.size(),
                    .time = entry.time});
+    out.back().file.set_time(entry.time);
+  }
   return out;
 }
 
@@ -211,8 +214,17 @@ TextSource PackingFile::open() { return source_ ? std::move(*source_) : TextSour
 PackingFiles::PackingFiles(std::vector<PackingFile> files, PackingFileOptions options)
     : options_(std::move(options)) {
   require_one_packing(files);
+  for (const auto& [quantity, column] : options_.columns)
+    if (files.front().kind().format != &lammps_dump_format && column != "none")
+      throw InvalidArgument("column map: '" + quantity + "=" + column + "' is for dumps, and " +
+                            files.front().path().string() +
+                            " is none: " + std::string(description(files.front().kind())));
   for (PackingFile& file : files)
     (file.kind().holds == Holds::contacts ? contacts_ : grains_).push_back(std::move(file));
+  constexpr double largest = 9e15;
+  steps_ = std::ranges::all_of(grains_, [](const PackingFile& file) {
+    return file.time() && *file.time() == std::floor(*file.time()) && std::abs(*file.time()) <= largest;
+  });
 }
 
 /// The frames of the files that come next.
@@ -224,17 +236,38 @@ PackingFrames PackingFiles::open_next() {
   return grains_[at].kind().format->read(grains_[at].open(), std::move(contacts), options_);
 }
 
+std::optional<ImportedPacking> PackingFiles::next_of_file() {
+  auto packing = frames_->next();
+  const std::optional<double>& place = grains_[opened_ - 1].time();
+  if (packing && place && steps_)
+    packing->step = static_cast<long>(*place);
+  else if (packing && place && !packing->time)
+    packing->time = place;
+  return packing;
+}
+
 std::optional<ImportedPacking> PackingFiles::next() {
-  while (true) {
-    if (frames_) {
-      if (auto packing = frames_->next())
-        return packing;
-      skipped_ = skipped();
-      frames_.reset();
+  try {
+    while (true) {
+      if (frames_) {
+        if (auto packing = next_of_file()) {
+          begun_ = true;
+          return packing;
+        }
+        skipped_ = skipped();
+        frames_.reset();
+      }
+      if (opened_ == grains_.size())
+        return std::nullopt;
+      frames_ = open_next();
     }
-    if (opened_ == grains_.size())
-      return std::nullopt;
-    frames_ = open_next();
+  } catch (const CutFile& error) {
+    if (!begun_ || opened_ != grains_.size())
+      throw;
+    skipped_ = skipped();
+    frames_.reset();
+    cut_ = error.what();
+    return std::nullopt;
   }
 }
 

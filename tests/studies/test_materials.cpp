@@ -155,6 +155,14 @@ TEST_CASE("materials: Hertz' contacts of materials that nobody gave have k_n = 1
   REQUIRE((by_materials.grain && by_forces.grain));
   CHECK(by_forces.grain->shear_modulus / (1 - by_forces.grain->poisson_ratio) ==
         relative(by_materials.grain->shear_modulus / (1 - by_materials.grain->poisson_ratio), 1e-9));
+  // also where most contacts are of one pair of types
+  io::ImportedPacking few = packing;
+  for (packing::Contact& c : few.assembly.contacts) {
+    const double radius = few.assembly.radius[c.i];
+    const bool second = few.type[c.i] == 2 && few.type[c.j] == 2;
+    c.normal_force = (second ? 3e9 : 1e9) * std::sqrt(radius) * std::pow(c.overlap, 1.5);
+  }
+  CHECK(says(studies::measure_frame(few, {.law_assumed = true}).packing.notes, "k_n = 1.5 f/d of each"));
   // forces that go otherwise are not taken so
   io::ImportedPacking cones = packing;
   for (packing::Contact& c : cones.assembly.contacts)
@@ -170,6 +178,15 @@ TEST_CASE("materials: linear springs are taken as they are") {
   CHECK(frame.packing.law->stiffness_at_force(0.1) == relative(1e5, 1e-9));
   REQUIRE(frame.packing.network);
   CHECK_FALSE(says(frame.warnings, "do not follow the contact law"));
+  CHECK(says(frame.warnings, "k_t/k_n = 0.9189 is assumed"));
+  const Given given{.law_assumed = true, .tangential_ratio = 2.0 / 7};
+  CHECK_FALSE(says(studies::measure_frame(packing, given).warnings, "k_t"));
+  io::ImportedPacking stiff = packing;
+  for (packing::Contact& c : stiff.assembly.contacts) {
+    c.normal_stiffness = 1e5;
+    c.tangential_stiffness = 5e4;
+  }
+  CHECK_FALSE(says(studies::measure_frame(stiff, {.law_assumed = true}).warnings, "k_t"));
   // where the user has said another law, it stays
   const studies::MeasuredFrame said = studies::measure_frame(packing, Given{});
   CHECK_FALSE(said.packing.law);

@@ -226,7 +226,7 @@ TEST_CASE("frame: without contacts, or without forces, the rest is still there")
   }
   const io::ImportedPacking packing =
       io::read_packing_csv(io::TextSource::of_text("g", csv_grains(own)),
-                           io::TextSource::of_text("c", contacts), io::CsvBox{own.cell});
+                           io::TextSource::of_text("c", contacts), {.box = io::CsvBox{own.cell}});
   const analysis::Measurement geometry = measure_frame(packing, known).packing;
   CHECK(geometry.counts.coordination_number == coordination_number(own));
   REQUIRE(geometry.fabric);

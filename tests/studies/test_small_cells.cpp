@@ -91,7 +91,7 @@ io::ImportedPacking through_normals(const packing::Assembly& a) {
                 words({n.x, n.y, n.z, f.x, f.y, f.z}, ",") + "\n";
   }
   return io::read_packing_csv(io::TextSource::of_text("g", csv_grains(a)),
-                              io::TextSource::of_text("c", contacts), io::CsvBox{a.cell});
+                              io::TextSource::of_text("c", contacts), {.box = io::CsvBox{a.cell}});
 }
 
 /// What LAMMPS writes of a pair without its line of centres: overlap and force, and the vector where asked.

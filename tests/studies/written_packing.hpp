@@ -85,7 +85,8 @@ inline std::string csv_contacts(const packing::Assembly& a) {
 
 inline io::ImportedPacking through_csv(const packing::Assembly& a) {
   return io::read_packing_csv(io::TextSource::of_text("grains", csv_grains(a)),
-                              io::TextSource::of_text("contacts", csv_contacts(a)), io::CsvBox{a.cell});
+                              io::TextSource::of_text("contacts", csv_contacts(a)),
+                              {.box = io::CsvBox{a.cell}});
 }
 
 /// One row of .fstat: force on the first grain, all from the second to the first; walls the other way.

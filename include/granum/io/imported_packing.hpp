@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <granum/packing/assembly.hpp>
@@ -41,6 +44,10 @@ enum class Finding {
   units_differ,           ///< one file states other units than the other
   unbalanced_rows,        ///< grains whose contacts do not add up to the force that the file of grains states
   history_unknown,        ///< loading history of the tangential springs is not in the files
+  signs_turned,           ///< all forces pulled overlapping spheres apart: they were turned
+  shapes,                 ///< columns of shapes: grains are taken as spheres all the same
+  not_used,               ///< columns or arrays that were not used
+  axes_turned,            ///< the axes of the packing are others than those of the files
 };
 
 /// A finding and the words for it, with counts where there are any.
@@ -56,6 +63,28 @@ struct Rounding {
   double overlap =
       0; ///< of overlaps: by their own digits where the files state them, else by those of lengths [m]
   double force = 0; ///< relative [1]
+};
+
+/// Columns of quantities in a dump: quantity -> name of the column (parse_column_map).
+using ColumnMap = std::map<std::string, std::string, std::less<>>;
+
+/// The box of a packing, which some files do not contain.
+struct CsvBox {
+  Mat3 cell; ///< columns are its edges [m]
+  std::array<bool, 3> periodic{true, true, true};
+};
+
+/// What a user states about files, of any format.
+struct PackingFileOptions {
+  ColumnMap columns = {};         ///< of dumps; of any format "body" and "shape", if their column is "none"
+  std::optional<CsvBox> box = {}; ///< used by files without one; must agree with that of others
+  bool si = false;                ///< numbers without units are SI
+
+  /// Whether the user says that there is no such quantity.
+  [[nodiscard]] bool none(std::string_view quantity) const {
+    const auto entry = columns.find(quantity);
+    return entry != columns.end() && entry->second == "none";
+  }
 };
 
 /// One state of a packing, SI, compression positive, grains in the order of their ids.

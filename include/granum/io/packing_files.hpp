@@ -23,12 +23,6 @@ namespace granum::io {
 /// Content of a file of a packing.
 enum class Holds { grains, contacts };
 
-/// Data that files of some formats do not contain.
-struct PackingFileOptions {
-  ColumnMap columns = {};         ///< of dumps
-  std::optional<CsvBox> box = {}; ///< of CSV files
-};
-
 /// The frames of one file, or of a file of grains and its companion, one after the other.
 struct PackingFrames {
   std::function<std::optional<ImportedPacking>()> next; ///< empty at the end
@@ -49,7 +43,7 @@ struct PackingFormat {
   PackingFrames (*read)(TextSource grains, std::optional<TextSource> contacts,
                         const PackingFileOptions& options);
   /// Reads contacts without grains; empty if these are not sufficient.
-  ContactTable (*read_contacts)(TextSource contacts) = nullptr;
+  ContactTable (*read_contacts)(TextSource contacts, const PackingFileOptions& options) = nullptr;
 };
 
 /// Lines of a file that are looked at before it is given up.
@@ -102,6 +96,9 @@ class PackingFile {
 
   [[nodiscard]] const FileKind& kind() const { return kind_; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Its place in a series, in the units of the index file.
+  [[nodiscard]] const std::optional<double>& time() const { return time_; }
+  void set_time(std::optional<double> time) { time_ = time; }
   /// The file from its beginning; once.
   /// \throws   FileError if it cannot be opened
   [[nodiscard]] TextSource open();
@@ -109,6 +106,7 @@ class PackingFile {
  private:
   std::filesystem::path path_;
   FileKind kind_;
+  std::optional<double> time_;
   std::optional<TextSource> source_; ///< of a pipe
 };
 
@@ -132,8 +130,9 @@ class PackingFiles {
   explicit PackingFiles(const std::vector<std::filesystem::path>& files, PackingFileOptions options = {})
       : PackingFiles(std::vector<PackingFile>(files.begin(), files.end()), std::move(options)) {}
 
-  /// The next state; empty at the end of the last file.
-  /// \throws   FileError as the reader of the format
+  /// The next state; empty at the end of the last file. A state of a series (.pvd) has its place there as
+  /// time, or as step where all places are whole numbers.
+  /// \throws   FileError as the reader of the format, but not for a last frame that is cut off behind others
   [[nodiscard]] std::optional<ImportedPacking> next();
 
   /// The file of grains that the last state came from.
@@ -142,14 +141,21 @@ class PackingFiles {
 
   /// Frames passed over so far because another file has none of that time step.
   [[nodiscard]] std::size_t skipped() const;
+  /// Why the last frame is missing, if the last file ends within it, as those of a killed job do; else empty.
+  [[nodiscard]] const std::string& cut() const { return cut_; }
 
  private:
   PackingFrames open_next();
+  /// The next state of the file that is open, with its place in the series; empty at the end of the file.
+  std::optional<ImportedPacking> next_of_file();
 
   PackingFileOptions options_;
   std::vector<PackingFile> grains_, contacts_;
   std::size_t opened_ = 0, skipped_ = 0; ///< skipped in files that have been read to their end
   std::optional<PackingFrames> frames_;
+  bool steps_ = false; ///< places in the series are steps
+  bool begun_ = false; ///< a state has been returned
+  std::string cut_;
 };
 
 } // namespace granum::io

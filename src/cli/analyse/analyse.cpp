@@ -14,6 +14,7 @@
 #include "cli/frame/frame.hpp"
 #include "cli/frame/help.hpp"
 #include "cli/frame/messages.hpp"
+#include "studies/analyse/axis.hpp"
 #include "studies/analyse/overlaps.hpp"
 
 namespace granum::cli {
@@ -33,7 +34,13 @@ struct ParaviewFrames {
     write(grains.emplace_back(io::SeriesEntry{time, fmt::format("grains-{}.vtu", number)}).file,
           io::grains_vtu(packing.assembly, packing.id, packing.time));
     write(contacts.emplace_back(io::SeriesEntry{time, fmt::format("contacts-{}.vtp", number)}).file,
-          io::contacts_vtp(packing.assembly, packing.id));
+          io::contacts_vtp(packing.assembly, packing.id, known_forces(packing)));
+  }
+  /// Unknown forces are not written: as zeros they would count as known.
+  static io::KnownForces known_forces(const io::ImportedPacking& packing) {
+    if (packing.has(io::Finding::forces_unknown))
+      return io::KnownForces::none;
+    return packing.has(io::Finding::tangential_unknown) ? io::KnownForces::normal : io::KnownForces::all;
   }
   void finish() const {
     write("grains.pvd", io::pvd(grains));
@@ -50,12 +57,14 @@ constexpr std::size_t most_frames = 10'000;
 /// `seen` is called with each selected frame and its number.
 template <class Seen>
 std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoice& choice,
-                                        const studies::MeasureOptions& options, Seen seen) {
+                                        const studies::MeasureOptions& options, studies::Axis axis,
+                                        Seen seen) {
   std::vector<FrameAnswer> out;
   const auto take = [&](io::ImportedPacking read, std::size_t at) {
     analysis::Given given = options.given;
     given.materials = studies::materials_of(read, options.materials);
-    const io::ImportedPacking packing = studies::with_overlap_contacts(std::move(read), given);
+    const io::ImportedPacking packing =
+        studies::about_axis(studies::with_overlap_contacts(std::move(read), given), axis);
     out.push_back(studies::answer_frame(packing, options));
     out.back().number = at;
     out.back().file = files.path().string();
@@ -87,14 +96,24 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
 }
 
 /// For a table of contacts without grains: directions and forces.
-FrameAnswer analyse_contacts(io::PackingFile& file, const studies::MeasureOptions& options) {
-  const io::ContactTable table = file.kind().format->read_contacts(file.open());
+FrameAnswer analyse_contacts(io::PackingFile& file, const studies::MeasureOptions& options,
+                             const io::PackingFileOptions& of_files) {
+  if (of_files.box)
+    throw InvalidArgument("--box needs grains: " + file.path().string() + " has contacts alone");
+  if (!of_files.columns.empty())
+    throw InvalidArgument("--column-map is for dumps, and " + file.path().string() + " is none");
+  const io::ContactTable table = file.kind().format->read_contacts(file.open(), of_files);
   return {.measured = studies::measure_frame(table, options.given, options.wanted)};
 }
 
 AnalyseAnswer answer_all(const AnalyseOptions& o) {
   const FrameChoice choice = parse_frames(o.frames);
   const studies::MeasureOptions options = measure_options(o);
+  const io::PackingFileOptions of_files{
+      .columns = io::parse_column_map(o.column_map), .box = parse_box(o.box), .si = o.units == "si"};
+  const studies::Axis axis = studies::parse_axis(o.axis).value();
+  if (axis != studies::Axis::z && !o.stress.empty())
+    throw InvalidArgument("--stress is in the axes of the files: leave out --axis " + o.axis);
   AnalyseAnswer out{.files = {}, .kinds = {}, .frames = {}, .series = {}, .skipped = 0};
   std::vector<io::PackingFile> given =
       io::files_of_series(std::vector<std::filesystem::path>(o.files.begin(), o.files.end()));
@@ -106,13 +125,12 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
   if (given.size() == 1 && first.holds == io::Holds::contacts && first.format->read_contacts != nullptr) {
     if (o.paraview)
       throw InvalidArgument("--paraview needs grains: this file has contacts alone");
-    out.frames.push_back(analyse_contacts(given.front(), options));
+    out.frames.push_back(analyse_contacts(given.front(), options, of_files));
     return out;
   }
-  io::PackingFiles files(std::move(given),
-                         {.columns = io::parse_column_map(o.column_map), .box = parse_box(o.box)});
+  io::PackingFiles files(std::move(given), of_files);
   ParaviewFrames pictures{o.out, existing(o.force)};
-  out.frames = analyse_frames(files, choice, options, [&](const auto& packing, std::size_t number) {
+  out.frames = analyse_frames(files, choice, options, axis, [&](const auto& packing, std::size_t number) {
     if (!o.out.empty())
       out.chains = studies::force_chains(packing.assembly);
     if (o.paraview)
@@ -123,6 +141,7 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
   out.series =
       studies::series_of(out.frames, o.series == "all" ? studies::SeriesBy::all : studies::SeriesBy::name);
   out.skipped = files.skipped();
+  out.cut = files.cut();
   return out;
 }
 
@@ -158,6 +177,8 @@ Validity warnings_of(const AnalyseAnswer& answer) {
   }
   for (const auto& [note, frames] : found)
     out.add(answer.frames.size() > 1 ? frames_text(frames, answer.frames.size()) + note : note);
+  if (!answer.cut.empty())
+    out.add("the last frame is cut off and was left out: " + answer.cut);
   return out;
 }
 

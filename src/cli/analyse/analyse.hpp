@@ -31,6 +31,7 @@ struct AnalyseAnswer {
   std::vector<FrameAnswer> frames;
   std::vector<StateSeries> series;                           ///< for more than one frame
   std::size_t skipped = 0;                                   ///< frames in one file only
+  std::string cut = {};                                      ///< why the last frame is missing, if it is
   std::optional<studies::ForceChains> chains = std::nullopt; ///< of the last frame, if files are written
 };
 

@@ -296,7 +296,8 @@ void add_file_options(Command& command, AnalyseOptions& o) {
       {{.name = "--column-map",
         .value = text(o.column_map, "MAP"),
         .meaning = "Meaning of the columns of dumps, if granum cannot recognise them from their values: "
-                   "id1=c_cl[1],id2=c_cl[2],force=c_cp[2]"},
+                   "id1=c_cl[1],id2=c_cl[2],force=c_cp[2]; of any format body=none, grains that are parts of "
+                   "no rigid bodies, and shape=none, spheres whatever the columns say"},
        {.name = "--stress",
         .value = spaced(texts(o.stress, "PRESSURES|FILE"), Dimension::pressure),
         .meaning =
@@ -310,7 +311,15 @@ void add_file_options(Command& command, AnalyseOptions& o) {
             "G_hh, G_vh, ...), value_Pa, and step or state (moduli.csv of an exported deck)"},
        {.name = "--box",
         .value = spaced(text(o.box, "LENGTHS"), Dimension::length),
-        .meaning = "Edges of the periodic box, LX,LY,LZ, for CSV files (other formats contain them)"},
+        .meaning = "Edges of the periodic box, LX,LY,LZ, for files that do not contain it (CSV, VTK); other "
+                   "files must agree with it"},
+       {.name = "--units",
+        .value = choice({"si"}, o.units),
+        .meaning = "Units of numbers for which the files state none"},
+       {.name = "--axis",
+        .value = choice({"x", "y", "z", "principal"}, o.axis),
+        .meaning = "Axis of the files about which the state is symmetric, axis 3 of the results; principal: "
+                   "that of the stress"},
        {.name = "--frames",
         .value = text(o.frames),
         .meaning = "Frames to read, counted from 0: all, last, N, FIRST:LAST or FIRST:LAST:STRIDE"},

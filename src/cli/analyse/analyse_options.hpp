@@ -25,6 +25,8 @@ struct AnalyseOptions {
   Number friction_angle{0, Dimension::angle};
   std::string column_map;
   std::string box;
+  std::string units; ///< si, or empty
+  std::string axis = "z";
   std::string frames = "all";
   std::string series = "name";     ///< or all
   std::vector<std::string> stress; ///< one per frame, or the name of a file with them

@@ -16,22 +16,65 @@ namespace granum::io {
 
 namespace {
 
+/// Other names of quantities: of ParaView's tables, and of PFC's ends of contacts.
+struct OtherName {
+  std::string_view quantity, name;
+};
+constexpr OtherName other_names[] = {{"x", "Points:0"},
+                                     {"y", "Points:1"},
+                                     {"z", "Points:2"},
+                                     {"x", "Points_0"},
+                                     {"y", "Points_1"},
+                                     {"z", "Points_2"},
+                                     {"radius", "Radius"},
+                                     {"radius", "RADIUS"},
+                                     {"radius", "radii"},
+                                     {"diameter", "Diameter"},
+                                     {"diameter", "DIAMETER"},
+                                     {"id1", "end1"},
+                                     {"id2", "end2"},
+                                     {"id", "Id"},
+                                     {"id", "ID"}};
+constexpr std::string_view separators = ",;\t ";
+
+bool is_heading(std::string_view line) { return !line.empty() && line[0] != '#'; }
+
+/// Whether blanks alone separate the words of a line.
+bool by_blanks(std::string_view line) {
+  return line.find_first_of(",;\t\"") == std::string_view::npos && line.find(' ') != std::string_view::npos;
+}
+
 /// A table whose columns come in as SI, by the units of the headings or of a line "# units: SI".
 class TableColumns {
  public:
-  explicit TableColumns(TextSource source) : TableColumns(source.name(), whole(source)) {}
+  TableColumns(TextSource source, const PackingFileOptions& options)
+      : TableColumns(source.name(), whole(source), options.si) {}
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const CsvTable& table() const { return table_; }
-  [[nodiscard]] bool has(const char* quantity) const { return table_.has(quantity); }
+  [[nodiscard]] bool has(const char* quantity) const { return table_.has(name_of(quantity)); }
+  /// Whether ParaView wrote it, without units.
+  [[nodiscard]] bool without_units() const { return paraview_; }
 
   [[nodiscard]] std::vector<double> numbers(const char* quantity, Dimension dimension) const {
-    return table_.numbers(quantity, stated(quantity, dimension));
+    const std::string_view name = name_of(quantity);
+    return table_.numbers(name, stated(name, dimension));
+  }
+
+  /// The headings that are of none of the quantities.
+  [[nodiscard]] std::vector<std::string> unused(std::initializer_list<const char*> quantities) const {
+    std::vector<std::string> out = table_.headings();
+    std::erase_if(out, [&](const std::string& heading) {
+      return std::ranges::any_of(quantities,
+                                 [&](const char* one) { return is_column_of(heading, name_of(one)); });
+    });
+    return out;
   }
 
   /// Index of a column, and the factor from its numbers to SI.
   [[nodiscard]] CsvTable::Place place(const char* quantity, Dimension dimension) const {
-    return table_.column(quantity, stated(quantity, dimension));
+    const std::string_view name = name_of(quantity);
+    return table_.column(name, stated(name, dimension));
   }
 
   /// Integers, such as ids.
@@ -64,23 +107,53 @@ class TableColumns {
   }
 
  private:
-  TableColumns(std::string name, const std::string& text)
-      : name_(name), si_(states_si(name, text)), table_(name, text) {}
+  TableColumns(std::string name, const std::string& text, bool si)
+      : name_(name), si_(si || states_si(name, text)), table_(name, text),
+        paraview_(table_.has("Points:0") || table_.has("Points_0")) {}
 
+  /// The text; where blanks separate the headings, a tab between the fields instead.
   static std::string whole(TextSource& source) {
     std::string text;
+    bool heading = true, blanks = false;
+    TextRow row(source);
     while (source.next()) {
-      text += source.line();
+      const std::string_view line = trimmed(source.line());
+      if (heading && is_heading(line)) {
+        heading = false;
+        blanks = by_blanks(line);
+      }
+      if (blanks && is_heading(line)) {
+        row.split();
+        for (std::size_t k = 0; k < row.size(); ++k)
+          (text += k > 0 ? "\t" : "") += row[k];
+      } else {
+        text += source.line();
+      }
       text += '\n';
     }
     return text;
   }
 
-  /// The dimension in the heading of a column; none if a line above declares SI.
-  [[nodiscard]] Dimension stated(const char* quantity, Dimension dimension) const {
+  /// The name of a quantity in this table.
+  [[nodiscard]] std::string_view name_of(std::string_view quantity) const {
+    if (!table_.has(quantity))
+      for (const OtherName& other : other_names)
+        if (other.quantity == quantity && table_.has(other.name))
+          return other.name;
+    return quantity;
+  }
+
+  /// The dimension in the heading of a column; none if the numbers are SI.
+  [[nodiscard]] Dimension stated(std::string_view quantity, Dimension dimension) const {
     const auto& headings = table_.headings();
     const bool bare = std::find(headings.begin(), headings.end(), quantity) != headings.end();
-    return bare && si_ ? Dimension::dimensionless : dimension;
+    if (bare && dimension != Dimension::dimensionless && !si_ && !paraview_)
+      throw FileError(name_, table_.heading_line(),
+                      "the heading '" + std::string(quantity) + "' has no unit: write '" +
+                          std::string(quantity) + "_" + std::string(si_symbol(dimension)) +
+                          "' or another unit, or state that the numbers are SI, by --units si or a line "
+                          "'# units: SI'");
+    return bare ? Dimension::dimensionless : dimension;
   }
 
   static bool states_si(const std::string& name, const std::string& text) {
@@ -100,6 +173,7 @@ class TableColumns {
   std::string name_;
   bool si_;
   CsvTable table_;
+  bool paraview_;
 };
 
 std::vector<double> optional_numbers(const TableColumns& columns, const char* quantity, Dimension dimension) {
@@ -153,18 +227,18 @@ void note_digits(PackingBuilder& builder, const ContactTable& table) {
 }
 
 PackingBuilder grains_built(const TableColumns& columns, const std::string& contact_file,
-                            const std::optional<CsvBox>& box) {
-  PackingBuilder builder(columns.name(), contact_file);
-  if (box)
-    builder.set_cell(box->cell, box->periodic, 0);
+                            const PackingFileOptions& options) {
+  PackingBuilder builder(columns.name(), contact_file, options);
   builder.set_grains(grain_rows(columns));
   note_digits(builder, columns);
   if (!columns.has("id"))
     builder.note(Finding::ids_assumed, "grains are numbered from 0 in the order of their rows");
-  if (!box)
-    builder.note(Finding::boundary_unknown,
-                 "a table does not state which faces are periodic: none is assumed");
+  builder.note(Finding::boundary_unknown, "a table does not state which faces are periodic: none is assumed");
+  if (columns.without_units())
+    builder.note(Finding::units_unknown, "a table of ParaView has no units: taken as SI");
   builder.note(Finding::law_unknown, "contact law and grain material are not in a table");
+  builder.note_unused(columns.unused({"x", "y", "z", "radius", "diameter", "id", "type", "body"}),
+                      "columns of the grains");
   return builder;
 }
 
@@ -197,15 +271,27 @@ PairRow pair_row(PackingBuilder& builder, const ContactTable& table, std::size_t
   return pair;
 }
 
-bool names(std::string_view heading, const std::string& column) {
-  return heading.starts_with(column) || heading.find("," + column) != std::string_view::npos ||
-         heading.find(", " + column) != std::string_view::npos;
+/// Whether a word of a heading line begins with a name.
+bool names(std::string_view heading, std::string_view name) {
+  for (std::size_t at = heading.find(name); at != std::string_view::npos; at = heading.find(name, at + 1))
+    if (at == 0 || separators.find(heading[at - 1]) != std::string_view::npos || heading[at - 1] == '"')
+      return true;
+  return false;
+}
+
+/// Contacts or grains, by the heading line of a table; empty for words between blanks that name neither.
+std::optional<Holds> holds_by(std::string_view heading) {
+  for (const char* const column : {"nx", "id1", "end1"})
+    if (names(heading, column))
+      return Holds::contacts;
+  const bool table = heading.find_first_of(",;\t") != std::string_view::npos;
+  return table || (by_blanks(heading) && names(heading, "x")) ? std::optional(Holds::grains) : std::nullopt;
 }
 
 } // namespace
 
-ContactTable read_contact_csv(TextSource source) {
-  const TableColumns columns(std::move(source));
+ContactTable read_contact_csv(TextSource source, const PackingFileOptions& options) {
+  const TableColumns columns(std::move(source), options);
   ContactTable table;
   table.normal = columns.vectors({"nx", "ny", "nz"}, Dimension::dimensionless);
   const bool by_ids = columns.has("id1") && columns.has("id2");
@@ -230,6 +316,8 @@ ContactTable read_contact_csv(TextSource source) {
   table.force = columns.vectors({"fx", "fy", "fz"}, Dimension::force);
   table.branch = columns.vectors({"lx", "ly", "lz"}, Dimension::length);
   table.overlap = optional_numbers(columns, "delta", Dimension::length);
+  table.unused = columns.unused(
+      {"nx", "ny", "nz", "id1", "id2", "fn", "ft", "fx", "fy", "fz", "lx", "ly", "lz", "delta"});
   for (const auto* numbers : {&table.normal_force, &table.tangential_size, &table.overlap})
     for (std::size_t k = 0; k < numbers->size(); ++k)
       if (!in_range((*numbers)[k]))
@@ -242,14 +330,14 @@ ContactTable read_contact_csv(TextSource source) {
 }
 
 ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> contacts,
-                                 const std::optional<CsvBox>& box) {
+                                 const PackingFileOptions& options) {
   const std::string contact_file = contacts ? contacts->name() : "";
-  PackingBuilder builder = grains_built(TableColumns(std::move(grains)), contact_file, box);
+  PackingBuilder builder = grains_built(TableColumns(std::move(grains), options), contact_file, options);
   if (!contacts) {
     builder.note(Finding::contacts_unknown, "no table of contacts was given");
     return builder.finish(0, std::nullopt);
   }
-  const ContactTable table = read_contact_csv(std::move(*contacts));
+  const ContactTable table = read_contact_csv(std::move(*contacts), options);
   if (table.id.empty())
     throw FileError(contact_file, 0, "expected columns id1 and id2 to join contacts with grains");
   builder.note(Finding::stiffness_unknown, "stiffnesses are not in a table");
@@ -261,6 +349,7 @@ ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> co
     builder.note(Finding::tangential_unknown, "fn and ft do not give the direction of the tangential force");
   }
   note_digits(builder, table);
+  builder.note_unused(table.unused, "columns of the contacts");
   for (std::size_t k = 0; k < table.id.size(); ++k)
     builder.add(pair_row(builder, table, k));
   return builder.finish(0, std::nullopt);
@@ -268,7 +357,8 @@ ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> co
 
 const PackingFormat csv_format{
     .name = "CSV",
-    .sign = "headings separated by commas; contacts if they have nx, ny, nz (without grains) or id1, id2; "
+    .sign = "headings separated by commas, semicolons, tabs or blanks; contacts if they have nx, ny, nz "
+            "(without grains) or id1, id2; "
             "else grains",
     .grains = "a CSV table of grains",
     .contacts = "a CSV table of contacts",
@@ -280,19 +370,18 @@ const PackingFormat csv_format{
         if (heading_seen || line.empty() || line.starts_with('#'))
           continue;
         heading_seen = true;
-        if (line.find(',') != std::string_view::npos)
-          holds = names(line, "nx") || names(line, "id1") ? Holds::contacts : Holds::grains;
+        holds = holds_by(line);
       }
       return holds;
     },
     .read =
         [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions& options) {
-          return one_frame(read_packing_csv(std::move(grains), std::move(contacts), options.box));
+          return one_frame(read_packing_csv(std::move(grains), std::move(contacts), options));
         },
     .read_contacts =
-        [](TextSource source) {
+        [](TextSource source, const PackingFileOptions& options) {
           const std::string name = source.name();
-          ContactTable table = read_contact_csv(std::move(source));
+          ContactTable table = read_contact_csv(std::move(source), options);
           if (table.normal.empty())
             throw FileError(name, 0,
                             "contacts by id1, id2 need their table of grains; alone they need nx, ny, nz");

@@ -15,9 +15,9 @@ namespace granum::io {
 
 namespace {
 
-constexpr std::array<std::string_view, 25> quantities{
-    "id", "radius", "diameter", "x",   "y",   "z",   "xs",  "ys",  "zs",  "id1", "id2", "dx", "dy",
-    "dz", "delta",  "force",    "fnx", "fny", "fnz", "ftx", "fty", "ftz", "fx",  "fy",  "fz"};
+constexpr std::array<std::string_view, 27> quantities{
+    "id", "radius", "diameter", "body",  "shape", "x",   "y",   "z",   "xs",  "ys",  "zs", "id1", "id2", "dx",
+    "dy", "dz",     "delta",    "force", "fnx",   "fny", "fnz", "ftx", "fty", "ftz", "fx", "fy",  "fz"};
 
 } // namespace
 
@@ -80,6 +80,7 @@ LocalFrame frame_in_memory(const LammpsLocals& given) {
     throw InvalidArgument("contacts: " + std::to_string(given.values.size()) + " values in rows of " +
                           std::to_string(row_length));
   LocalFrame frame;
+  frame.columns = given.columns;
   frame.layout =
       contact_layout(given.columns, given.map, TextSource::of_text(contacts_name, std::string_view()));
   frame.unnamed = {.columns = given.columns,

@@ -215,6 +215,7 @@ std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map) {
   LocalFrame locals;
   TableSink sink;
   sink.heading = [&](const std::vector<std::string>& columns, std::size_t rows) {
+    locals.columns = columns;
     locals.layout = contact_layout(columns, map, file.source());
     if (locals.layout)
       locals.rows.reserve(rows);
@@ -244,6 +245,28 @@ std::optional<LocalFrame> read_locals(DumpFile& file, const ColumnMap& map) {
   return locals;
 }
 
+namespace {
+
+/// The columns that no layout uses, in the order of the file.
+std::vector<std::string> unused_columns(const LocalFrame& locals) {
+  const ContactLayout& layout = *locals.layout;
+  std::vector<std::size_t> used{layout.id1, layout.id2};
+  for (const auto& one : {layout.periodic, layout.overlap, layout.force, layout.rolling, layout.twisting})
+    if (one)
+      used.push_back(*one);
+  for (const auto& three : {layout.difference, layout.first, layout.second, layout.normal, layout.tangential,
+                            layout.whole})
+    if (three)
+      used.insert(used.end(), three->begin(), three->end());
+  std::vector<std::string> out;
+  for (std::size_t k = 0; k < locals.columns.size(); ++k)
+    if (std::ranges::find(used, k) == used.end())
+      out.push_back(locals.columns[k]);
+  return out;
+}
+
+} // namespace
+
 void join(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units) {
   builder.note_overlap_digits(locals.digits, "overlaps or lines of centres", units.length);
   builder.note_force_digits(locals.force_digits);
@@ -261,6 +284,7 @@ void join(PackingBuilder& builder, LocalFrame& locals, const DumpUnits& units) {
                      " contacts resist rolling or twisting: their columns are not zero");
   builder.expect_contacts(locals.rows.size());
   LocalJoin(builder, locals).run();
+  builder.note_unused(unused_columns(locals), "columns of the contacts");
   locals.rows = {};
 }
 

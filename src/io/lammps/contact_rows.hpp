@@ -27,6 +27,7 @@ struct LocalRow {
 /// The contacts of one frame.
 struct LocalFrame {
   DumpFrame frame;
+  std::vector<std::string> columns;
   std::optional<ContactLayout> layout; ///< empty until identified by the values
   std::vector<LocalRow> rows;
   UnnamedTable unnamed; ///< rows without identified columns, or as numbers already

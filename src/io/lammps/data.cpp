@@ -21,7 +21,8 @@ struct Bounds {
 
 class DataFile {
  public:
-  explicit DataFile(TextSource source) : source_(std::move(source)), row_(source_) {}
+  DataFile(TextSource source, const PackingFileOptions& options)
+      : source_(std::move(source)), row_(source_), options_(options) {}
   DataFile(const DataFile&) = delete;
   DataFile& operator=(const DataFile&) = delete;
 
@@ -31,7 +32,7 @@ class DataFile {
     const long step = title_step(source_.line());
     read_header();
     find_atoms();
-    PackingBuilder builder(source_.name(), source_.name());
+    PackingBuilder builder(source_.name(), source_.name(), options_);
     builder.set_cell(cell(), {true, true, true}, 0);
     builder.set_grains(read_atoms());
     builder.note_digits(digits_, "coordinates");
@@ -127,6 +128,7 @@ class DataFile {
 
   TextSource source_;
   TextRow row_;
+  const PackingFileOptions& options_;
   std::optional<std::size_t> count_;
   std::array<std::optional<Bounds>, 3> bounds_;
   Vec3 tilt_{}; ///< xy, xz, yz
@@ -135,7 +137,9 @@ class DataFile {
 
 } // namespace
 
-ImportedPacking read_lammps_data(TextSource source) { return DataFile(std::move(source)).read(); }
+ImportedPacking read_lammps_data(TextSource source, const PackingFileOptions& options) {
+  return DataFile(std::move(source), options).read();
+}
 
 std::string lammps_data(const packing::Assembly& assembly, double density, std::span<const long> id) {
   require_valid(assembly);
@@ -184,7 +188,9 @@ const PackingFormat lammps_data_format{
           return Holds::grains;
       return std::nullopt;
     },
-    .read = [](TextSource grains, std::optional<TextSource>,
-               const PackingFileOptions&) { return one_frame(read_lammps_data(std::move(grains))); }};
+    .read =
+        [](TextSource grains, std::optional<TextSource>, const PackingFileOptions& options) {
+          return one_frame(read_lammps_data(std::move(grains), options));
+        }};
 
 } // namespace granum::io

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <granum/core/error.hpp>
 #include <granum/io/packing_files.hpp>
 
 #include "contact_rows.hpp"
@@ -96,11 +97,13 @@ struct GrainLayout {
   ColumnTriple position{};
   std::optional<std::size_t> type, body;
   std::optional<ColumnTriple> force; ///< sum of all forces
-  bool scaled = false;               ///< positions are fractions of the box
+  std::vector<std::string> unused;
+  bool scaled = false; ///< positions are fractions of the box
 };
 
-GrainLayout grain_layout(const std::vector<std::string>& columns, const ColumnMap& map,
-                         const TextSource& source) {
+GrainLayout find_grain_layout(const std::vector<std::string>& columns, const PackingFileOptions& options,
+                              const TextSource& source) {
+  const ColumnMap& map = options.columns;
   const auto find = [&](const std::string& quantity) {
     const auto entry = map.find(quantity);
     const auto column = find_column(columns, entry == map.end() ? quantity : entry->second);
@@ -114,7 +117,8 @@ GrainLayout grain_layout(const std::vector<std::string>& columns, const ColumnMa
     source.fail("expected a column 'id'");
   layout.id = *id;
   layout.type = find_column(columns, "type");
-  layout.body = map.contains("body") ? find("body") : find_column(columns, "mol");
+  if (!options.none("body"))
+    layout.body = map.contains("body") ? find("body") : find_column(columns, "mol");
   const auto fx = find_column(columns, "fx"), fy = find_column(columns, "fy"),
              fz = find_column(columns, "fz");
   if (fx && fy && fz)
@@ -140,8 +144,28 @@ GrainLayout grain_layout(const std::vector<std::string>& columns, const ColumnMa
   source.fail("expected columns x y z, xu yu zu, xs ys zs or xsu ysu zsu");
 }
 
+/// The columns that a row of grains uses, and the names of the others.
+GrainLayout grain_layout(const std::vector<std::string>& columns, const PackingFileOptions& options,
+                         const TextSource& source) {
+  GrainLayout layout = find_grain_layout(columns, options, source);
+  std::vector<std::size_t> used{layout.id, layout.radius};
+  used.insert(used.end(), layout.position.begin(), layout.position.end());
+  for (const auto& one : {layout.type, layout.body})
+    if (one)
+      used.push_back(*one);
+  if (layout.force)
+    used.insert(used.end(), layout.force->begin(), layout.force->end());
+  for (const ColumnGroup& wall : wall_columns(columns))
+    used.insert(used.end(), wall.begin(), wall.end());
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (std::ranges::find(used, k) == used.end())
+      layout.unused.push_back(columns[k]);
+  return layout;
+}
+
 struct AtomFrame {
   DumpFrame frame;
+  std::vector<std::string> unused; ///< columns
   std::vector<GrainRow> grains;
   std::vector<WallRow> walls;
   bool scaled = false;
@@ -152,13 +176,13 @@ Vec3 vector(const TextRow& row, const ColumnTriple& at, const char* what) {
   return {row.number(at[0], what), row.number(at[1], what), row.number(at[2], what)};
 }
 
-std::optional<AtomFrame> read_atoms(DumpFile& file, const ColumnMap& map) {
+std::optional<AtomFrame> read_atoms(DumpFile& file, const PackingFileOptions& options) {
   AtomFrame atoms;
   GrainLayout layout;
   TableSink sink;
   std::vector<ColumnGroup> walls;
   sink.heading = [&](const std::vector<std::string>& columns, std::size_t rows) {
-    layout = grain_layout(columns, map, file.source());
+    layout = grain_layout(columns, options, file.source());
     walls = wall_columns(columns);
     atoms.grains.reserve(rows);
   };
@@ -181,6 +205,7 @@ std::optional<AtomFrame> read_atoms(DumpFile& file, const ColumnMap& map) {
     return std::nullopt;
   atoms.frame = *frame;
   atoms.scaled = layout.scaled;
+  atoms.unused = std::move(layout.unused);
   const double unit = file.units().length;
   for (GrainRow& grain : atoms.grains) {
     if (layout.scaled)
@@ -204,10 +229,12 @@ void note_unknown(PackingBuilder& builder, const DumpFile& atoms, const DumpBox&
 
 /// The packing of one frame; units stated in one of the two files apply to both.
 ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFile* local_file,
-                        LocalFrame* locals) {
-  PackingBuilder builder(atom_file.source().name(), local_file ? local_file->source().name() : "");
+                        LocalFrame* locals, const PackingFileOptions& options) {
+  PackingBuilder builder(atom_file.source().name(), local_file ? local_file->source().name() : "", options);
   const DumpBox& box = *atoms.frame.box;
   const DumpUnits& units = atom_file.units();
+  if (options.si && units.stated && (units.length != 1 || units.force != 1))
+    throw InvalidArgument("units: si is given, but " + atom_file.source().name() + " states others");
   builder.set_cell(units.length * box.edges, box.periodic, box.line);
   builder.set_grains(std::move(atoms.grains));
   const double widest =
@@ -222,6 +249,7 @@ ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFi
     join(builder, *locals, local_file->units().stated ? local_file->units() : units);
   }
   note_unknown(builder, atom_file, box, locals);
+  builder.note_unused(atoms.unused, "columns of the grains");
   std::optional<double> time = atoms.frame.time;
   if (time)
     *time *= units.time;
@@ -241,18 +269,18 @@ void require_forward(const DumpFile& file, std::optional<long>& last, const Dump
 struct LammpsDump::Impl {
   DumpFile atoms;
   std::optional<DumpFile> contacts;
-  ColumnMap columns;
+  PackingFileOptions options;
   std::optional<long> atom_step, contact_step;
   std::size_t skipped = 0, matched = 0;
 
   std::optional<AtomFrame> next_atoms() {
-    auto frame = read_atoms(atoms, columns);
+    auto frame = read_atoms(atoms, options);
     if (frame)
       require_forward(atoms, atom_step, frame->frame);
     return frame;
   }
   std::optional<LocalFrame> next_locals() {
-    auto frame = read_locals(*contacts, columns);
+    auto frame = read_locals(*contacts, options.columns);
     if (frame)
       require_forward(*contacts, contact_step, frame->frame);
     return frame;
@@ -271,7 +299,7 @@ struct LammpsDump::Impl {
     }
     if (grains && pairs) {
       ++matched;
-      return packing(atoms, std::move(*grains), &*contacts, &*pairs);
+      return packing(atoms, std::move(*grains), &*contacts, &*pairs, options);
     }
     if (grains || pairs)
       ++skipped;
@@ -281,8 +309,8 @@ struct LammpsDump::Impl {
   }
 };
 
-LammpsDump::LammpsDump(TextSource atoms, std::optional<TextSource> contacts, ColumnMap columns)
-    : impl_(new Impl{DumpFile(std::move(atoms)), std::nullopt, std::move(columns), {}, {}, 0, 0}) {
+LammpsDump::LammpsDump(TextSource atoms, std::optional<TextSource> contacts, PackingFileOptions options)
+    : impl_(new Impl{DumpFile(std::move(atoms)), std::nullopt, std::move(options), {}, {}, 0, 0}) {
   if (contacts)
     impl_->contacts.emplace(std::move(*contacts));
 }
@@ -301,7 +329,7 @@ std::optional<ImportedPacking> LammpsDump::next() {
     return std::nullopt;
   }
   ++impl_->matched;
-  return packing(impl_->atoms, std::move(*grains), nullptr, nullptr);
+  return packing(impl_->atoms, std::move(*grains), nullptr, nullptr, impl_->options);
 }
 
 std::size_t LammpsDump::skipped() const { return impl_->skipped; }
@@ -325,7 +353,7 @@ const PackingFormat lammps_dump_format{
     },
     .read =
         [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions& options) {
-          return frames_of(LammpsDump(std::move(grains), std::move(contacts), options.columns));
+          return frames_of(LammpsDump(std::move(grains), std::move(contacts), options));
         }};
 
 } // namespace granum::io

@@ -170,8 +170,8 @@ class StatJoin {
 };
 
 ImportedPacking packing(const TextSource& data, DataFrame grains, const TextSource* fstat,
-                        const StatFrame* stat) {
-  PackingBuilder builder(data.name(), fstat ? fstat->name() : "");
+                        const StatFrame* stat, const PackingFileOptions& options) {
+  PackingBuilder builder(data.name(), fstat ? fstat->name() : "", options);
   builder.set_cell(Mat3::diagonal(grains.edges.x, grains.edges.y, grains.edges.z), {true, true, true},
                    grains.line);
   builder.set_grains(std::move(grains.grains));
@@ -218,14 +218,15 @@ bool equal_times(double a, double b) {
 struct MercuryOutput::Impl {
   TextSource data;
   std::optional<TextSource> fstat;
+  PackingFileOptions options;
   long frames = 0;
   std::size_t skipped = 0, matched = 0;
 
   std::optional<DataFrame> next_data() { return read_data(data, frames++); }
 };
 
-MercuryOutput::MercuryOutput(TextSource data, std::optional<TextSource> fstat)
-    : impl_(new Impl{std::move(data), std::move(fstat), 0, 0, 0}) {}
+MercuryOutput::MercuryOutput(TextSource data, std::optional<TextSource> fstat, PackingFileOptions options)
+    : impl_(new Impl{std::move(data), std::move(fstat), std::move(options), 0, 0, 0}) {}
 MercuryOutput::MercuryOutput(MercuryOutput&&) noexcept = default;
 MercuryOutput& MercuryOutput::operator=(MercuryOutput&&) noexcept = default;
 MercuryOutput::~MercuryOutput() = default;
@@ -238,7 +239,7 @@ std::optional<ImportedPacking> MercuryOutput::next() {
     ++impl_->matched;
     if (!grains)
       return std::nullopt;
-    return packing(impl_->data, std::move(*grains), nullptr, nullptr);
+    return packing(impl_->data, std::move(*grains), nullptr, nullptr, impl_->options);
   }
   auto stat = read_stat(*impl_->fstat);
   while (grains && stat && !equal_times(grains->time, stat->time)) {
@@ -250,7 +251,7 @@ std::optional<ImportedPacking> MercuryOutput::next() {
   }
   if (grains && stat) {
     ++impl_->matched;
-    return packing(impl_->data, std::move(*grains), &*impl_->fstat, &*stat);
+    return packing(impl_->data, std::move(*grains), &*impl_->fstat, &*stat, impl_->options);
   }
   if (impl_->matched == 0)
     impl_->fstat->fail("contains no time of " + impl_->data.name());
@@ -275,8 +276,8 @@ const PackingFormat mercury_format{
       return all_numbers(source.line(), numbers_of_data) ? std::optional(Holds::grains) : std::nullopt;
     },
     .read =
-        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions&) {
-          return frames_of(MercuryOutput(std::move(grains), std::move(contacts)));
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions& options) {
+          return frames_of(MercuryOutput(std::move(grains), std::move(contacts), options));
         }};
 
 } // namespace granum::io

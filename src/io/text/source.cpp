@@ -94,7 +94,7 @@ bool TextSource::fill() {
   int status = Z_OK;
   const char* message = gzerror(stream_->file, &status);
   if (status == Z_BUF_ERROR)
-    throw FileError(name_, line_number_, "the compressed data end too early: the file is cut off");
+    throw CutFile(name_, line_number_, "the compressed data end too early: the file is cut off");
   if (status == Z_ERRNO && errno == EINTR)
     stop_point();
   if (count < 0 || (status != Z_OK && status != Z_STREAM_END))
@@ -164,7 +164,11 @@ std::string_view TextSource::next_bytes() {
   return bytes;
 }
 
-void TextSource::fail(const std::string& what) const { throw FileError(name_, line_number_, what); }
+void TextSource::fail(const std::string& what) const {
+  if (begin_ == end_ && (!stream_ || stream_->ended))
+    throw CutFile(name_, line_number_, what);
+  throw FileError(name_, line_number_, what);
+}
 
 std::string file_content(const std::filesystem::path& path, std::size_t most) {
   TextSource source(path);

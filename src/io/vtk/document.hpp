@@ -69,6 +69,14 @@ class VtkDocument {
   /// \throws   FileError unless it is so many tuples of so many finite numbers, or NaN
   [[nodiscard]] std::optional<VtkNumbers> numbers(const std::string& section, const std::string& name,
                                                   std::size_t tuples, std::size_t components) const;
+  /// The names of the arrays of a section, in small letters.
+  [[nodiscard]] std::vector<std::string> names(const std::string& section) const {
+    std::vector<std::string> out;
+    for (const auto& [key, array] : arrays_)
+      if (key.first == section)
+        out.push_back(key.second);
+    return out;
+  }
   [[noreturn]] void fail(std::size_t line, const std::string& what) const;
 
  private:
@@ -96,5 +104,12 @@ class VtkDocument {
   std::string appended_; ///< the text after the elements and the '_'
   bool appended_base64_ = false;
 };
+
+/// Whether a file is the list of the pieces of one state (.pvtu, .pvtp). The source is then somewhere in its
+/// first lines.
+[[nodiscard]] bool is_parallel(TextSource& source);
+/// The names of the pieces, relative to the folder of the file.
+/// \throws   FileError with path and line for text that is not XML, a piece without a name, and no pieces
+[[nodiscard]] std::vector<std::string> read_pieces(TextSource source);
 
 } // namespace granum::io

@@ -148,7 +148,7 @@ std::string grains_vtu(const packing::Assembly& assembly, std::span<const long> 
   return text.finish();
 }
 
-std::string contacts_vtp(const packing::Assembly& assembly, std::span<const long> id) {
+std::string contacts_vtp(const packing::Assembly& assembly, std::span<const long> id, KnownForces known) {
   require_ids(assembly, id);
   const std::size_t between = assembly.contacts.size();
   std::vector<packing::Contact> contacts = assembly.contacts;
@@ -163,10 +163,12 @@ std::string contacts_vtp(const packing::Assembly& assembly, std::span<const long
   VtkText text("PolyData");
   text.open("Piece " + counted("NumberOfPoints", 2 * count) + ' ' + counted("NumberOfLines", count));
   add_points(text, ends);
-  text.open("CellData Scalars=\"normal_force\"");
-  text.array("Float64", "normal_force", count, 1, [&](std::size_t k) { return contacts[k].normal_force; });
-  text.array("Float64", "tangential_force", count, 3,
-             [&](std::size_t k) { return component(contacts[k / 3].tangential_force, k); });
+  text.open(known == KnownForces::none ? "CellData" : "CellData Scalars=\"normal_force\"");
+  if (known != KnownForces::none)
+    text.array("Float64", "normal_force", count, 1, [&](std::size_t k) { return contacts[k].normal_force; });
+  if (known == KnownForces::all)
+    text.array("Float64", "tangential_force", count, 3,
+               [&](std::size_t k) { return component(contacts[k / 3].tangential_force, k); });
   text.array("Float64", "overlap", count, 1, [&](std::size_t k) { return contacts[k].overlap; });
   text.array("UInt8", "sliding", count, 1, [&](std::size_t k) { return contacts[k].sliding ? 1 : 0; });
   text.array("UInt8", "through_face", count, 1,

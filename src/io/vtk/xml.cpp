@@ -3,13 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <memory>
-#include <new>
+#include <filesystem>
 #include <optional>
 #include <string_view>
-
-#include <expat.h>
 
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
@@ -62,36 +58,84 @@ std::optional<VtkNumbers> types_of(const VtkDocument& file) {
   return std::nullopt;
 }
 
-void set_grains(const VtkDocument& file, PackingBuilder& builder) {
-  const std::size_t count = file.count("NumberOfPoints");
+/// Radii or diameters, and the factor from them to radii.
+std::pair<VtkNumbers, double> sizes_of(const VtkDocument& file) {
+  for (const auto& [name, factor] :
+       {std::pair("radius", 1.0), std::pair("radii", 1.0), std::pair("diameter", 0.5)})
+    if (auto sizes = file.numbers("PointData", name, file.count("NumberOfPoints"), 1))
+      return {*std::move(sizes), factor};
+  file.fail(0, "expected point data radius, radii or diameter");
+}
+
+/// Notes the arrays of a section that no reader here knows.
+void note_unused(const VtkDocument& file, const std::string& section, PackingBuilder& builder) {
+  constexpr std::string_view known[] = {"radius",
+                                        "radii",
+                                        "diameter",
+                                        "id",
+                                        "type",
+                                        "materialid",
+                                        "material",
+                                        "grains",
+                                        "forcen",
+                                        "normal_force",
+                                        "wall",
+                                        "tangential_force",
+                                        "overlap",
+                                        "sliding",
+                                        "normal_stiffness",
+                                        "through_face",
+                                        "tangential_stiffness"};
+  std::vector<std::string> unused = file.names(section);
+  std::erase_if(unused,
+                [&](const std::string& name) { return std::ranges::find(known, name) != std::end(known); });
+  builder.note_unused(unused, section == "PointData" ? "arrays of the grains" : "arrays of the contacts");
+}
+
+/// Appends the grains of a piece.
+/// \return   whether they have ids
+bool add_grains(const VtkDocument& file, std::vector<GrainRow>& rows) {
+  const std::size_t count = file.count("NumberOfPoints"), before = rows.size();
   const VtkNumbers points = points_of(file);
-  auto radius = file.numbers("PointData", "radius", count, 1);
-  if (!radius)
-    radius = file.numbers("PointData", "radii", count, 1);
-  if (!radius)
-    file.fail(0, "expected point data radius or radii");
+  const auto [radius, factor] = sizes_of(file);
   const auto id = file.numbers("PointData", "id", count, 1);
   const auto type = types_of(file);
-  std::vector<GrainRow> rows;
-  for (std::size_t k = 0; k < count; ++k)
-    rows.push_back({.id = id ? integer(file, *id, k, "id") : static_cast<long>(k),
+  const auto ghost = file.numbers("PointData", "vtkghosttype", count, 1);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (ghost && ghost->values[k] != 0)
+      continue; // the grain of another piece
+    rows.push_back({.id = id ? integer(file, *id, k, "id") : static_cast<long>(before + k),
                     .position = points.vector(k),
-                    .radius = radius->values[k],
+                    .radius = factor * radius.values[k],
                     .line = points.line,
                     .type = type ? std::optional(integer(file, *type, k, "type")) : std::nullopt});
+  }
+  return id.has_value();
+}
+
+/// \param    pieces   at least one
+void set_grains(const std::vector<VtkDocument>& pieces, PackingBuilder& builder) {
+  std::vector<GrainRow> rows;
+  bool numbered = false;
+  for (const VtkDocument& piece : pieces)
+    numbered = !add_grains(piece, rows) || numbered;
   builder.set_grains(std::move(rows));
+  const VtkDocument& file = pieces.front();
+  const VtkNumbers points = points_of(file);
   if (points.single_precision)
     builder.note_single_precision("coordinates are of single precision, 7 significant digits");
   else
     builder.note_digits(points.digits, "coordinates");
-  if (!id)
+  if (numbered)
     builder.note(Finding::ids_assumed, "grains are numbered from 0 in the order of their points");
+  note_unused(file, "PointData", builder);
 }
 
-PackingBuilder grains_built(const VtkDocument& file, const std::string& contact_file) {
-  PackingBuilder builder(file.name(), contact_file);
-  set_cell(file, builder);
-  set_grains(file, builder);
+PackingBuilder grains_built(const std::vector<VtkDocument>& pieces, const std::string& contact_file,
+                            const PackingFileOptions& options) {
+  PackingBuilder builder(pieces.front().name(), contact_file, options);
+  set_cell(pieces.front(), builder);
+  set_grains(pieces, builder);
   builder.note(Finding::units_unknown, "a VTK file has no units: taken as SI");
   builder.note(Finding::law_unknown, "contact law and grain material are not in the files");
   return builder;
@@ -231,20 +275,43 @@ void require_type(const VtkDocument& file, const char* type) {
     file.fail(0, "expected a VTKFile of type " + std::string(type) + ", found " + shown(file.type()));
 }
 
+/// A file, or the pieces that a parallel file (.pvtu, .pvtp) names.
+std::vector<VtkDocument> pieces_of(TextSource source) {
+  std::vector<VtkDocument> out;
+  source.keep_from_start();
+  if (!is_parallel(source)) {
+    source.back_to_start();
+    source.stop_keeping();
+    out.emplace_back(std::move(source));
+    return out;
+  }
+  source.back_to_start();
+  source.stop_keeping();
+  const std::filesystem::path folder = std::filesystem::path(source.name()).parent_path();
+  for (const std::string& piece : read_pieces(std::move(source)))
+    out.emplace_back(TextSource(folder / piece));
+  return out;
+}
+
 } // namespace
 
-ImportedPacking read_vtk_xml(TextSource grains, std::optional<TextSource> contacts) {
-  const VtkDocument file(std::move(grains));
+ImportedPacking read_vtk_xml(TextSource grains, std::optional<TextSource> contacts,
+                             const PackingFileOptions& options) {
+  const std::vector<VtkDocument> pieces = pieces_of(std::move(grains));
+  const std::optional<double> time = time_of(pieces.front());
   if (!contacts) {
-    PackingBuilder builder = grains_built(file, "");
+    PackingBuilder builder = grains_built(pieces, "", options);
     builder.note(Finding::contacts_unknown, "no file of contacts was given");
-    return builder.finish(0, time_of(file));
+    return builder.finish(0, time);
   }
-  const VtkDocument lines(std::move(*contacts));
-  require_type(lines, "PolyData");
-  PackingBuilder builder = grains_built(file, lines.name());
-  ContactLines(lines).add_to(builder);
-  return builder.finish(0, time_of(file));
+  const std::vector<VtkDocument> lines = pieces_of(std::move(*contacts));
+  PackingBuilder builder = grains_built(pieces, lines.front().name(), options);
+  for (const VtkDocument& piece : lines) {
+    require_type(piece, "PolyData");
+    ContactLines(piece).add_to(builder);
+  }
+  note_unused(lines.front(), "CellData", builder);
+  return builder.finish(0, time);
 }
 
 const PackingFormat vtk_xml_format{
@@ -262,6 +329,8 @@ const PackingFormat vtk_xml_format{
         poly_data = poly_data || line.find("PolyData") != std::string_view::npos;
         if (line.find("<Piece") == std::string_view::npos)
           continue;
+        if (line.find("Source=") != std::string_view::npos) // of .pvtu, .pvtp
+          return poly_data ? Holds::contacts : Holds::grains;
         const bool lines =
             attribute(line, "NumberOfLines=\"") != "0" || attribute(line, "NumberOfPoints=\"") == "0";
         return poly_data && lines ? Holds::contacts : Holds::grains;
@@ -269,120 +338,8 @@ const PackingFormat vtk_xml_format{
       source.fail("an XML file without an element Piece; expected .vtu or .vtp");
     },
     .read =
-        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions&) {
-          return one_frame(read_vtk_xml(std::move(grains), std::move(contacts)));
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions& options) {
+          return one_frame(read_vtk_xml(std::move(grains), std::move(contacts), options));
         }};
-
-namespace {
-
-/// The data sets of a series, as expat finds them.
-class Collection {
- public:
-  explicit Collection(TextSource source)
-      : source_(std::move(source)), expat_(XML_ParserCreate(nullptr), &XML_ParserFree) {
-    if (!expat_)
-      throw std::bad_alloc();
-    XML_SetUserData(expat_.get(), this);
-    XML_SetStartElementHandler(expat_.get(), on_begin);
-    XML_SetStartDoctypeDeclHandler(expat_.get(), on_doctype);
-  }
-  Collection(const Collection&) = delete;
-  Collection& operator=(const Collection&) = delete;
-
-  std::vector<SeriesEntry> read() {
-    constexpr std::size_t most = 1 << 20; // expat takes an int
-    for (std::string_view bytes = source_.next_bytes(); !bytes.empty(); bytes = source_.next_bytes())
-      for (; !bytes.empty(); bytes.remove_prefix(std::min(most, bytes.size())))
-        take(bytes.substr(0, most), false);
-    take({}, true);
-    if (entries_.empty())
-      fail(0, "expected elements DataSet, found none");
-    std::stable_sort(entries_.begin(), entries_.end(),
-                     [](const SeriesEntry& a, const SeriesEntry& b) { return a.time < b.time; });
-    for (std::size_t k = 1; k < entries_.size(); ++k)
-      if (entries_[k].time == entries_[k - 1].time)
-        fail(0, "expected one data set for each time, found several of timestep " +
-                    short_text(entries_[k].time, 17) + ": write the state of a time in one part");
-    return std::move(entries_);
-  }
-
- private:
-  /// expat is C, through which no exception may pass.
-  template <class Action>
-  static void guard(void* self, Action action) {
-    auto& collection = *static_cast<Collection*>(self);
-    if (collection.failure_)
-      return;
-    try {
-      action(collection);
-    } catch (...) {
-      collection.failure_ = std::current_exception();
-      XML_StopParser(collection.expat_.get(), XML_FALSE);
-    }
-  }
-  static void on_begin(void* self, const char* element, const char** attributes) {
-    guard(self, [&](Collection& collection) { collection.begin(element, attributes); });
-  }
-  static void on_doctype(void* self, const char*, const char*, const char*, int) {
-    guard(self, [](Collection& collection) {
-      collection.fail(collection.line(), "expected an element VTKFile, found a document type");
-    });
-  }
-
-  [[nodiscard]] std::size_t line() const { return XML_GetCurrentLineNumber(expat_.get()); }
-  [[noreturn]] void fail(std::size_t line, const std::string& what) const {
-    throw FileError(source_.name(), line, what);
-  }
-
-  void take(std::string_view bytes, bool last) {
-    const XML_Status status =
-        XML_Parse(expat_.get(), bytes.data(), static_cast<int>(bytes.size()), last ? 1 : 0);
-    if (failure_)
-      std::rethrow_exception(failure_);
-    if (status == XML_STATUS_ERROR)
-      fail(line(), std::string("is no XML: ") + XML_ErrorString(XML_GetErrorCode(expat_.get())));
-  }
-
-  void begin(std::string_view element, const char** attribute) {
-    std::string_view type, file, time;
-    for (; *attribute; attribute += 2) {
-      const std::string_view name = attribute[0];
-      (name == "type" ? type : name == "file" ? file : name == "timestep" ? time : ignored_) = attribute[1];
-    }
-    if (!begun_ && (element != "VTKFile" || type != "Collection"))
-      fail(line(), "expected an element VTKFile of type Collection, found " + shown(element));
-    begun_ = true;
-    if (element != "DataSet")
-      return;
-    const auto number = parse_number(time);
-    if (!number || !std::isfinite(*number))
-      fail(line(), "expected a number as timestep of a DataSet, found " + shown(time));
-    if (file.empty())
-      fail(line(), "expected the name of a file in a DataSet");
-    entries_.push_back({*number, std::string(file)});
-  }
-
-  TextSource source_;
-  std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> expat_;
-  std::vector<SeriesEntry> entries_;
-  std::string_view ignored_;
-  bool begun_ = false;
-  std::exception_ptr failure_;
-};
-
-} // namespace
-
-bool is_collection(TextSource& source) {
-  for (int k = 0; k < lines_looked_at && source.next(); ++k) {
-    const std::string_view line = trimmed(source.line());
-    if (k == 0 && !line.starts_with("<?xml") && !line.starts_with("<VTKFile"))
-      return false;
-    if (const std::size_t at = line.find("<VTKFile"); at != std::string_view::npos)
-      return line.substr(at).find("Collection") != std::string_view::npos;
-  }
-  return false;
-}
-
-std::vector<SeriesEntry> read_collection(TextSource source) { return Collection(std::move(source)).read(); }
 
 } // namespace granum::io

@@ -54,8 +54,8 @@ class GrainFile {
   }
 
   /// A builder with the grains; errors of contacts name `contact_file`.
-  PackingBuilder builder(const std::string& contact_file) {
-    PackingBuilder result(source_.name(), contact_file);
+  PackingBuilder builder(const std::string& contact_file, const PackingFileOptions& options) {
+    PackingBuilder result(source_.name(), contact_file, options);
     if (cell_)
       result.set_cell(*cell_, {true, true, true}, cell_line_);
     result.set_grains(std::move(grains_));
@@ -64,6 +64,11 @@ class GrainFile {
       result.note(Finding::ids_assumed, "grains are numbered from 0 in the order of their rows");
     result.note(Finding::units_unknown, "YADE's files have no units: taken as SI");
     result.note(Finding::law_unknown, "contact law and grain material are not in the files");
+    std::vector<std::string> unused = columns_;
+    const auto used = {"id", "x", "y", "z", "r", "clumpId", type_name_.c_str()};
+    std::erase_if(unused,
+                  [&](const std::string& name) { return std::ranges::find(used, name) != used.end(); });
+    result.note_unused(unused, "columns of the grains");
     return result;
   }
 
@@ -124,10 +129,12 @@ class GrainFile {
   }
 
   /// Numbers of materials, as the script writes them or an attribute of textExt may be called.
-  [[nodiscard]] std::optional<std::size_t> type_column() const {
+  [[nodiscard]] std::optional<std::size_t> type_column() {
     for (const char* const name : {"material", "mat", "materialId", "type"})
-      if (const auto column = find_column(columns_, name))
+      if (const auto column = find_column(columns_, name)) {
+        type_name_ = name;
         return column;
+      }
     return std::nullopt;
   }
 
@@ -141,6 +148,7 @@ class GrainFile {
   long step_ = 0;
   std::optional<double> time_;
   bool numbered_ = false;
+  std::string type_name_; ///< of the column
 };
 
 /// The rows of contacts, put into a packing one by one.
@@ -284,10 +292,11 @@ class ContactFile {
 
 } // namespace
 
-ImportedPacking read_yade(TextSource grains, std::optional<TextSource> contacts) {
+ImportedPacking read_yade(TextSource grains, std::optional<TextSource> contacts,
+                          const PackingFileOptions& options) {
   GrainFile file(std::move(grains));
   file.read();
-  PackingBuilder builder = file.builder(contacts ? contacts->name() : "");
+  PackingBuilder builder = file.builder(contacts ? contacts->name() : "", options);
   if (contacts)
     ContactFile(std::move(*contacts), builder, file.cell()).read();
   else
@@ -311,8 +320,8 @@ const PackingFormat yade_text_format{
       return std::nullopt;
     },
     .read =
-        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions&) {
-          return one_frame(read_yade(std::move(grains), std::move(contacts)));
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions& options) {
+          return one_frame(read_yade(std::move(grains), std::move(contacts), options));
         }};
 
 } // namespace granum::io

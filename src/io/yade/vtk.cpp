@@ -36,6 +36,13 @@ class LegacyVtk {
   [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
   [[nodiscard]] const std::vector<std::array<std::size_t, 2>>& lines() const { return lines_; }
   [[nodiscard]] const DigitWatch& digits() const { return digits_; }
+  /// Of the attributes.
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> out;
+    for (const auto& [name, attribute] : attributes_)
+      out.push_back(name);
+    return out;
+  }
   /// Line of the file with point k, or line k.
   [[nodiscard]] std::size_t place_of_point(std::size_t k) const { return point_place_[k]; }
   [[nodiscard]] std::size_t place_of_line(std::size_t k) const { return line_place_[k]; }
@@ -205,10 +212,18 @@ long integer(const LegacyVtk& file, double value, const char* what) {
   return static_cast<long>(value);
 }
 
-PackingBuilder grains_built(const LegacyVtk& spheres, const std::string& contact_file) {
-  const Attribute* radius = spheres.attribute("radius", 1);
+PackingBuilder grains_built(const LegacyVtk& spheres, const std::string& contact_file,
+                            const PackingFileOptions& options) {
+  const Attribute* radius = nullptr;
+  std::string size_name;
+  for (const char* const name : {"radius", "RADIUS", "Radius", "radii", "diameter", "DIAMETER", "Diameter"})
+    if (const Attribute* found = spheres.attribute(name, 1); found != nullptr && radius == nullptr) {
+      radius = found;
+      size_name = name;
+    }
   if (!radius || radius->values.size() != spheres.points().size())
-    spheres.source().fail("expected point data SCALARS radius, one for each point");
+    spheres.source().fail("expected point data SCALARS radius or diameter, one for each point");
+  const double factor = size_name.ends_with("eter") || size_name.ends_with("ETER") ? 0.5 : 1;
   const auto integers = [&](const char* name) {
     const Attribute* found = spheres.attribute(name, 1);
     return found && found->values.size() == spheres.points().size() ? found : nullptr;
@@ -217,9 +232,9 @@ PackingBuilder grains_built(const LegacyVtk& spheres, const std::string& contact
   std::vector<GrainRow> rows;
   for (std::size_t k = 0; k < spheres.points().size(); ++k)
     rows.push_back({id ? integer(spheres, id->values[k], "id") : static_cast<long>(k), spheres.points()[k],
-                    radius->values[k], spheres.place_of_point(k),
+                    factor * radius->values[k], spheres.place_of_point(k),
                     type ? std::optional(integer(spheres, type->values[k], "type")) : std::nullopt});
-  PackingBuilder builder(spheres.source().name(), contact_file);
+  PackingBuilder builder(spheres.source().name(), contact_file, options);
   builder.set_grains(std::move(rows));
   builder.note_digits(spheres.digits(), "coordinates");
   if (!id)
@@ -228,6 +243,11 @@ PackingBuilder grains_built(const LegacyVtk& spheres, const std::string& contact
                "a VTK file does not state which faces are periodic: none is assumed");
   builder.note(Finding::units_unknown, "a VTK file has no units: taken as SI");
   builder.note(Finding::law_unknown, "contact law and grain material are not in the files");
+  std::vector<std::string> unused = spheres.names();
+  std::erase_if(unused, [&](const std::string& name) {
+    return name == size_name || (id && name == "id") || (type && name == "type");
+  });
+  builder.note_unused(unused, "arrays of the grains");
   return builder;
 }
 
@@ -258,15 +278,16 @@ bool add_wall(PackingBuilder& builder, std::uint32_t grain, const Vec3& centre, 
 
 } // namespace
 
-ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> interactions) {
+ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> interactions,
+                              const PackingFileOptions& options) {
   const LegacyVtk grains(std::move(spheres));
   if (!interactions) {
-    PackingBuilder builder = grains_built(grains, "");
+    PackingBuilder builder = grains_built(grains, "", options);
     builder.note(Finding::contacts_unknown, "no file of interactions was given");
     return builder.finish(0, std::nullopt);
   }
   const LegacyVtk pairs(std::move(*interactions));
-  PackingBuilder builder = grains_built(grains, pairs.source().name());
+  PackingBuilder builder = grains_built(grains, pairs.source().name(), options);
   const Attribute *normal = pairs.attribute("fn", 3), *sizes = pairs.attribute("fn", 1),
                   *shear = pairs.attribute("ft", 3);
   const std::size_t count = pairs.lines().size();
@@ -332,8 +353,8 @@ const PackingFormat yade_vtk_format{
       return Holds::grains;
     },
     .read =
-        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions&) {
-          return one_frame(read_yade_vtk(std::move(grains), std::move(contacts)));
+        [](TextSource grains, std::optional<TextSource> contacts, const PackingFileOptions& options) {
+          return one_frame(read_yade_vtk(std::move(grains), std::move(contacts), options));
         }};
 
 } // namespace granum::io

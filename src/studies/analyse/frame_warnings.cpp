@@ -8,8 +8,10 @@
 
 #include <granum/core/stop.hpp>
 #include <granum/core/text.hpp>
+#include <granum/core/units.hpp>
 #include <granum/elastic/stiffness.hpp>
 
+#include "core/compiled_once.hpp"
 #include "mistakes.hpp"
 
 namespace granum::studies {
@@ -32,6 +34,8 @@ void pass_on(const io::ImportedPacking& packing, std::vector<std::string>& out) 
     case Finding::units_differ:
     case Finding::unbalanced_rows:
     case Finding::bodies:
+    case Finding::signs_turned:
+    case Finding::shapes:
       out.push_back(note.text);
       break;
     case Finding::walls_unknown:
@@ -159,6 +163,30 @@ void judge_forces(const io::ImportedPacking& packing, const analysis::Forces& fo
   if (left > at_rest)
     out.push_back("the packing is not at rest: the mean unbalanced force on a grain is " + percent(left) +
                   " of the mean contact force");
+}
+
+/// The principal stress whose direction is nearest to z, and those across it, that are not those of a state
+/// symmetric about z.
+void judge_stress_axes(const Mat3& stress, std::vector<std::string>& out) {
+  constexpr double matters = 0.1; // of the mean stress
+  const double mean = trace(stress) / 3;
+  const auto& s = stress;
+  const double across = std::hypot(s(0, 0) - s(1, 1), 2 * s(0, 1)), tilted = 2 * std::hypot(s(0, 2), s(1, 2));
+  if (!(mean > 0) || std::max(across, tilted) <= matters * mean)
+    return;
+  Eigen::Matrix3d matrix;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      matrix(i, j) = stress(i, j);
+  const SymmetricEigen<3> principal = symmetric_eigen<3>(matrix);
+  std::string list;
+  for (int k = 2; k >= 0; --k)
+    list += (list.empty() ? "" : ", ") + pretty(principal.values[k], Dimension::pressure) + " along " +
+            vector_text({principal.vectors(0, k), principal.vectors(1, k), principal.vectors(2, k)});
+  out.push_back(
+      "the stress is not symmetric about z, which the closed forms and the moduli of one axis assume: "
+      "principal stresses " +
+      list + "; use the 6x6 stiffness, and --axis if the axis of the test is another");
 }
 
 /// Moments that no force explains: the network without them is not this material's.
@@ -319,6 +347,8 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
     judge_fabric(*measured.fabric, out);
   if (measured.forces)
     judge_forces(packing, *measured.forces, out);
+  if (measured.stress && !packing.has(Finding::forces_unknown))
+    judge_stress_axes(measured.interior ? measured.interior->stress : measured.stress->symmetric, out);
   judge_moments(measured, out);
   if (measured.law_check)
     judge_law(*measured.law_check, analysis::rounded_share(packing.assembly, packing.rounding.overlap),

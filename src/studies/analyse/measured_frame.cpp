@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/measured_frame.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include <granum/contact/power_law.hpp>
+#include <granum/core/text.hpp>
 
 #include "frame_warnings.hpp"
 
@@ -36,6 +40,15 @@ packing::Assembly contacts_of(const io::ContactTable& table) {
   return assembly;
 }
 
+/// Whether the forces show linear springs, and neither the files nor the user gives their k_t.
+bool assumes_tangential_ratio(const packing::Assembly& assembly, const analysis::Given& given,
+                              const analysis::Measurement& measured) {
+  const auto stiff = [](const packing::Contact& c) { return c.tangential_stiffness > 0; };
+  const contact::PowerLaw* const power = measured.law ? measured.law->power_law() : nullptr;
+  return given.law_assumed && !given.law && !given.tangential_ratio && given.materials.empty() &&
+         power != nullptr && std::isinf(power->alpha()) && std::ranges::none_of(assembly.contacts, stiff);
+}
+
 } // namespace
 
 MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given given,
@@ -58,6 +71,13 @@ MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given 
                     .contacts_known = by_overlaps || !packing.has(Finding::contacts_unknown),
                     .packing = analysis::measure(packing.assembly, given, measured)};
   add_warnings(packing, out);
+  if (assumes_tangential_ratio(packing.assembly, given, out.packing))
+    out.warnings.push_back("linear springs, and k_t is not in the files: k_t/k_n = " +
+                           short_text(out.packing.state
+                                          ? out.packing.state->tangential_ratio
+                                          : contact::mindlin_stiffness_ratio(given.grain_poisson_ratio)) +
+                           " is assumed, where LAMMPS' gran/hooke has 2/7 by default; G of the network grows "
+                           "with it: give --tangential-ratio");
   return out;
 }
 

@@ -19,7 +19,7 @@ const std::string contacts =
 const CsvBox box{Mat3::diagonal(4e-3, 4e-3, 4e-3)};
 
 ImportedPacking read(const std::string& grain_text, const std::string& contact_text) {
-  return read_packing_csv(text_source("g", grain_text), text_source("c", contact_text), box);
+  return read_packing_csv(text_source("g", grain_text), text_source("c", contact_text), {.box = box});
 }
 std::string refused(const std::string& grain_text, const std::string& contact_text = contacts) {
   return refusal([&] { (void)read(grain_text, contact_text); });
@@ -119,8 +119,7 @@ TEST_CASE("CSV: pairs by ids and forces have the normals of their grains") {
       "id,x_m,y_m,z_m,radius_m\n1,0.001,0.005,0.005,0.0005\n2,0.00199,0.005,0.005,0.0005\n"
       "3,0.00298,0.005,0.005,0.0005\n";
   const auto read = [&](const std::string& pairs) {
-    return read_packing_csv(TextSource::of_text("g", grain_rows), TextSource::of_text("c", pairs),
-                            std::nullopt);
+    return read_packing_csv(TextSource::of_text("g", grain_rows), TextSource::of_text("c", pairs));
   };
   const ImportedPacking sizes = read("id1,id2,fn_N,ft_N\n1,2,0.0123,0.001\n2,3,0.0123,0.001\n");
   REQUIRE(sizes.assembly.contacts.size() == 2);
@@ -136,7 +135,7 @@ TEST_CASE("CSV: a column of bodies joins grains, and contacts within a body carr
   const ImportedPacking p = read_packing_csv(
       TextSource::of_text("g", "id,x_m,y_m,z_m,radius_m,body\n1,1,5,5,0.6,1\n2,2,5,5,0.6,1\n3,3.1,5,5,0.6,0\n"
                                "4,4.2,5,5,0.6,9\n5,5.2,5,5,0.6,9\n"),
-      TextSource::of_text("c", "id1,id2,fn_N\n1,2,4\n2,3,1\n3,4,1\n"), std::nullopt);
+      TextSource::of_text("c", "id1,id2,fn_N\n1,2,4\n2,3,1\n3,4,1\n"));
   CHECK(p.has(Finding::bodies));
   CHECK(p.assembly.body == std::vector<std::uint32_t>{0, 0, 1, 2, 2});
   CHECK(p.assembly.contacts.size() == 2);

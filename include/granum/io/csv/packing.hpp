@@ -3,15 +3,18 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <granum/io/imported_packing.hpp>
 #include <granum/io/text/source.hpp>
 
-/// Packings out of comma-separated values: spreadsheets, tomography, exports of codes without a reader of
-/// their own.
+/// Packings out of values separated by commas, semicolons, tabs or blanks: spreadsheets, tomography, exports
+/// of ParaView and of codes without a reader of their own.
 ///
-/// Headings carry units (lx_mm, fn_N); a line "# units: SI" above them means SI throughout.
+/// Headings carry units (lx_mm, fn_N); a line "# units: SI" above them, or PackingFileOptions::si, means that
+/// those without are SI. ParaView's Points:0 to Points:2 are x, y, z in SI, with a note; PFC's end1, end2 are
+/// id1, id2.
 /// Contacts:  nx, ny, nz              needed; from grain 1 to grain 2, of any length
 ///            id1, id2                numbers of the grains
 ///            fn, ft                  normal force (compression positive) and size of the tangential force
@@ -35,17 +38,12 @@ struct ContactTable {
   std::vector<Vec3> branch;            ///< [m]
   std::vector<double> overlap;         ///< [m]
   std::vector<std::size_t> line;       ///< of the file
+  std::vector<std::string> unused;     ///< headings
 };
 
 /// \throws   FileError with path and line for text that is not such a table, fields that are not numbers,
 ///           a normal of length 0, one coordinate of a vector without the others
-[[nodiscard]] ContactTable read_contact_csv(TextSource source);
-
-/// The box of a packing, which a table does not contain.
-struct CsvBox {
-  Mat3 cell; ///< columns are its edges [m]
-  std::array<bool, 3> periodic{true, true, true};
-};
+[[nodiscard]] ContactTable read_contact_csv(TextSource source, const PackingFileOptions& options = {});
 
 /// Grains, and contacts if there are any. Without a box the smallest upright one is used, with a note.
 /// Of contacts id1, id2 are needed. Lines of centres are lx, ly, lz, or the nearest images of the
@@ -54,6 +52,6 @@ struct CsvBox {
 ///            grain, a grain in contact with itself, a line of centres that does not fit the positions or
 ///            the normal, one pair with two forces
 [[nodiscard]] ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> contacts = {},
-                                               const std::optional<CsvBox>& box = {});
+                                               const PackingFileOptions& options = {});
 
 } // namespace granum::io

@@ -24,8 +24,9 @@ namespace granum::io {
 ///   fnx fny fnz        normal force vector
 ///   ftx fty ftz        tangential force vector
 ///   fx fy fz           whole force vector
-using ColumnMap = std::map<std::string, std::string, std::less<>>;
-
+/// of grains also body, the number of the rigid body; "none" as the column of body or shape means that the
+/// grains are of no bodies, and spheres.
+///
 /// Reads "id1=c_cl[1],id2=c_cl[2],...", blanks around names allowed.
 /// \throws   InvalidArgument for a quantity that is not one of the above, one given twice, or text that is no
 ///           list of quantity=column

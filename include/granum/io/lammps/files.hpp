@@ -37,9 +37,10 @@ namespace granum::io {
 /// tests/io/liggghts/test_dump.cpp
 class LammpsDump {
  public:
-  /// Grains, and contacts if there are any; frames of equal time step belong together. `columns` names
-  /// columns without clear headings (see ColumnMap).
-  explicit LammpsDump(TextSource atoms, std::optional<TextSource> contacts = {}, ColumnMap columns = {});
+  /// Grains, and contacts if there are any; frames of equal time step belong together. `options`
+  /// name columns without clear headings (parse_column_map).
+  explicit LammpsDump(TextSource atoms, std::optional<TextSource> contacts = {},
+                      PackingFileOptions options = {});
   LammpsDump(LammpsDump&&) noexcept;
   LammpsDump& operator=(LammpsDump&&) noexcept;
   ~LammpsDump();
@@ -67,7 +68,7 @@ class LammpsDump {
 ///           that is missing, rows too few or too many, fields that are not numbers, repeated ids, a
 ///           diameter that is not positive
 /// Checked by tests/io/lammps/test_data.cpp
-[[nodiscard]] ImportedPacking read_lammps_data(TextSource source);
+[[nodiscard]] ImportedPacking read_lammps_data(TextSource source, const PackingFileOptions& options = {});
 
 /// The grains as a data file that LAMMPS reads with atom style sphere: one atom type, all digits, at rest.
 /// \param    density    of the grains [kg/m^3]

@@ -25,7 +25,8 @@ namespace granum::io {
 /// Checked by tests/io/mercury/test_output.cpp
 class MercuryOutput {
  public:
-  explicit MercuryOutput(TextSource data, std::optional<TextSource> fstat = {});
+  explicit MercuryOutput(TextSource data, std::optional<TextSource> fstat = {},
+                         PackingFileOptions options = {});
   MercuryOutput(MercuryOutput&&) noexcept;
   MercuryOutput& operator=(MercuryOutput&&) noexcept;
   ~MercuryOutput();

@@ -9,7 +9,15 @@
 #include <string_view>
 #include <vector>
 
+#include <granum/core/error.hpp>
+
 namespace granum::io {
+
+/// The file ends where more should follow: a job was killed, or a copy is not complete.
+class CutFile : public FileError {
+ public:
+  using FileError::FileError;
+};
 
 /// The lines of a text file, plain or gzip (recognised by content), one after the other. Uses one buffer and
 /// the longest line, never the file.
@@ -52,7 +60,7 @@ class TextSource {
   /// Number of the line here, from 1; after the end that of the last line.
   [[nodiscard]] std::size_t line_number() const { return line_number_; }
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// \throws   FileError with the name and the number of the line here, always
+  /// \throws   FileError with the name and the number of the line here, always; CutFile at the end of the file
   [[noreturn]] void fail(const std::string& what) const;
 
  private:

@@ -35,7 +35,8 @@ namespace granum::io {
 ///            share/yade/granum_export.py.
 /// \throws   FileError also for a line of other than two points, a line that ends at no grain, an unknown
 ///           grain, and as read_yade for contacts
-[[nodiscard]] ImportedPacking read_vtk_xml(TextSource grains, std::optional<TextSource> contacts = {});
+[[nodiscard]] ImportedPacking read_vtk_xml(TextSource grains, std::optional<TextSource> contacts = {},
+                                           const PackingFileOptions& options = {});
 
 /// \file
 /// Series of VTK files (.pvd), as granum, ParaView and many programs write them: the list of their names.

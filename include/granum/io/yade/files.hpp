@@ -27,7 +27,8 @@ namespace granum::io {
 /// \throws   FileError also for a column that is missing, an unknown grain, a grain in contact with itself, a
 ///           normal that is no unit vector or does not fit the positions, one pair with two forces
 /// Checked by tests/io/yade/test_text.cpp
-[[nodiscard]] ImportedPacking read_yade(TextSource grains, std::optional<TextSource> contacts = {});
+[[nodiscard]] ImportedPacking read_yade(TextSource grains, std::optional<TextSource> contacts = {},
+                                        const PackingFileOptions& options = {});
 
 /// The grains of a legacy VTK file in text form as YADE's VTKExporter.exportSpheres and LIGGGHTS' dump
 /// custom/vtk write it: POINTS, and the point data "radius", as SCALARS or in a FIELD; "id" and "type", where
@@ -44,6 +45,7 @@ namespace granum::io {
 /// share/yade/granum_export.py.
 /// \throws   FileError also for a line that ends at no sphere or at two, and as read_yade for contacts
 /// Checked by tests/io/yade/test_vtk.cpp
-[[nodiscard]] ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> interactions = {});
+[[nodiscard]] ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> interactions = {},
+                                            const PackingFileOptions& options = {});
 
 } // namespace granum::io

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a user states about files, and what the files hold beyond that, over all formats.
+#include <granum/io/packing_files.hpp>
+
+#include <algorithm>
+#include <map>
+
+#include <granum/io/lammps/files.hpp>
+#include <granum/io/output_file.hpp>
+#include <granum/io/vtk/xml.hpp>
+
+#include "import_support.hpp"
+#include "temporary_folder.hpp"
+
+using namespace granum;
+using namespace granum::io;
+using namespace granum::samples;
+
+namespace {
+
+/// A file of three grains in a box of 4 mm, with one more column.
+struct Sample {
+  const PackingFormat* format;
+  bool states_box;
+  std::string text; ///< "EXTRA" is the name of the column
+};
+
+const Sample formats[] = {
+    {&lammps_dump_format, true,
+     "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS\n0 4e-3\n0 4e-3\n0 4e-3\n"
+     "ITEM: ATOMS id radius x y z EXTRA\n1 5e-4 1e-3 2e-3 2e-3 7\n2 5e-4 1.9e-3 2e-3 2e-3 7\n"
+     "3 5e-4 3e-3 2e-3 2e-3 8\n"},
+    {&yade_text_format, false,
+     "#format x_y_z_r_EXTRA\n1e-3 2e-3 2e-3 5e-4 7\n1.9e-3 2e-3 2e-3 5e-4 7\n"
+     "3e-3 2e-3 2e-3 5e-4 8\n"},
+    {&yade_text_format, true,
+     "# granum: grains of a YADE scene, SI\n# cell 4e-3 0 0 0 4e-3 0 0 0 4e-3\n# id x y z r EXTRA\n"
+     "1 1e-3 2e-3 2e-3 5e-4 7\n2 1.9e-3 2e-3 2e-3 5e-4 7\n3 3e-3 2e-3 2e-3 5e-4 8\n"},
+    {&yade_vtk_format, false,
+     "# vtk DataFile Version 3.0.\ncomment\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n1e-3 2e-3 2e-3\n"
+     "1.9e-3 2e-3 2e-3\n3e-3 2e-3 2e-3\nPOINT_DATA 3\nSCALARS radius double 1\nLOOKUP_TABLE default\n5e-4\n"
+     "5e-4\n5e-4\nSCALARS EXTRA double 1\nLOOKUP_TABLE default\n7\n7\n8\n"},
+    {&vtk_xml_format, false,
+     "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid>\n<Piece NumberOfPoints=\"3\" "
+     "NumberOfCells=\"0\">\n<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\">1e-3 2e-3 2e-3 "
+     "1.9e-3 2e-3 2e-3 3e-3 2e-3 2e-3</DataArray></Points><PointData><DataArray type=\"Float64\" "
+     "Name=\"RADIUS\">5e-4 5e-4 5e-4</DataArray><DataArray type=\"Float64\" Name=\"EXTRA\">7 7 8</DataArray>"
+     "</PointData></Piece></UnstructuredGrid></VTKFile>\n"},
+    {&csv_format, false,
+     "x_m,y_m,z_m,radius_m,EXTRA\n1e-3,2e-3,2e-3,5e-4,7\n1.9e-3,2e-3,2e-3,5e-4,7\n3e-3,2e-3,2e-3,5e-4,8\n"}};
+
+/// The first state of a text, with the extra column of a name.
+ImportedPacking read(const Sample& sample, const std::string& extra, const PackingFileOptions& options = {}) {
+  return sample.format->read(text_source("g", with(sample.text, "EXTRA", extra)), {}, options).next().value();
+}
+
+PackingFileOptions boxed(double side) { return {.box = CsvBox{Mat3::diagonal(side, side, side)}}; }
+
+bool notes(const ImportedPacking& packing, Finding finding, const std::string& word) {
+  for (const ImportNote& note : packing.notes)
+    if (note.finding == finding && note.text.find(word) != std::string::npos)
+      return true;
+  return false;
+}
+
+const std::string mercury = "1 0.5 0 0 0 4e-3 4e-3 4e-3\n1e-3 2e-3 2e-3 0 0 0 5e-4 0 0 0 0 0 0 0\n";
+
+} // namespace
+
+TEST_CASE(
+    "stated by the user: a box is used by every format without one, and must agree with that of others") {
+  for (const Sample& sample : formats) {
+    CAPTURE(sample.text);
+    const ImportedPacking packing = read(sample, "c_1", boxed(4e-3));
+    CHECK(packing.assembly.cell(0, 0) == relative(4e-3, 1e-12));
+    CHECK(packing.periodic == std::array{true, true, true});
+    CHECK_FALSE(packing.has(Finding::cell_unknown));
+    CHECK_FALSE(packing.has(Finding::boundary_unknown));
+    CHECK_NOTHROW((void)read(sample, "c_1", boxed(4.0000001e-3)));
+    if (sample.states_box)
+      CHECK_THROWS_AS((void)read(sample, "c_1", boxed(4.01e-3)), InvalidArgument);
+    else
+      CHECK(read(sample, "c_1", boxed(5e-3)).assembly.cell(2, 2) == 5e-3);
+  }
+  CHECK_THROWS_AS((void)mercury_format.read(text_source("m", mercury), {}, boxed(3e-3)).next(),
+                  InvalidArgument);
+  CHECK_THROWS_AS((void)read_lammps_data(data_source("lammps_chain.data"), boxed(3e-3)), InvalidArgument);
+  const std::string walled = with(formats[0].text, "BOUNDS", "BOUNDS pp pp ff");
+  CHECK_THROWS_AS((void)LammpsDump(text_source("g", walled), {}, boxed(4e-3)).next(), InvalidArgument);
+}
+
+TEST_CASE("stated by the user: columns that are not used are listed, shapes by themselves") {
+  for (const Sample& sample : formats) {
+    CAPTURE(sample.text);
+    CHECK(notes(read(sample, "wear"), Finding::not_used, "wear"));
+    CHECK_FALSE(read(sample, "wear").has(Finding::shapes));
+    for (const char* const shape : {"shapex", "Blockiness1", "quat4", "c-SuperQuadric"}) {
+      CHECK(read(sample, shape).has(Finding::shapes));
+      CHECK_FALSE(read(sample, shape, {.columns = {{"shape", "none"}}}).has(Finding::shapes));
+    }
+  }
+}
+
+TEST_CASE("stated by the user: rigid bodies, named or denied") {
+  const std::map<const PackingFormat*, std::string> column{
+      {&lammps_dump_format, "mol"}, {&csv_format, "body"}, {&yade_text_format, "clumpId"}};
+  for (const Sample& sample : formats) {
+    if (!column.contains(sample.format))
+      continue;
+    CAPTURE(sample.text);
+    const std::string& name = column.at(sample.format);
+    CHECK(read(sample, name).has(Finding::bodies));
+    CHECK(read(sample, name, {.columns = {{"body", "none"}}}).assembly.body.empty());
+  }
+  CHECK(read(formats[0], "c_b", {.columns = {{"body", "c_b"}}}).has(Finding::bodies));
+  CHECK(parse_column_map("body=c_b, shape=none").size() == 2);
+}
+
+TEST_CASE("stated by the user: SI") {
+  for (const Sample& sample : formats)
+    CHECK_FALSE(read(sample, "c_1", {.si = true}).has(Finding::units_unknown));
+  const std::string bare = "x y z radius\n0 0 0 1\n2 0 0 1\n";
+  CHECK(csv_format.read(text_source("g", bare), {}, {.si = true}).next()->assembly.radius[1] == 1);
+  CHECK_THROWS_AS((void)csv_format.read(text_source("g", bare), {}, {}).next(), FileError);
+  const std::string micro = "ITEM: UNITS\nmicro\n" + with(formats[0].text, "EXTRA", "c_1");
+  CHECK_THROWS_AS((void)LammpsDump(text_source("g", micro), {}, {.si = true}).next(), InvalidArgument);
+}
+
+TEST_CASE("stated by the user: columns for dumps are refused with other formats") {
+  const TemporaryFolder folder;
+  for (const Sample& sample : formats) {
+    const std::filesystem::path path = folder.path() / "grains";
+    write_file(path, with(sample.text, "EXTRA", "c_1"), Existing::replace);
+    const auto open = [&] { return PackingFiles({path}, {.columns = {{"radius", "radius"}}}).next(); };
+    if (sample.format == &lammps_dump_format)
+      CHECK(open().has_value());
+    else
+      CHECK_THROWS_AS((void)open(), InvalidArgument);
+  }
+}
+
+TEST_CASE("cut files: a last frame that is not complete costs itself alone") {
+  const TemporaryFolder folder;
+  const std::string dump = with(formats[0].text, "EXTRA", "c_1");
+  for (const std::string& frame : {dump, mercury})
+    for (const std::size_t missing : {std::size_t{3}, std::size_t{20}, std::size_t{30}}) {
+      CAPTURE(frame);
+      CAPTURE(missing);
+      const std::string cut = frame.substr(0, frame.size() - missing);
+      write_file(folder.path() / "two", frame + frame + cut, Existing::replace);
+      PackingFiles files({folder.path() / "two"});
+      CHECK(files.next());
+      CHECK(files.cut().empty());
+      CHECK(files.next());
+      CHECK_FALSE(files.next());
+      CHECK_FALSE(files.cut().empty());
+      CHECK_FALSE(files.next());
+      write_file(folder.path() / "none", cut, Existing::replace);
+      CHECK_THROWS_AS((void)PackingFiles({folder.path() / "none"}).next(), FileError);
+      write_file(folder.path() / "whole", frame, Existing::replace);
+      PackingFiles first({folder.path() / "two", folder.path() / "whole"}); // not the last file
+      CHECK((first.next() && first.next()));
+      CHECK_THROWS_AS((void)first.next(), FileError);
+    }
+  write_file(folder.path() / "wrong", dump + with(dump, "1 5e-4", "1 five") + dump, Existing::replace);
+  PackingFiles wrong({folder.path() / "wrong"});
+  CHECK(wrong.next());
+  CHECK_THROWS_AS((void)wrong.next(), FileError);
+}
+
+namespace {
+
+/// A row of touching grains, with a force on the second of each pair along x [N].
+ImportedPacking chain(int contacts, double force, double spacing) {
+  std::string grains = "id,x_m,y_m,z_m,radius_m\n", pairs = "id1,id2,fx_N,fy_N,fz_N\n";
+  for (int k = 0; k <= contacts; ++k)
+    grains += std::to_string(k) + "," + std::to_string(k * spacing) + ",0,0,0.5\n";
+  for (int k = 0; k < contacts; ++k)
+    pairs += std::to_string(k) + "," + std::to_string(k + 1) + "," + std::to_string(force) + ",0.1,0\n";
+  return read_packing_csv(text_source("g", grains), text_source("c", pairs));
+}
+
+} // namespace
+
+TEST_CASE("signs: forces that pull all overlapping spheres apart are turned") {
+  const ImportedPacking pushed = chain(12, 1, 0.99), pulled = chain(12, -1, 0.99);
+  CHECK_FALSE(pushed.has(Finding::signs_turned));
+  CHECK(pulled.has(Finding::signs_turned));
+  CHECK(pulled.assembly.contacts[3].normal_force == relative(1, 1e-12));
+  CHECK(pulled.assembly.contacts[3].tangential_force.y == relative(-0.1, 1e-12));
+  CHECK_FALSE(chain(12, -1, 1.01).has(Finding::signs_turned)); // bonds over gaps
+  CHECK_FALSE(chain(3, -1, 0.99).has(Finding::signs_turned));
+}
+
+TEST_CASE("series: steps or times of the index, of both kinds of index, and the pieces of a parallel file") {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    write_file(folder.path() / name, text, Existing::replace);
+    return folder.path() / name;
+  };
+  const std::string vtu = with(formats[4].text, "EXTRA", "c_1");
+  for (const char* const name : {"a.vtu", "b.vtu"})
+    (void)write(name, vtu);
+  const auto states = [&](const std::filesystem::path& index) {
+    PackingFiles files(files_of_series({index}));
+    std::vector<ImportedPacking> out;
+    while (auto packing = files.next())
+      out.push_back(std::move(*packing));
+    REQUIRE(out.size() == 2);
+    return out;
+  };
+  const SeriesEntry whole[] = {{1000, "a.vtu"}, {2000, "b.vtu"}}, parts[] = {{0, "a.vtu"}, {0.5, "b.vtu"}};
+  const auto steps = states(write("s.pvd", pvd(whole)));
+  CHECK((steps[0].step == 1000 && steps[1].step == 2000 && !steps[1].time));
+  const auto times = states(write("t.pvd", pvd(parts)));
+  CHECK((times[0].time == 0.0 && times[1].time == 0.5 && times[1].step == 0));
+  const auto json = states(write("t.vtu.series", "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [\n"
+                                                 "    { \"name\" : \"b.vtu\", \"time\" : 0.5 },\n"
+                                                 "    { \"name\" : \"a.vtu\", \"time\" : 0.25 }\n  ]\n}\n"));
+  CHECK((json[0].time == 0.25 && json[1].time == 0.5));
+  const auto no_time =
+      write("bad.vtu.series", "{\"file-series-version\":\"1.0\",\"files\":[{\"name\":\"a.vtu\"}]}");
+  CHECK_THROWS_AS((void)files_of_series({no_time}), FileError);
+  const auto parallel = write("p.pvtu", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\">\n"
+                                        "<PUnstructuredGrid GhostLevel=\"0\">\n<Piece Source=\"a.vtu\"/>\n"
+                                        "<Piece Source=\"b.vtu\"/>\n</PUnstructuredGrid>\n</VTKFile>\n");
+  PackingFiles pieces({parallel});
+  const auto packing = pieces.next();
+  REQUIRE(packing);
+  CHECK(packing->assembly.grain_count() == 6);
+  CHECK(packing->id == std::vector<long>{0, 1, 2, 3, 4, 5});
+  CHECK(packing->assembly.radius[5] == 5e-4);
+}
+
+TEST_CASE("tables: separators, and the names of ParaView and PFC") {
+  const std::string rows = "id x_m y_m z_m radius_m\n1 0 0 0 0.5\n2 0.99 0 0 0.5\n";
+  for (const char separator : {',', ';', '\t', ' '}) {
+    std::string text = rows;
+    std::ranges::replace(text, ' ', separator);
+    TextSource source = text_source("g", text);
+    CHECK(recognise(source) == FileKind{&csv_format, Holds::grains});
+    CHECK(read_packing_csv(std::move(source)).assembly.position[1].x == 0.99);
+    std::string pairs = "end1 end2 fn_N\n1 2 3\n";
+    std::ranges::replace(pairs, ' ', separator);
+    TextSource contacts = text_source("c", pairs);
+    CHECK(recognise(contacts) == FileKind{&csv_format, Holds::contacts});
+    CHECK(read_packing_csv(text_source("g", text), std::move(contacts)).assembly.contacts[0].normal_force ==
+          3);
+  }
+  const ImportedPacking paraview = read_packing_csv(
+      text_source("g", "\"Radius\",\"Points:0\",\"Points:1\",\"Points:2\"\n0.5,0,0,0\n0.5,0.99,0,0\n"));
+  CHECK(paraview.has(Finding::units_unknown));
+  CHECK(paraview.assembly.position[1].x == 0.99);
+}
+
+TEST_CASE("ParaView files: forces that are not known are not written") {
+  const packing::Assembly pair{.cell = Mat3::identity(),
+                               .position = {{0.1, 0.5, 0.5}, {0.29, 0.5, 0.5}},
+                               .radius = {0.1, 0.1},
+                               .contacts = {{.i = 0, .j = 1, .branch = {0.19, 0, 0}, .overlap = 0.01}}};
+  const auto back = [&](KnownForces known) {
+    return read_vtk_xml(text_source("g", grains_vtu(pair)), text_source("c", contacts_vtp(pair, {}, known)));
+  };
+  CHECK(back(KnownForces::none).has(Finding::forces_unknown));
+  CHECK(back(KnownForces::normal).has(Finding::tangential_unknown));
+  CHECK_FALSE(back(KnownForces::normal).has(Finding::forces_unknown));
+  CHECK_FALSE(back(KnownForces::all).has(Finding::tangential_unknown));
+}
