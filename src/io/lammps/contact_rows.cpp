@@ -254,8 +254,8 @@ std::vector<std::string> unused_columns(const LocalFrame& locals) {
   for (const auto& one : {layout.periodic, layout.overlap, layout.force, layout.rolling, layout.twisting})
     if (one)
       used.push_back(*one);
-  for (const auto& three : {layout.difference, layout.first, layout.second, layout.normal, layout.tangential,
-                            layout.whole})
+  for (const auto& three :
+       {layout.difference, layout.first, layout.second, layout.normal, layout.tangential, layout.whole})
     if (three)
       used.insert(used.end(), three->begin(), three->end());
   std::vector<std::string> out;
