@@ -201,8 +201,8 @@ TEST_CASE("primes and the Greek letter in headings are those of the quantity") {
 }
 
 TEST_CASE("headings: words are read however they are spelt, symbols are not") {
-  for (const char* heading : {"mean_effective_stress_kPa", "Mean Effective Stress (kPa)", "MEAN EFFECTIVE STRESS [kPa]",
-                              "mean-effective-stress kPa"}) {
+  for (const char* heading : {"mean_effective_stress_kPa", "Mean Effective Stress (kPa)",
+                              "MEAN EFFECTIVE STRESS [kPa]", "mean-effective-stress kPa"}) {
     CHECK(is_column_of(heading, "mean_effective_stress"));
     CHECK(column_factor(heading, "mean_effective_stress", Dimension::pressure) == 1e3);
   }

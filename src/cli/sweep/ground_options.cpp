@@ -122,8 +122,9 @@ void add_ground_options(Command& command, GroundOptions& o) {
       "Ground",
       {{.name = "--depth",
         .value = std::move(depth),
-        .meaning = "Stiffness over depth in level ground, between two depths: 0m..30m; with V_s30, the travel "
-                   "time of a shear wave and the period 4 H/V_s",
+        .meaning =
+            "Stiffness over depth in level ground, between two depths: 0m..30m; with V_s30, the travel "
+            "time of a shear wave and the period 4 H/V_s",
         .excludes = {{"--path --from --to --eta --friction-angle --spacing --table --rungs --picture-of"}},
         .synonyms = {{"z"}}},
        {.name = "--layers",
