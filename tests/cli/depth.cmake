@@ -34,6 +34,10 @@ granum_cli_test("depth: under --strict" EXIT 4 STDOUT "depth" STDERR "stress rat
 granum_cli_test("depth: a strain" EXIT 0 STDERR "." STDOUT "G/G0 +damping [^\n]*\n +0 +- +- +-\n +10 +[0-9.]+ \\([0-9.]+-[0-9.]+\\) +0\\.[0-9]+ \\(0\\.[0-9]+-0\\.[0-9]+\\) "
   ARGS sweep --void-ratio 0.7 --depth 0m..10m --points 2 --strain 0.1%)
 
+# Beads that may have no stiffness have no travel time.
+granum_cli_test("depth: V_s that may be 0" EXIT 0 STDERR "." JSON "site=^$" "notes=no travel time of a shear wave: V_s may be 0 at"
+  ARGS sweep --void-ratio 0.9 --depth 1m..14m --points 4 --rolling 0.4 --rattler-fraction 5% --json)
+
 # Weights that void ratio and grains contradict.
 granum_cli_test("depth: too heavy" EXIT 0 STDOUT "depth" STDERR "warning: --unit-weight 22 kN/m3 contradicts void ratio 0\\.6 [^\n]* 19\\.91 kN/m3 with all pores full"
   ARGS sweep --grain-shape sphere --void-ratio 0.6 --depth 0m..30m --unit-weight 22kN/m3)

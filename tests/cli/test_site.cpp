@@ -134,16 +134,3 @@ TEST_CASE("units: practice has kPa, MPa and five digits, and is within rounding 
     }
   }
 }
-
-TEST_CASE("sweep: G0 of PM4Sand is G over p_atm sqrt(p/p_atm)") {
-  const io::CsvTable table("path",
-                           swept({"--sand", "toyoura", "--void-ratio", "0.75", "--from", "50kPa", "--to",
-                                  "400kPa", "--points", "3", "--columns", "all", "--units", "si"}));
-  const auto p = table.numbers("p", Dimension::pressure);
-  for (const char* part : {"answer", "low", "high"}) {
-    const auto G = table.numbers(std::string("G_") + part, Dimension::pressure),
-               G0 = table.numbers(std::string("G_over_p_atm_") + part, Dimension::dimensionless);
-    for (std::size_t k = 0; k < p.size(); ++k)
-      CHECK(G0[k] == doctest::Approx(G[k] / std::sqrt(101.3e3 * p[k])).epsilon(1e-12));
-  }
-}

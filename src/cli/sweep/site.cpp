@@ -15,7 +15,7 @@ namespace {
 using estimate::Field;
 using estimate::Range;
 
-/// V_s at a depth, small strain.
+/// V_s at a depth, small strain, above 0 in its whole range.
 Range shear_speed(const std::vector<Layer>& layers, double depth) {
   const Layer& layer = layer_at(layers, depth);
   const double within = depth - layer.top;
@@ -23,7 +23,10 @@ Range shear_speed(const std::vector<Layer>& layers, double depth) {
                                         stress::stress_at(layer.ground.ground, within).effective);
   values.grain_shape = known_shape(values); // also where a strain implies it
   values.leave_out(Input::shear_strain);
-  return bare_answer(values).answer[Field::shear_wave_speed];
+  const Range speed = bare_answer(values).answer[Field::shear_wave_speed];
+  if (!(speed.low > 0))
+    throw InvalidArgument(fmt::format("V_s may be 0 at {} m", short_text(depth)));
+  return speed;
 }
 
 /// Where V_s jumps or has a kink, with both ends.

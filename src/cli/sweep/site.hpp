@@ -24,7 +24,7 @@ struct SiteResponse {
 };
 
 /// From V_s at small strain, from the surface to the base, also where fewer depths were asked.
-/// \throws   InvalidArgument where a depth has no answer
+/// \throws   InvalidArgument where a depth has no answer, or its V_s may be 0
 /// Accuracy  travel time 1e-3: eight depths between every two of the surface, the tops of layers, the water table,
 ///           30 m and the base
 [[nodiscard]] SiteResponse site_response(const std::vector<Layer>& layers, double base);

@@ -127,32 +127,12 @@ void add_law_columns(io::Columns<SweptState>& to) {
     });
 }
 
-/// G over that of the law p_atm sqrt(p/p_atm), which PM4Sand takes as its constant G0, p_atm = 101.3 kPa.
-/// \param    before   prefix of the headings
-void add_pm4sand(io::Columns<SweptState>& to, const std::string& before,
-                 const Answer* (*answer_of)(const SweptState&)) {
-  using estimate::Range;
-  for (const auto& [name, part] :
-       {std::pair{"answer", &Range::value}, {"low", &Range::low}, {"high", &Range::high}})
-    to.emplace_back(fmt::format("{}G_over_p_atm_{}", before, name), "",
-                    [answer_of, part = part](const SweptState& state) -> std::optional<double> {
-                      constexpr double p_atm = 101.3e3;
-                      const Answer* const answer = answer_of(state);
-                      const double p = answer != nullptr ? answer->state().mean_stress() : 0;
-                      if (!(p > 0))
-                        return std::nullopt;
-                      return (*answer)[Field::shear_modulus].*part / (p_atm * std::sqrt(p / p_atm));
-                    });
-}
-
 /// What follows the first cells of a row; in JSON besides the answer.
 io::Columns<SweptState> result_columns(const SweepOptions& o, const Rungs& rungs, const AskedOfRows& asked,
                                        bool with_shape) {
   using Of = const SweptState&;
   io::Columns<SweptState> columns;
   io::add_part(columns, answer_columns(o.all_columns, asked.strained), answer_in);
-  if (o.all_columns)
-    add_pm4sand(columns, "", answer_in);
   add_rung_columns(columns, rungs);
   columns.emplace_back("notes", "", [](Of state) { return joined(remarks_of(state), "; "); });
   columns.emplace_back("", "notes", remarks_of);
@@ -164,8 +144,6 @@ io::Columns<SweptState> result_columns(const SweepOptions& o, const Rungs& rungs
     columns.emplace_back(shape_heading, "", shape_of);
   if (asked.both)
     io::add_part(columns, answer_columns(o.all_columns, asked.strained, "sand_"), sand_in);
-  if (asked.both && o.all_columns)
-    add_pm4sand(columns, "sand_", sand_in);
   if (o.law_columns)
     add_law_columns(columns);
   return columns;
