@@ -150,6 +150,8 @@ class PackingBuilder {
   /// Adds a contact. A row without overlap and without force is a neighbour that does not touch: left out.
   /// \throws   FileError for a grain in contact with itself, centres that coincide, numbers beyond all range
   void add(const PairRow& row);
+  /// Counts a row of contacts that holds zeros alone, which is left out.
+  void skip_empty(std::size_t rows = 1) { empty_ += rows; }
   /// Adds a contact with a wall; all vectors point from the grain a to the wall.
   /// \throws   FileError for an invalid wall number, a branch of no length, numbers beyond all range
   void add_wall(const PairRow& row, long wall);
@@ -225,7 +227,7 @@ class PackingBuilder {
   std::vector<Vec3> stated_force_;           ///< on each grain; empty if not in the files
   /// Images that rows without a line of centres have been given, of pairs with several.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Vec3>> taken_;
-  std::size_t through_faces_ = 0, open_ = 0, neighbours_ = 0, duplicated_ = 0, one_sided_ = 0;
+  std::size_t through_faces_ = 0, open_ = 0, neighbours_ = 0, duplicated_ = 0, one_sided_ = 0, empty_ = 0;
 };
 
 /// The message of PackingBuilder, which names a line of a file, with the name of an array's element in its

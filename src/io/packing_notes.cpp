@@ -134,6 +134,8 @@ void PackingBuilder::note_single_precision(std::string text) {
 void PackingBuilder::note_counts() {
   if (duplicated_ > 0)
     note(Finding::duplicated, many(duplicated_, "rows repeat a pair and were left out"));
+  if (empty_ > 0)
+    note(Finding::empty_rows, many(empty_, "rows of contacts hold zeros alone and were left out"));
   if (one_sided_ > 0)
     note(Finding::one_sided, many(one_sided_, "pairs are listed from one side only"));
   if (unsorted_)

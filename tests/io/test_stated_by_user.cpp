@@ -8,6 +8,7 @@
 #include <granum/io/lammps/files.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/io/vtk/xml.hpp>
+#include <granum/io/yade/files.hpp>
 
 #include "import_support.hpp"
 #include "temporary_folder.hpp"
@@ -71,16 +72,16 @@ TEST_CASE(
     "stated by the user: a box is used by every format without one, and must agree with that of others") {
   for (const Sample& sample : formats) {
     CAPTURE(sample.text);
-    const ImportedPacking packing = read(sample, "c_1", boxed(4e-3));
+    const ImportedPacking packing = read(sample, "c1", boxed(4e-3));
     CHECK(packing.assembly.cell(0, 0) == relative(4e-3, 1e-12));
     CHECK(packing.periodic == std::array{true, true, true});
     CHECK_FALSE(packing.has(Finding::cell_unknown));
     CHECK_FALSE(packing.has(Finding::boundary_unknown));
-    CHECK_NOTHROW((void)read(sample, "c_1", boxed(4.0000001e-3)));
+    CHECK_NOTHROW((void)read(sample, "c1", boxed(4.0000001e-3)));
     if (sample.states_box)
-      CHECK_THROWS_AS((void)read(sample, "c_1", boxed(4.01e-3)), InvalidArgument);
+      CHECK_THROWS_AS((void)read(sample, "c1", boxed(4.01e-3)), InvalidArgument);
     else
-      CHECK(read(sample, "c_1", boxed(5e-3)).assembly.cell(2, 2) == 5e-3);
+      CHECK(read(sample, "c1", boxed(5e-3)).assembly.cell(2, 2) == 5e-3);
   }
   CHECK_THROWS_AS((void)mercury_format.read(text_source("m", mercury), {}, boxed(3e-3)).next(),
                   InvalidArgument);
@@ -118,11 +119,11 @@ TEST_CASE("stated by the user: rigid bodies, named or denied") {
 
 TEST_CASE("stated by the user: SI") {
   for (const Sample& sample : formats)
-    CHECK_FALSE(read(sample, "c_1", {.si = true}).has(Finding::units_unknown));
+    CHECK_FALSE(read(sample, "c1", {.si = true}).has(Finding::units_unknown));
   const std::string bare = "x y z radius\n0 0 0 1\n2 0 0 1\n";
   CHECK(csv_format.read(text_source("g", bare), {}, {.si = true}).next()->assembly.radius[1] == 1);
   CHECK_THROWS_AS((void)csv_format.read(text_source("g", bare), {}, {}).next(), FileError);
-  const std::string micro = "ITEM: UNITS\nmicro\n" + with(formats[0].text, "EXTRA", "c_1");
+  const std::string micro = "ITEM: UNITS\nmicro\n" + with(formats[0].text, "EXTRA", "c1");
   CHECK_THROWS_AS((void)LammpsDump(text_source("g", micro), {}, {.si = true}).next(), InvalidArgument);
 }
 
@@ -130,7 +131,7 @@ TEST_CASE("stated by the user: columns for dumps are refused with other formats"
   const TemporaryFolder folder;
   for (const Sample& sample : formats) {
     const std::filesystem::path path = folder.path() / "grains";
-    write_file(path, with(sample.text, "EXTRA", "c_1"), Existing::replace);
+    write_file(path, with(sample.text, "EXTRA", "c1"), Existing::replace);
     const auto open = [&] { return PackingFiles({path}, {.columns = {{"radius", "radius"}}}).next(); };
     if (sample.format == &lammps_dump_format)
       CHECK(open().has_value());
@@ -141,7 +142,7 @@ TEST_CASE("stated by the user: columns for dumps are refused with other formats"
 
 TEST_CASE("cut files: a last frame that is not complete costs itself alone") {
   const TemporaryFolder folder;
-  const std::string dump = with(formats[0].text, "EXTRA", "c_1");
+  const std::string dump = with(formats[0].text, "EXTRA", "c1");
   for (const std::string& frame : {dump, mercury})
     for (const std::size_t missing : {std::size_t{3}, std::size_t{20}, std::size_t{30}}) {
       CAPTURE(frame);
@@ -198,7 +199,7 @@ TEST_CASE("series: steps or times of the index, of both kinds of index, and the 
     write_file(folder.path() / name, text, Existing::replace);
     return folder.path() / name;
   };
-  const std::string vtu = with(formats[4].text, "EXTRA", "c_1");
+  const std::string vtu = with(formats[4].text, "EXTRA", "c1");
   for (const char* const name : {"a.vtu", "b.vtu"})
     (void)write(name, vtu);
   const auto states = [&](const std::filesystem::path& index) {
@@ -265,4 +266,75 @@ TEST_CASE("ParaView files: forces that are not known are not written") {
   CHECK(back(KnownForces::normal).has(Finding::tangential_unknown));
   CHECK_FALSE(back(KnownForces::normal).has(Finding::forces_unknown));
   CHECK_FALSE(back(KnownForces::all).has(Finding::tangential_unknown));
+}
+
+namespace {
+
+const std::string three_grains =
+    "# units: SI\nid,x,y,z,radius\n1,0,0,0,0.5\n2,0.99,0,0,0.5\n3,1.98,0,0,0.5\n";
+
+ImportedPacking joined(const std::string& contacts) {
+  return read_packing_csv(text_source("g", three_grains), text_source("c", "# units: SI\n" + contacts));
+}
+
+/// A dump of contacts beside formats[0].
+std::string contact_dump(const std::string& length, const std::string& columns, const std::string& rows) {
+  const std::string side = "0 " + length + "\n";
+  return "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n2\nITEM: BOX BOUNDS\n" + side + side + side +
+         "ITEM: ENTRIES " + columns + "\n" + rows;
+}
+
+ImportedPacking dumped(const std::string& contacts) {
+  return LammpsDump(text_source("g", with(formats[0].text, "EXTRA", "c1")), text_source("c", contacts))
+      .next()
+      .value();
+}
+
+} // namespace
+
+TEST_CASE("rows of zeros are left out with a note, and others still count") {
+  for (const char* const rows :
+       {"id1,id2,nx,ny,nz,fn\n1,2,1,0,0,4\n2,3,0,0,0,0\n", "id1,id2,fx,fy,fz\n1,2,4,0,0\n0,0,0,0,0\n"}) {
+    const ImportedPacking packing = joined(rows);
+    CHECK(packing.has(Finding::empty_rows));
+    REQUIRE(packing.assembly.contacts.size() == 1);
+    CHECK(packing.assembly.contacts[0].normal_force == 4);
+  }
+  CHECK_THROWS_AS((void)joined("id1,id2,nx,ny,nz,fn\n1,2,0,0,0,4\n"), FileError);
+  const ImportedPacking dump = dumped(contact_dump("4e-3", "id1 id2 dx dy dz force ftx fty ftz",
+                                                   "1 2 -9e-4 0 0 4 0 0 0\n0 0 0 0 0 0 0 0 0\n"));
+  CHECK(dump.has(Finding::empty_rows));
+  CHECK(dump.assembly.contacts.size() == 1);
+  const ImportedPacking yade =
+      read_yade(text_source("g", with(formats[2].text, "EXTRA", "c1")),
+                text_source("c", "# id1 id2 nx ny nz pd fnx fny fnz fsx fsy fsz\n1 2 1 0 0 1e-4 4 0 0 0 0 0\n"
+                                 "2 3 0 0 0 0 0 0 0 0 0 0\n"));
+  CHECK(yade.has(Finding::empty_rows));
+  CHECK(yade.assembly.contacts.size() == 1);
+}
+
+TEST_CASE("stiffnesses in tables and dumps are those of the contacts") {
+  for (const char* const names :
+       {"kn,kt", "k_n,k_t", "kn_N/m,ks_N/m", "normal_stiffness,tangential_stiffness"}) {
+    const ImportedPacking packing =
+        joined(std::string("id1,id2,fn,") + names + "\n1,2,4,2e5,1e5\n2,3,4,3e5,1e5\n");
+    CHECK_FALSE(packing.has(Finding::stiffness_unknown));
+    CHECK_FALSE(packing.has(Finding::not_used));
+    REQUIRE(packing.assembly.contacts.size() == 2);
+    CHECK(packing.assembly.contacts[1].normal_stiffness == 3e5);
+    CHECK(packing.assembly.contacts[1].tangential_stiffness == 1e5);
+  }
+  const ImportedPacking half = joined("id1,id2,fn,kn\n1,2,4,2e5\n2,3,4,3e5\n"); // k_t would be 0
+  CHECK(half.has(Finding::stiffness_unknown));
+  CHECK(notes(half, Finding::not_used, "kn"));
+  const ImportedPacking dump =
+      dumped(contact_dump("4e-3", "id1 id2 force kn kt", "1 2 4 2e5 1e5\n2 3 0.1 3e5 1e5\n"));
+  CHECK_FALSE(dump.has(Finding::stiffness_unknown));
+  CHECK(dump.assembly.contacts[0].normal_stiffness == 2e5);
+}
+
+TEST_CASE("dumps whose boxes differ by more than rounding are refused") {
+  const std::string columns = "id1 id2 force", rows = "1 2 4\n2 3 0.1\n";
+  CHECK_NOTHROW((void)dumped(contact_dump("4.0000001e-3", columns, rows)));
+  CHECK_THROWS_AS((void)dumped(contact_dump("4.01e-3", columns, rows)), FileError);
 }

@@ -47,6 +47,7 @@ enum class Finding {
   signs_turned,           ///< all forces pulled overlapping spheres apart: they were turned
   shapes,                 ///< columns of shapes: grains are taken as spheres all the same
   not_used,               ///< columns or arrays that were not used
+  empty_rows,             ///< rows of contacts that hold zeros alone; left out
   axes_turned,            ///< the axes of the packing are others than those of the files
 };
 

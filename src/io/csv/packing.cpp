@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
@@ -44,6 +45,18 @@ bool by_blanks(std::string_view line) {
   return line.find_first_of(",;\t\"") == std::string_view::npos && line.find(' ') != std::string_view::npos;
 }
 
+constexpr std::string_view normal_stiffnesses[] = {"kn", "k_n", "normal_stiffness"};
+constexpr std::string_view tangential_stiffnesses[] = {
+    "kt", "k_t", "ks", "k_s", "tangential_stiffness", "shear_stiffness"};
+
+/// Whether a heading is one of some names, with the unit N/m or none.
+bool is_one_of(std::string_view heading, std::span<const std::string_view> names) {
+  constexpr std::string_view unit = "_N/m";
+  if (heading.ends_with(unit))
+    heading.remove_suffix(unit.size());
+  return std::ranges::find(names, heading) != names.end();
+}
+
 /// A table whose columns come in as SI, by the units of the headings or of a line "# units: SI".
 class TableColumns {
  public:
@@ -59,6 +72,23 @@ class TableColumns {
   [[nodiscard]] std::vector<double> numbers(const char* quantity, Dimension dimension) const {
     const std::string_view name = name_of(quantity);
     return table_.numbers(name, stated(name, dimension));
+  }
+
+  /// A stiffness [N/m] by one of its names, with the unit N/m or none; empty if there is none.
+  [[nodiscard]] std::vector<double> stiffness(std::span<const std::string_view> names) const {
+    const auto& headings = table_.headings();
+    const auto found =
+        std::ranges::find_if(headings, [&](const auto& heading) { return is_one_of(heading, names); });
+    std::vector<double> out;
+    for (std::size_t row = 0; found != headings.end() && row < table_.row_count(); ++row) {
+      const std::string& field = table_.fields(row)[static_cast<std::size_t>(found - headings.begin())];
+      const auto number = parse_number(field);
+      if (!number || !(*number >= 0) || !in_range(*number))
+        throw FileError(name_, table_.line(row),
+                        "expected a stiffness >= 0 in column '" + *found + "', found " + shown(field));
+      out.push_back(*number);
+    }
+    return out;
   }
 
   /// The headings that are of none of the quantities.
@@ -254,6 +284,10 @@ PairRow pair_row(PackingBuilder& builder, const ContactTable& table, std::size_t
                                        ? std::nullopt
                                        : std::optional(builder.radius_sum(pair.a, pair.b) - table.overlap[k]))
           : table.branch[k];
+  if (!table.normal_stiffness.empty()) {
+    pair.normal_stiffness = table.normal_stiffness[k];
+    pair.tangential_stiffness = table.tangential_stiffness[k];
+  }
   const double length = norm(pair.branch);
   if (pair.a == pair.b || !(length > 0))
     return pair;
@@ -269,6 +303,38 @@ PairRow pair_row(PackingBuilder& builder, const ContactTable& table, std::size_t
     pair.normal_force = table.normal_force[k];
   }
   return pair;
+}
+
+/// Leaves out the rows that hold zeros alone.
+void drop_empty_rows(ContactTable& table) {
+  const auto zero = [&](std::size_t k) {
+    const auto none = [&](const std::vector<double>& values) { return values.empty() || values[k] == 0; };
+    const auto nowhere = [&](const std::vector<Vec3>& values) {
+      return values.empty() || values[k] == Vec3{};
+    };
+    const bool unnamed = !table.id.empty() && table.id[k][0] == 0 && table.id[k][1] == 0;
+    const bool no_line = !table.normal.empty() && table.normal[k] == Vec3{};
+    return (unnamed || no_line) && none(table.normal_force) && none(table.tangential_size) &&
+           none(table.overlap) && nowhere(table.force) && nowhere(table.branch);
+  };
+  std::vector<bool> drop(table.line.size());
+  for (std::size_t k = 0; k < drop.size(); ++k)
+    drop[k] = zero(k);
+  table.empty_rows = static_cast<std::size_t>(std::ranges::count(drop, true));
+  if (table.empty_rows == 0)
+    return;
+  const auto thin = [&](auto& values) {
+    std::size_t k = 0;
+    std::erase_if(values, [&](const auto&) { return drop[k++]; });
+  };
+  thin(table.normal);
+  thin(table.id);
+  thin(table.force);
+  thin(table.branch);
+  thin(table.line);
+  for (auto* values : {&table.normal_force, &table.tangential_size, &table.overlap, &table.normal_stiffness,
+                       &table.tangential_stiffness})
+    thin(*values);
 }
 
 /// Whether a word of a heading line begins with a name.
@@ -297,15 +363,8 @@ ContactTable read_contact_csv(TextSource source, const PackingFileOptions& optio
   const bool by_ids = columns.has("id1") && columns.has("id2");
   if (table.normal.empty() && !by_ids)
     throw FileError(columns.name(), 0, "expected columns nx, ny, nz");
-  for (std::size_t k = 0; table.normal.empty() && k < columns.table().row_count(); ++k)
+  for (std::size_t k = 0; k < columns.table().row_count(); ++k)
     table.line.push_back(columns.table().line(k));
-  for (std::size_t k = 0; k < table.normal.size(); ++k) {
-    const double length = norm(table.normal[k]);
-    table.line.push_back(columns.table().line(k));
-    if (!(length > 0) || !std::isfinite(length))
-      throw FileError(columns.name(), table.line[k], "expected a normal of some length");
-    table.normal[k] *= 1 / length;
-  }
   if (columns.has("id1") || columns.has("id2")) {
     const auto first = columns.integers("id1"), second = columns.integers("id2");
     for (std::size_t k = 0; k < first.size(); ++k)
@@ -318,6 +377,22 @@ ContactTable read_contact_csv(TextSource source, const PackingFileOptions& optio
   table.overlap = optional_numbers(columns, "delta", Dimension::length);
   table.unused = columns.unused(
       {"nx", "ny", "nz", "id1", "id2", "fn", "ft", "fx", "fy", "fz", "lx", "ly", "lz", "delta"});
+  table.normal_stiffness = columns.stiffness(normal_stiffnesses);
+  table.tangential_stiffness = columns.stiffness(tangential_stiffnesses);
+  const bool both = !table.normal_stiffness.empty() && !table.tangential_stiffness.empty();
+  if (!both)
+    table.normal_stiffness = table.tangential_stiffness = {};
+  else
+    std::erase_if(table.unused, [](const std::string& heading) {
+      return is_one_of(heading, normal_stiffnesses) || is_one_of(heading, tangential_stiffnesses);
+    });
+  drop_empty_rows(table);
+  for (std::size_t k = 0; k < table.normal.size(); ++k) {
+    const double length = norm(table.normal[k]);
+    if (!(length > 0) || !std::isfinite(length))
+      throw FileError(columns.name(), table.line[k], "expected a normal of some length");
+    table.normal[k] *= 1 / length;
+  }
   for (const auto* numbers : {&table.normal_force, &table.tangential_size, &table.overlap})
     for (std::size_t k = 0; k < numbers->size(); ++k)
       if (!in_range((*numbers)[k]))
@@ -340,7 +415,9 @@ ImportedPacking read_packing_csv(TextSource grains, std::optional<TextSource> co
   const ContactTable table = read_contact_csv(std::move(*contacts), options);
   if (table.id.empty())
     throw FileError(contact_file, 0, "expected columns id1 and id2 to join contacts with grains");
-  builder.note(Finding::stiffness_unknown, "stiffnesses are not in a table");
+  if (table.normal_stiffness.empty())
+    builder.note(Finding::stiffness_unknown, "no columns of both stiffnesses, kn and kt");
+  builder.skip_empty(table.empty_rows);
   builder.note(Finding::history_unknown, "the loading history of the contacts is not in a table");
   if (table.force.empty() && table.normal_force.empty()) {
     builder.expect_no_forces();

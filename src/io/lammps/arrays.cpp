@@ -15,9 +15,10 @@ namespace granum::io {
 
 namespace {
 
-constexpr std::array<std::string_view, 27> quantities{
-    "id", "radius", "diameter", "body",  "shape", "x",   "y",   "z",   "xs",  "ys",  "zs", "id1", "id2", "dx",
-    "dy", "dz",     "delta",    "force", "fnx",   "fny", "fnz", "ftx", "fty", "ftz", "fx", "fy",  "fz"};
+constexpr std::array<std::string_view, 29> quantities{
+    "id",  "radius", "diameter", "body", "shape", "x",  "y",     "z",     "xs",  "ys",
+    "zs",  "id1",    "id2",      "dx",   "dy",    "dz", "delta", "force", "fnx", "fny",
+    "fnz", "ftx",    "fty",      "ftz",  "fx",    "fy", "fz",    "kn",    "kt"};
 
 } // namespace
 

@@ -129,14 +129,16 @@ ContactLayout mapped_layout(const MappedColumns& column) {
           .force = column.one("force"),
           .normal = column.three("fn"),
           .tangential = column.three("ft"),
-          .whole = column.three("f")};
+          .whole = column.three("f"),
+          .normal_stiffness = column.one("kn"),
+          .tangential_stiffness = column.one("kt")};
 }
 
 /// Columns with the names of the quantities themselves.
 ColumnMap own_names(const std::vector<std::string>& columns) {
   ColumnMap map;
   for (const char* quantity : {"id1", "id2", "dx", "dy", "dz", "delta", "force", "fnx", "fny", "fnz", "ftx",
-                               "fty", "ftz", "fx", "fy", "fz"})
+                               "fty", "ftz", "fx", "fy", "fz", "kn", "kt"})
     if (find_column(columns, quantity))
       map.emplace(quantity, quantity);
   return map;

@@ -39,9 +39,11 @@ struct ContactLayout {
   std::optional<std::size_t> force; ///< normal force, repulsion positive
   std::optional<ColumnTriple> normal, tangential, whole;
   std::optional<std::size_t> rolling = {}, twisting = {}; ///< magnitudes of the moments
+  std::optional<std::size_t> normal_stiffness = {}, tangential_stiffness = {};
 
   [[nodiscard]] bool has_forces() const { return force || normal || whole; }
   [[nodiscard]] bool has_tangential() const { return tangential || whole; }
+  [[nodiscard]] bool has_stiffness() const { return normal_stiffness && tangential_stiffness; }
 
   bool operator==(const ContactLayout&) const = default;
 };

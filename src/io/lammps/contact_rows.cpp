@@ -62,6 +62,10 @@ LocalRow local_row(const Row& row, std::size_t line, const ContactLayout& layout
     local.normal = vector(row, *layout.whole, "force");
   if (layout.tangential)
     local.tangential = vector(row, *layout.tangential, "tangential force");
+  if (layout.has_stiffness()) {
+    local.normal_stiffness = row.number(*layout.normal_stiffness, "kn");
+    local.tangential_stiffness = row.number(*layout.tangential_stiffness, "kt");
+  }
   return local;
 }
 
@@ -72,6 +76,8 @@ void to_si(std::vector<LocalRow>& rows, const DumpUnits& units) {
     row.force *= units.force;
     row.normal *= units.force;
     row.tangential *= units.force;
+    row.normal_stiffness *= units.force / units.length;
+    row.tangential_stiffness *= units.force / units.length;
   }
 }
 
@@ -112,13 +118,26 @@ class LocalJoin {
   void run() {
     const bool swapped = swapped_forces();
     for (const LocalRow& row : locals_.rows) {
+      if (is_empty(row)) {
+        builder_.skip_empty();
+        continue;
+      }
       PairRow pair = geometry(row, swapped);
       set_forces(pair, row, swapped);
+      pair.normal_stiffness = row.normal_stiffness;
+      pair.tangential_stiffness = row.tangential_stiffness;
       builder_.add(pair);
     }
   }
 
  private:
+  /// No ids, or no line of centres, and no force.
+  [[nodiscard]] bool is_empty(const LocalRow& row) const {
+    const bool nowhere = locals_.layout->difference && row.difference == Vec3{};
+    return ((row.id1 == 0 && row.id2 == 0) || nowhere) && row.force == 0 && row.normal == Vec3{} &&
+           row.tangential == Vec3{};
+  }
+
   PairRow geometry(const LocalRow& row, bool swapped) {
     const ContactLayout& layout = *locals_.layout;
     PairRow pair = grains_of(row);
@@ -152,6 +171,8 @@ class LocalJoin {
       return false;
     NormalMisfit misfit;
     for (const LocalRow& row : locals_.rows) {
+      if (is_empty(row))
+        continue;
       const PairRow ends = grains_of(row);
       if (!layout.difference && ends.a != ends.b && builder_.ambiguous(ends.a, ends.b))
         continue; // the vectors determine the image, once normal and tangential force are identified
@@ -251,7 +272,8 @@ namespace {
 std::vector<std::string> unused_columns(const LocalFrame& locals) {
   const ContactLayout& layout = *locals.layout;
   std::vector<std::size_t> used{layout.id1, layout.id2};
-  for (const auto& one : {layout.periodic, layout.overlap, layout.force, layout.rolling, layout.twisting})
+  for (const auto& one : {layout.periodic, layout.overlap, layout.force, layout.rolling, layout.twisting,
+                          layout.normal_stiffness, layout.tangential_stiffness})
     if (one)
       used.push_back(*one);
   for (const auto& three :
@@ -295,7 +317,8 @@ void note_unknown_contacts(PackingBuilder& builder, const LocalFrame* contacts, 
                  where == "in a dump" ? "no dump of contacts was given" : "no contacts were given");
     return;
   }
-  builder.note(Finding::stiffness_unknown, "stiffnesses are not " + where);
+  if (!contacts->layout->has_stiffness())
+    builder.note(Finding::stiffness_unknown, "stiffnesses are not " + where);
   builder.note(Finding::history_unknown, "the loading history of the contacts is not " + where);
   if (!contacts->layout->has_forces())
     builder.note(Finding::forces_unknown, "no column of forces");

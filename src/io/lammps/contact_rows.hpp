@@ -20,7 +20,7 @@ struct LocalRow {
   Vec3 difference{}; ///< x1 - x2
   bool through = false;
   bool turns = false; ///< carries a rolling or twisting moment
-  double overlap = 0, force = 0;
+  double overlap = 0, force = 0, normal_stiffness = 0, tangential_stiffness = 0;
   Vec3 normal{}, tangential{}; ///< on grain 1; `normal` is the whole force where the layout has that
 };
 

@@ -227,6 +227,21 @@ void note_unknown(PackingBuilder& builder, const DumpFile& atoms, const DumpBox&
   note_unknown_contacts(builder, locals, "in a dump");
 }
 
+/// \throws   FileError if the boxes of grains and contacts differ by more than 1e-4 of the longest edge
+void require_same_box(const DumpBox& box, double unit, const DumpFile& contacts, const LocalFrame& locals) {
+  constexpr double rounding = 1e-4;
+  const double other = contacts.units().stated ? contacts.units().length : unit;
+  double longest = 0, apart = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 edge = unit * column(box.edges, k);
+    longest = std::max(longest, norm(edge));
+    apart = std::max(apart, norm(edge - other * column(locals.frame.box->edges, k)));
+  }
+  if (apart > rounding * longest)
+    throw FileError(contacts.source().name(), locals.frame.box->line,
+                    "the box is not that of the grains: are both files of the same state?");
+}
+
 /// The packing of one frame; units stated in one of the two files apply to both.
 ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFile* local_file,
                         LocalFrame* locals, const PackingFileOptions& options) {
@@ -246,6 +261,7 @@ ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFi
     if (other.stated && units.stated && (other.length != units.length || other.force != units.force))
       builder.note(Finding::units_differ,
                    "ITEM: UNITS of the two files differ: each file was read in its own units");
+    require_same_box(box, units.length, *local_file, *locals);
     join(builder, *locals, local_file->units().stated ? local_file->units() : units);
   }
   note_unknown(builder, atom_file, box, locals);

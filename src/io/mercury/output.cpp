@@ -128,6 +128,8 @@ class StatJoin {
   explicit StatJoin(PackingBuilder& builder) : builder_(builder) {}
 
   void add(const StatRow& row) {
+    if (row.normal == Vec3{} && row.normal_force == 0 && row.tangential_force == 0)
+      return builder_.skip_empty();
     if (std::abs(norm(row.normal) - 1) > 1e-3)
       builder_.fail_contact(row.line, "expected a unit vector as normal, found one of length " +
                                           short_text(norm(row.normal)));

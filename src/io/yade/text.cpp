@@ -240,6 +240,9 @@ class ContactFile {
       force_digits_.see(row_[k]);
     pair.overlap = row_.number(overlap_, "overlap pd");
     const Vec3 direction = vector(normal_, "normal");
+    if (direction == Vec3{} && vector(normal_force_, "normal force") == Vec3{} &&
+        vector(shear_force_, "shear force") == Vec3{})
+      return builder_.skip_empty();
     if (!(std::abs(norm(direction) - 1) <= 1e-3))
       source_.fail("expected a unit vector as normal, found one of length " + short_text(norm(direction)));
     const Vec3 n = (1 / norm(direction)) * direction;

@@ -36,6 +36,7 @@ void pass_on(const io::ImportedPacking& packing, std::vector<std::string>& out) 
     case Finding::bodies:
     case Finding::signs_turned:
     case Finding::shapes:
+    case Finding::empty_rows:
       out.push_back(note.text);
       break;
     case Finding::walls_unknown:

@@ -16,7 +16,7 @@ TEST_CASE("a column map is a list of quantity=column") {
 TEST_CASE("a column map with a slip is refused") {
   CHECK_THROWS_WITH_AS(parse_column_map("id1"), "column map: expected quantity=column, found 'id1'",
                        InvalidArgument);
-  CHECK_THROWS_WITH_AS(parse_column_map("kn=c_1"), "column map: 'kn' is no quantity of a dump",
+  CHECK_THROWS_WITH_AS(parse_column_map("kq=c_1"), "column map: 'kq' is no quantity of a dump",
                        InvalidArgument);
   CHECK_THROWS_WITH_AS(parse_column_map("id="), "column map: no column is given for 'id'", InvalidArgument);
   CHECK_THROWS_WITH_AS(parse_column_map("id=a,id=b"), "column map: 'id' is given twice", InvalidArgument);

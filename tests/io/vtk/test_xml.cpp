@@ -192,7 +192,7 @@ TEST_CASE("VTK XML: each field of the grains that is wrong is refused with path 
         "g:45: expected 6 numbers in Points, found more");
   CHECK(grain("</Piece>", "</Piece><Piece/>").find("expected one element Piece, found another") !=
         std::string::npos);
-  CHECK(grain("Name=\"radii\"", "Name=\"size\"") == "g: expected point data radius or radii");
+  CHECK(grain("Name=\"radii\"", "Name=\"size\"") == "g: expected point data radius, radii or diameter");
   CHECK(grain("0.0005 0.0005 0.0005", "0.0005 0.0005") ==
         "g:8: expected 3 numbers in PointData: radii, found 2");
   CHECK(grain("0.0005 0.0005 0.0005", "0.0005 wide 0.0005") ==

@@ -21,6 +21,8 @@
 ///            fx, fy, fz              whole force exerted by grain 1 on grain 2, instead of fn and ft
 ///            lx, ly, lz              centre of grain 2 minus centre of grain 1
 ///            delta                   overlap
+///            kn, kt                  stiffnesses [N/m], both or none; also k_n, k_t or ks, normal_stiffness and
+///                                    tangential_stiffness, with _N/m or without
 /// Grains:    x, y, z                 needed
 ///            radius or diameter      needed
 ///            type                    of the material, an integer
@@ -32,13 +34,15 @@ namespace granum::io {
 struct ContactTable {
   std::vector<Vec3> normal; ///< unit vectors
   std::vector<std::array<long, 2>> id;
-  std::vector<double> normal_force;    ///< [N]
-  std::vector<double> tangential_size; ///< [N]
-  std::vector<Vec3> force;             ///< exerted by 1 on 2 [N]
-  std::vector<Vec3> branch;            ///< [m]
-  std::vector<double> overlap;         ///< [m]
-  std::vector<std::size_t> line;       ///< of the file
-  std::vector<std::string> unused;     ///< headings
+  std::vector<double> normal_force;                           ///< [N]
+  std::vector<double> tangential_size;                        ///< [N]
+  std::vector<Vec3> force;                                    ///< exerted by 1 on 2 [N]
+  std::vector<Vec3> branch;                                   ///< [m]
+  std::vector<double> overlap;                                ///< [m]
+  std::vector<double> normal_stiffness, tangential_stiffness; ///< both or none [N/m]
+  std::vector<std::size_t> line;                              ///< of the file
+  std::vector<std::string> unused;                            ///< headings
+  std::size_t empty_rows = 0;                                 ///< of zeros alone, left out
 };
 
 /// \throws   FileError with path and line for text that is not such a table, fields that are not numbers,

@@ -24,6 +24,7 @@ namespace granum::io {
 ///   fnx fny fnz        normal force vector
 ///   ftx fty ftz        tangential force vector
 ///   fx fy fz           whole force vector
+///   kn kt              stiffnesses, both or none
 /// of grains also body, the number of the rigid body; "none" as the column of body or shape means that the
 /// grains are of no bodies, and spheres.
 ///
