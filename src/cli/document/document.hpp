@@ -133,7 +133,7 @@ struct Note {
 struct Document {
   std::string command = {};                ///< "estimate"
   std::string title = {}, question = {};   ///< first line of a screen, and of a page if that has another
-  std::vector<std::string> sentences = {};       ///< the answer in words, below that
+  std::vector<std::string> sentences = {}; ///< the answer in words, below that
   std::vector<std::string> sentences_after = {}; ///< below the ranges in words
   std::vector<Section> sections = {};
   std::vector<Note> notes = {};
