@@ -243,6 +243,7 @@ plot::Chart chart_of(const std::vector<StrainCurve>& curves, const char* title, 
 Document document_of(const SweepOptions& o, const Curves& curves, const estimate::Notes& notes) {
   Document to{.command = "sweep"};
   to.signs = "";
+  to.title = "Stiffness and damping of a sand over shear strain";
   to.comments = {{"columns",
                   "amplitude of the shear strain and damping ratio in per cent; low and high: one standard "
                   "deviation to each side"}};

@@ -173,6 +173,7 @@ ExitCode sweep_path(const SweepOptions& o, const Rungs& rungs) {
   }
   const AnswerCase first = solve_answer(at_stress(o.inputs, path.points[first_answered(states)].stress), {});
   Document document = std::move(output).document(remarks_on(o, first.assumptions));
+  document.title = "Stiffness along a stress path";
   add_packing(document, o.inputs, first.question.state, !known_shape(o.inputs));
   document.add(Seen::data, Data{"path", path.text});
   add_sources(document);

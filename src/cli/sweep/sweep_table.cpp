@@ -263,6 +263,7 @@ ExitCode sweep_table(const SweepOptions& o, const Rungs& rungs) {
   require_free(to);
   TableSweep sweep(o, rungs);
   Document document = std::move(sweep).document();
+  document.title = "Stiffness at the states of a table";
   add_sources(document);
   if (to.draws())
     document.add(Seen::data, Picture{{chart_of(sweep.points())}});
