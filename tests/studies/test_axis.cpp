@@ -30,7 +30,7 @@ packing::Assembly pressed() {
   return a;
 }
 
-Mat3 stress(const io::ImportedPacking& packing) {
+Mat3 stress_of(const io::ImportedPacking& packing) {
   return packing::contact_stress(packing.assembly).symmetric;
 }
 
@@ -46,10 +46,10 @@ TEST_CASE("axis: x and y become z, with the cell and its faces") {
   packing.assembly.cell(0, 0) *= 2; // edges of three lengths
   packing.assembly.cell(1, 1) *= 3;
   packing.periodic = {true, false, true};
-  const Mat3 s = stress(packing);
+  const Mat3 s = stress_of(packing);
   for (const auto& [axis, first] : {std::pair(Axis::x, 1), std::pair(Axis::y, 2), std::pair(Axis::z, 0)}) {
     const io::ImportedPacking turned = about_axis(packing, axis);
-    const Mat3 t = stress(turned);
+    const Mat3 t = stress_of(turned);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         CHECK(t(i, j) == relative(s((i + first) % 3, (j + first) % 3), 1e-12));
@@ -65,7 +65,7 @@ TEST_CASE("axis: x and y become z, with the cell and its faces") {
 TEST_CASE("axis: the principal one is that of the stress") {
   const io::ImportedPacking upright = through_dump(pressed());
   const io::ImportedPacking turned = about_axis(about_axis(upright, Axis::x), Axis::principal);
-  const Mat3 s = stress(upright), t = stress(turned);
+  const Mat3 s = stress_of(upright), t = stress_of(turned);
   CHECK(t(2, 2) == relative(s(2, 2), 0.02)); // the specimen is not exactly symmetric
   CHECK(std::abs(t(0, 1)) + std::abs(t(0, 2)) + std::abs(t(1, 2)) < 1e-9 * t(2, 2));
   CHECK(trace(t) == relative(trace(s), 1e-12));
