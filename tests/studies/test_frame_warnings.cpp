@@ -174,9 +174,11 @@ TEST_CASE("frame warnings: boxes with walls, or none") {
       "id,x_mm,y_mm,z_mm,radius_mm\n1,1,2,2,0.5\n2,1.9999,2,2,0.5\n3,1.9999,2,2.9998,0.5\n";
   CHECK(warns(io::read_packing_csv(io::TextSource::of_text("g", three)), "no box in the file"));
   io::CsvBox walled{Mat3::diagonal(4e-3, 4e-3, 4e-3)};
-  CHECK_FALSE(warns(io::read_packing_csv(io::TextSource::of_text("g", three), {}, {.box = walled}), "not periodic"));
+  CHECK_FALSE(
+      warns(io::read_packing_csv(io::TextSource::of_text("g", three), {}, {.box = walled}), "not periodic"));
   walled.periodic = {true, true, false};
-  CHECK(warns(io::read_packing_csv(io::TextSource::of_text("g", three), {}, {.box = walled}), "not periodic"));
+  CHECK(
+      warns(io::read_packing_csv(io::TextSource::of_text("g", three), {}, {.box = walled}), "not periodic"));
   CHECK_FALSE(warns(through_csv(a), "no box"));
 }
 

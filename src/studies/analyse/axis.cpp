@@ -72,7 +72,7 @@ std::optional<Axis> parse_axis(std::string_view text) {
 io::ImportedPacking about_axis(io::ImportedPacking packing, Axis axis) {
   if (axis == Axis::z)
     return packing;
-  Mat3 rows = axis == Axis::x ? Mat3{{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}}   // y z x
+  Mat3 rows = axis == Axis::x ? Mat3{{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}}  // y z x
                               : Mat3{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}; // z x y
   if (axis == Axis::principal)
     rows = principal_axes(packing);

@@ -15,7 +15,8 @@ const std::string atoms = data_text("lammps_chain.atoms");
 const std::string contacts = data_text("lammps_chain.contacts");
 
 LammpsDump dump(const std::string& atom_text, const std::string& contact_text, const std::string& map = "") {
-  return LammpsDump(text_source("a", atom_text), text_source("c", contact_text), {.columns = parse_column_map(map)});
+  return LammpsDump(text_source("a", atom_text), text_source("c", contact_text),
+                    {.columns = parse_column_map(map)});
 }
 
 std::string dump_refused(const std::string& atom_text, const std::string& contact_text = contacts,

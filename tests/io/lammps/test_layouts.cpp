@@ -58,7 +58,8 @@ std::string contacts_with(const std::string& values, int digits = 17) {
 }
 
 ImportedPacking read(const std::string& contact_text, const std::string& map = "") {
-  LammpsDump dump(text_source("a", grains), text_source("c", contact_text), {.columns = parse_column_map(map)});
+  LammpsDump dump(text_source("a", grains), text_source("c", contact_text),
+                  {.columns = parse_column_map(map)});
   return dump.next().value();
 }
 

@@ -24,7 +24,8 @@ ImportedPacking read(int values, const std::string& first, const std::string& se
   for (int k = 1; k <= values; ++k)
     text += " c_fc[" + std::to_string(k) + "]";
   text += "\n" + first + "\n" + second + "\n";
-  LammpsDump dump(TextSource::of_text("g", grains), TextSource::of_text("c", text), {.columns = parse_column_map(map)});
+  LammpsDump dump(TextSource::of_text("g", grains), TextSource::of_text("c", text),
+                  {.columns = parse_column_map(map)});
   return dump.next().value();
 }
 
