@@ -111,8 +111,8 @@ class PackingBuilder {
       : grain_file_(std::move(grain_file)), contact_file_(std::move(contact_file)),
         options_(std::move(options)) {}
 
-  /// \throws   FileError unless the volume is finite and positive; InvalidArgument if the options give another
-  ///           box, to 1e-4 of its longest edge
+  /// \throws   FileError unless the volume is finite and positive; InvalidArgument if the options give
+  ///           another box, to 1e-4 of its longest edge
   void set_cell(const Mat3& cell, const std::array<bool, 3>& periodic, std::size_t line);
   /// Takes the grains, in the order of their ids. If no cell was set before: the box of the options, else the
   /// smallest upright box, and a note.

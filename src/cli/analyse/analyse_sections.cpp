@@ -320,8 +320,9 @@ void add_data(Document& to, const AnalyseAnswer& answer) {
               {{"units", "SI"},
                {"signs", to.signs},
                {"stiffness",
-                "C of the network in the axes of the file, Voigt order 11 22 33 23 13 12, engineering shear "
-                "strains; moduli are projections: K and G isotropic, the others symmetric about z"}}});
+                "C of the network in the axes of the file (or of --axis), Voigt order 11 22 33 23 13 12, "
+                "engineering shear strains; moduli are projections: K and G isotropic, the others symmetric "
+                "about z"}}});
   to.add(Seen::data, Data{"frames_skipped", answer.skipped});
   to.add(Seen::data, Data{"frames", std::move(frames)});
   if (!answer.series.empty())

@@ -324,7 +324,7 @@ TEST_CASE("LAMMPS: each field of the contacts that is wrong is refused with path
   CHECK(contact("ENTRIES\n2", "ENTRIES\nmany") == "c:4: expected a finite number as rows, found 'many'");
   CHECK(dump_refused(contacts, atoms) == "a:9: expected a column 'id'"); // the two files the wrong way round
   const std::string near =
-      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n"
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS pp pp pp\n0 4e-3\n0 4e-3\n0 4e-3\n"
       "ITEM: ENTRIES id1 id2\n2 2\n";
   CHECK(dump_refused(atoms, near) == "c:10: the grain 2 is in contact with itself");
 }

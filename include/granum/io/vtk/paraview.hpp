@@ -29,7 +29,8 @@ enum class KnownForces { none, normal, all };
 
 /// Contacts as lines (.vtp) from the centre of one grain to that of the other, its nearest periodic image,
 /// and behind them those with walls, from the centre to the wall. Cell data: normal_force and
-/// tangential_force [N] where they are known, the latter the vector exerted by grain i on j or the wall; overlap [m];
+/// tangential_force [N] where they are known, the latter the vector exerted by grain i on j or the wall;
+/// overlap [m];
 /// normal_stiffness and tangential_stiffness [N/m], 0 where they are not known; sliding, 0 or 1;
 /// through_face, 1 if the line leaves the periodic cell; grains, the two indices or values of `id`, twice
 /// that of i at a wall; wall, its number, or -1 between grains. A tube of a radius by normal_force shows the
