@@ -21,8 +21,8 @@
 ///            fx, fy, fz              whole force exerted by grain 1 on grain 2, instead of fn and ft
 ///            lx, ly, lz              centre of grain 2 minus centre of grain 1
 ///            delta                   overlap
-///            kn, kt                  stiffnesses [N/m], both or none; also k_n, k_t or ks, normal_stiffness and
-///                                    tangential_stiffness, with _N/m or without
+///            kn, kt                  stiffnesses [N/m], both or none; also k_n, k_t or ks, or
+///                                    normal_stiffness, tangential_stiffness, with _N/m or without
 /// Grains:    x, y, z                 needed
 ///            radius or diameter      needed
 ///            type                    of the material, an integer

@@ -60,7 +60,8 @@ class TextSource {
   /// Number of the line here, from 1; after the end that of the last line.
   [[nodiscard]] std::size_t line_number() const { return line_number_; }
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// \throws   FileError with the name and the number of the line here, always; CutFile at the end of the file
+  /// \throws   FileError with the name and the number of the line here, always; CutFile at the end of
+  ///           the file
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
