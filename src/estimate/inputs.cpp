@@ -259,16 +259,12 @@ std::vector<InputRow> number_rows() {
       {.input = Input::fines,
        .key = "fines",
        .group = sizes_group,
-       .meaning =
-           "Share of silt and clay, finer than 0.063 mm by mass; of a sieve curve it is computed. From 5 % "
-           "on the range of a sand is wider",
+       .meaning = "Share of silt and clay by mass, finer than 0.063 mm; from 5% on the range is wider",
        .belongs = Belongs::to_answer,
        .share = true,
        .symbols = "FC",
        .synonyms = {{"fc finescontent silt siltcontent clay"}},
-       .limits = {.low = 0,
-                  .high = sands::largest_fines,
-                  .reason = "with more the ground is silt or clay, to which laws of sands do not apply"},
+       .limits = {.low = 0, .high = sands::largest_fines, .reason = "with more it is silt or clay, no sand"},
        .implies = GrainShape::sand,
        .uncertain = false},
       {.input = Input::saturation,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves of G/G0 and damping over strain, by the rules of the programs that read them:
-// pystrata, src/pystrata/site.py: models have unique names; strains are positive, as many as values, and fractions;
-// G/G0 is cut to [0.001, 1] and damping to [0, 0.49].
-// Strata, source/SoilType.cpp, NonlinearProperty.cpp: each key below is read; strains and damping are in per cent and
-// strains increase; two strains would have no interpolation.
+// pystrata, src/pystrata/site.py: models have unique names; strains are positive, as many as values, and
+// fractions; G/G0 is cut to [0.001, 1] and damping to [0, 0.49].
+// Strata, source/SoilType.cpp, NonlinearProperty.cpp: each key below is read; strains and damping are in per
+// cent and strains increase; two strains would have no interpolation.
 #include <fstream>
 #include <set>
 

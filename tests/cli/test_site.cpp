@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// V_s30, travel time and period of a profile, against a sum over many depths; and tables in units of practice.
+// V_s30, travel time and period of a profile, against a sum over many depths; and tables in units of
+// practice.
 #include <cmath>
 #include <fstream>
 
@@ -22,8 +23,8 @@ std::vector<std::string> profile(const char* depths, const char* points,
   return words;
 }
 
-/// Travel time down to a depth, by the trapezium rule over V_s of the states; above the first of them sands of small
-/// stress have V_s ~ z^(1/4).
+/// Travel time down to a depth, by the trapezium rule over V_s of the states; above the first of them sands
+/// of small stress have V_s ~ z^(1/4).
 double summed_time(const json& states, double depth) {
   double time = 0, before = 0, slowness = 0;
   for (const json& state : states) {

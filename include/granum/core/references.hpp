@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-/// The sources of formulas, data and methods, which tables, notes and docstrings cite by their keys, "Lo2021".
+/// The sources of formulas, data and methods, which tables, notes and docstrings cite by their keys,
+/// "Lo2021".
 /// Checked by tests/core/test_references.cpp
 namespace granum {
 

@@ -37,9 +37,9 @@ struct KnownSand {
   const char* remark = "";                       ///< on the tests
 };
 
-/// Sands of many laboratories, and the gradings of one: "karlsruhe-0.6-3" has d50 = 0.6 mm and C_u = 3. All tests
-/// are taken from [Lo2021], whose table names no sands: they are identified by their limits of the void ratio.
-/// [CubrinovskiIshihara2002; YangSze2011; CareyStoneKutter2020; Azeiteiro2017; Fioravante2015]
+/// Sands of many laboratories, and the gradings of one: "karlsruhe-0.6-3" has d50 = 0.6 mm and C_u = 3. All
+/// tests are taken from [Lo2021], whose table names no sands: they are identified by their limits of the void
+/// ratio. [CubrinovskiIshihara2002; YangSze2011; CareyStoneKutter2020; Azeiteiro2017; Fioravante2015]
 /// [Arulmoli1992; Tsomokos2010; WichtmannTriantafyllidis2009]
 [[nodiscard]] std::span<const KnownSand> known_sands();
 /// The one of that key.
@@ -78,8 +78,8 @@ struct TestedRange {
   double uniformity_high = 0;             ///< C_u from 1 to this; 0: the law does not use C_u
 };
 
-/// Agreement of a law with 166 tests of 23 clean sands, each sand with the same weight [Lo2021]. The 623 tests
-/// of that table which come from one laboratory, and on which one of the laws is based, are left out.
+/// Agreement of a law with 166 tests of 23 clean sands, each sand with the same weight [Lo2021]. The 623
+/// tests of that table which come from one laboratory, and on which one of the laws is based, are left out.
 /// validation/sands repeats the comparison with a table of the user.
 struct LawRecord {
   double bias = 1;      ///< law over measured, geometric mean [1]

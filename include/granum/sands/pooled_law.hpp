@@ -9,8 +9,8 @@
 #include <granum/sands/known_sands.hpp>
 
 /// Estimates for a sand from the measurements of many sands: G at small strain, its exponent of stress,
-/// Poisson's ratio, anisotropy, and the error of each. Fitted to 789 tests of 38 clean sands [Lo2021] and, for
-/// the effect of C_u and the stated factors, to half of the laboratories of a second collection;
+/// Poisson's ratio, anisotropy, and the error of each. Fitted to 789 tests of 38 clean sands [Lo2021] and,
+/// for the effect of C_u and the stated factors, to half of the laboratories of a second collection;
 /// validation/sands has the errors of the fits.
 namespace granum::sands {
 
@@ -109,10 +109,11 @@ struct GrowthExponent {
 [[nodiscard]] double extrapolated_shear_modulus(const Sand& sand, double void_ratio, double mean_stress);
 
 /// One standard deviation of G as a factor; two deviations are its square. 1.4 if e is known, 1.45 from D_r
-/// alone, 1.35 if e_min and e_max are known; 1.6 with fines, for grains other than quartz and for limits that no
-/// tested sand has; 1.9 for gravel and for C_u of 8 and more. The effect of C_u is uncertain by
-/// 0.2 ln(C_u/1.5). A sand with tests of its own has 1.15 within their void ratios and stresses, and the factor
-/// of other sands far outside. Outside of the stresses and void ratios of all tests the factor grows to 1.9.
+/// alone, 1.35 if e_min and e_max are known; 1.6 with fines, for grains other than quartz and for limits that
+/// no tested sand has; 1.9 for gravel and for C_u of 8 and more. The effect of C_u is uncertain by
+/// 0.2 ln(C_u/1.5). A sand with tests of its own has 1.15 within their void ratios and stresses, and the
+/// factor of other sands far outside. Outside of the stresses and void ratios of all tests the factor grows
+/// to 1.9.
 /// Accuracy  counted on half of the laboratories of a second collection: about 68 % of tests lie within the
 ///           factor and 95 % within its square. Checked by tests/sands/test_pooled_law.cpp
 [[nodiscard]] double stated_factor(const Sand& sand, double void_ratio, double mean_stress);
@@ -153,8 +154,8 @@ struct UsualLimits {
   double largest = 0;   ///< e_max [1]
   double deviation = 0; ///< of the void ratio at a relative density, one standard deviation [1]
 };
-/// e_max = 0.907 - 0.120 ln(C_u/1.5) and e_min = 0.601 - 0.164 ln(C_u/1.5), with C_u held at 8, fitted to half
-/// of 38 sands.
+/// e_max = 0.907 - 0.120 ln(C_u/1.5) and e_min = 0.601 - 0.164 ln(C_u/1.5), with C_u held at 8, fitted to
+/// half of 38 sands.
 /// \param    uniformity   C_u >= 1; 1.5 and a larger deviation if it is not known [1]
 /// Accuracy  the other half of the sands: 0.07, root mean square. Checked by tests/sands/test_pooled_law.cpp
 [[nodiscard]] UsualLimits usual_limits(const std::optional<double>& uniformity);

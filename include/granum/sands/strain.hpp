@@ -24,8 +24,8 @@ struct StrainLaw {
   const char* formula;
   double (*ratio)(const StrainedSand& sand) = nullptr; ///< G/G0, unchecked
 };
-/// Where a law needs C_u or D_r and the sand has none, C_u is 1.5, and D_r that of the void ratio between usual
-/// limits. [WangStokoe2022; Darendeli2001; Menq2003; IshibashiZhang1993; OztoprakBolton2013]
+/// Where a law needs C_u or D_r and the sand has none, C_u is 1.5, and D_r that of the void ratio between
+/// usual limits. [WangStokoe2022; Darendeli2001; Menq2003; IshibashiZhang1993; OztoprakBolton2013]
 [[nodiscard]] std::span<const StrainLaw> strain_laws();
 
 /// By how many standard deviations each part of the law of strain is moved from its middle.
@@ -45,8 +45,8 @@ struct StrainAnswer {
 /// 240 measured curves; C_u is 1.5 where it is not known. Void ratio, relative density and d50 were found to
 /// change nothing. D = 0.8 % (p/p_a)^-0.15 + 19.5 % (1 - G/G0)^1.22 is a centre of ten published laws.
 /// \throws   InvalidArgument unless 0 < strain <= 0.05, and as extrapolated_shear_modulus
-/// Accuracy  root mean square 0.06 of G/G0 in the fitted half, 73 % of it within one deviation and 95 % within
-///           two. Checked by tests/sands/test_strain.cpp
+/// Accuracy  root mean square 0.06 of G/G0 in the fitted half, 73 % of it within one deviation and 95 %
+///           within two. Checked by tests/sands/test_strain.cpp
 [[nodiscard]] StrainAnswer strained(const StrainedSand& sand, const StrainMoves& moves = {});
 
 /// Friction coefficient of quartz grains, used for slip at contacts.

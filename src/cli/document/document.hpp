@@ -203,8 +203,8 @@ struct Record {
   std::string date = {}; ///< "29 November 2026"; empty: none, so that it can be made again
   std::vector<AskedOption> asked = {};
 };
-/// A page of HTML: answer, picture, what was asked, tables, warnings, assumptions, sources and the full screen.
-/// Numbers have the decimal sign of document.manner.
+/// A page of HTML: answer, picture, what was asked, tables, warnings, assumptions, sources and the full
+/// screen. Numbers have the decimal sign of document.manner.
 [[nodiscard]] std::string page(const Document& document, const Record& record = {});
 
 /// Where a document is printed to.

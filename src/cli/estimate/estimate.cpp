@@ -318,8 +318,8 @@ std::string title_text(const State& s) {
                                                  pressure_text(s.stress_h)));
 }
 
-/// "Within two standard deviations G of a sand is 60 to 230 MPa, for about 19 of 20 sands.": the stated factor
-/// of a sand holds squared. Empty without a sand or stress.
+/// "Within two standard deviations G of a sand is 60 to 230 MPa, for about 19 of 20 sands.": the stated
+/// factor of a sand holds squared. Empty without a sand or stress.
 std::vector<std::string> two_deviations(const AnswerCase& c) {
   const estimate::Answer* const sand = c.of_sand();
   if (sand == nullptr || !(c.question.state.mean_stress() > 0))

@@ -35,8 +35,8 @@ struct FitQuestion {
 /// "G", or "rho V_s^2" of measured speeds: the left side of the law.
 [[nodiscard]] std::string modulus_name(const FitQuestion& question);
 /// Reads the rows, and records the columns used. A file with only a mean stress, p, allows only s; without a
-/// void ratio f(e) = 1. Without a modulus V_s and the density give it; the density has a column, or follows from
-/// void ratio, grain density (2650 kg/m3 without a column) and degree of saturation (0 without one).
+/// void ratio f(e) = 1. Without a modulus V_s and the density give it; the density has a column, or follows
+/// from void ratio, grain density (2650 kg/m3 without a column) and degree of saturation (0 without one).
 /// Rows with an empty cell in these columns are left out.
 /// \throws   FileError for an unreadable file, a missing column, or a row that cannot be used in a fit
 [[nodiscard]] std::vector<hardin::MeasuredModulus> read_rows(FitQuestion& question);

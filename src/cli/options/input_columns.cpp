@@ -29,8 +29,8 @@ std::string heading_of(const std::string& option) {
   return name;
 }
 
-/// Other headings that people have, the most telling first: read only where no column has a symbol or the name
-/// of the input.
+/// Other headings that people have, the most telling first: read only where no column has a symbol or the
+/// name of the input.
 struct OtherHeadings {
   Input input;
   std::string_view names;

@@ -32,15 +32,15 @@ inline constexpr std::string_view compression_wave_speed_h = "V_p_h Vp_h";
 
 } // namespace column_names
 
-/// The names of a column, without the unit: symbols, which blanks separate, then the option without its hyphens,
-/// void_ratio; of an input then the other headings that people have. Words are read however they are spelt
-/// (is_column_of).
+/// The names of a column, without the unit: symbols, which blanks separate, then the option without its
+/// hyphens, void_ratio; of an input then the other headings that people have. Words are read however they are
+/// spelt (is_column_of).
 [[nodiscard]] std::vector<std::string> names_of_column(estimate::Input input);
 [[nodiscard]] std::vector<std::string> names_of_column(std::string_view symbols, const std::string& option);
 
 /// Inputs and other numbers bound to their columns, by the names of their options (void_ratio, "Void Ratio"),
-/// by symbol (e), or by another heading that people have (e_c, "Mean Effective Stress"), with their unit: p_kPa,
-/// "p (kPa)", "p [kPa]".
+/// by symbol (e), or by another heading that people have (e_c, "Mean Effective Stress"), with their unit:
+/// p_kPa, "p (kPa)", "p [kPa]".
 class InputColumns {
  public:
   /// \param    options   what the options give, for all rows; it must stay in its place

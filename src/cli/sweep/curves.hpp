@@ -36,9 +36,9 @@ struct StrainCurve {
 /// [pystrata, site.py: names are unique, strains positive, G/G0 in (0, 1], damping in [0, 0.49]]
 [[nodiscard]] std::string pystrata_text(const std::vector<StrainCurve>& curves,
                                         const std::vector<std::string>& comments);
-/// Curves as soil types of Strata, in JSON: strains and damping in per cent, mean stress in atm, unit weight in
-/// kN/m3. That of a single state, `alone`, is an object; others are an array, as in the catalogue of a Strata
-/// file.
+/// Curves as soil types of Strata, in JSON: strains and damping in per cent, mean stress in atm, unit weight
+/// in kN/m3. That of a single state, `alone`, is an object; others are an array, as in the catalogue of a
+/// Strata file.
 /// [Strata, SoilType.cpp and NonlinearProperty.cpp: strains increase, three or more]
 [[nodiscard]] std::string strata_text(const std::vector<StrainCurve>& curves,
                                       const std::vector<std::string>& comments, bool alone);

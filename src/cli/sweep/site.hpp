@@ -13,8 +13,8 @@ namespace granum::cli {
 /// Depth to which building codes average V_s [m].
 inline constexpr double code_depth = 30;
 
-/// A shear wave from the base of a profile up to the surface. Ranges are those of V_s, low or high at all depths
-/// alike: the sand differs from others as a whole.
+/// A shear wave from the base of a profile up to the surface. Ranges are those of V_s, low or high at all
+/// depths alike: the sand differs from others as a whole.
 struct SiteResponse {
   double base = 0;                  ///< deepest depth that was asked [m]
   double averaged_to = 0;           ///< 30 m, or the base of a profile that does not reach so deep [m]
@@ -25,8 +25,8 @@ struct SiteResponse {
 
 /// From V_s at small strain, from the surface to the base, also where fewer depths were asked.
 /// \throws   InvalidArgument where a depth has no answer, or its V_s may be 0
-/// Accuracy  travel time 1e-3: eight depths between every two of the surface, the tops of layers, the water table,
-///           30 m and the base
+/// Accuracy  travel time 1e-3: eight depths between every two of the surface, the tops of layers, the water
+///           table, 30 m and the base
 [[nodiscard]] SiteResponse site_response(const std::vector<Layer>& layers, double base);
 
 /// The numbers as lines of a screen and members of "site" in JSON.
