@@ -25,7 +25,8 @@ GROUPS = {
     "From measurements": "infer fit hardin Inference SandInference MeasuredRows Fit",
     "Ground, sands and water": """ground_stress stress_on_path failure_ratio known_sands measured_laws
         sand_shear_modulus void_ratio_of_relative_density saturated
-        water_and_air_bulk_modulus bulk_density GroundStress KnownSand MeasuredLaw""",
+        water_and_air_bulk_modulus bulk_density GroundStress KnownSand MeasuredLaw
+        references Reference""",
     "Rock physics": """hertz_mindlin walton_uniaxial walton_uniaxial_stress norris_johnson norris_johnson_stress digby
         jenkins_shear_modulus soft_sand stiff_sand cement_at_contacts cement_in_surface_layer
         murphy_coordination_number IsotropicModuli AxialStress""",

@@ -16,7 +16,7 @@ namespace granum::python {
 
 namespace {
 
-constexpr std::size_t most_keywords = 32;
+constexpr std::size_t most_keywords = 40;
 
 /// Record of a function for its calls. Never freed: a module lives until the interpreter ends.
 struct Record {

@@ -34,7 +34,7 @@ std::vector<Keyword> sand_keywords() {
   all[2].says =
       "Smallest void ratio e_min [1], in [0.1, 4.95], below largest_void_ratio by 0.05 or more; with both "
       "the\n    relative density is known. Unknown by default.";
-  all[5].says = "Median diameter by mass of a sand [m], > 0.";
+  all[6].says = "Median diameter by mass of a sand [m], > 0.";
   all[4].says += " That of the sand at void_ratio; its law takes it unless both limits are known.";
   return all;
 }

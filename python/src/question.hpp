@@ -18,12 +18,15 @@ namespace granum::python {
 [[nodiscard]] std::vector<Keyword> question_keywords(const std::vector<Keyword>& more = {});
 /// How many keywords a question has: the index of the first keyword of a function.
 [[nodiscard]] std::size_t question_keyword_count();
-/// Keywords of the properties of a sand: its name, C_u, limits, relative density and d50, in this order.
+/// Keywords of the properties of a sand: its name, C_u, limits, relative density, fines and d50, in this order.
 [[nodiscard]] std::vector<Keyword> sand_keywords();
 /// Those of them that are numbers.
-inline constexpr estimate::Input numbers_of_sand[] = {
-    estimate::Input::uniformity, estimate::Input::least_void_ratio, estimate::Input::largest_void_ratio,
-    estimate::Input::relative_density, estimate::Input::d50};
+inline constexpr estimate::Input numbers_of_sand[] = {estimate::Input::uniformity,
+                                                      estimate::Input::least_void_ratio,
+                                                      estimate::Input::largest_void_ratio,
+                                                      estimate::Input::relative_density,
+                                                      estimate::Input::fines,
+                                                      estimate::Input::d50};
 
 /// Values of a law, without other inputs, whose names in messages are those of Python.
 [[nodiscard]] estimate::InputValues values_of_law(const contact::NormalLaw& law);

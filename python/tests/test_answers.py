@@ -183,7 +183,12 @@ def test_a_sand_has_the_fields_of_a_packing_from_measured_laws():
     assert named.shear_modulus.value == pytest.approx(98e6, rel=0.02)
     assert named.shear_modulus.high / named.shear_modulus.low == pytest.approx(1.15**2, rel=1e-12)
     unnamed = granum.packing_answer(**state, grain_shape="sand", uniformity=1.39)
-    assert unnamed.shear_modulus.high / unnamed.shear_modulus.low == pytest.approx(1.3**2, rel=1e-12)
+    of_C_u = 0.2 * math.log(1.39 / 1.5)
+    assert math.log(unnamed.shear_modulus.high / unnamed.shear_modulus.low) == pytest.approx(
+        2 * math.hypot(math.log(1.4), of_C_u), rel=1e-12
+    )
+    silty = granum.packing_answer(**state, uniformity=1.39, fines=0.2)
+    assert silty.shear_modulus.high > 1.59 * silty.shear_modulus.value
     assert unnamed.stress_exponent.value == pytest.approx(0.40 * 1.39**0.18, rel=1e-14)
     assert math.isnan(unnamed.coordination_number.value)
     assert math.isnan(unnamed.modulus_ratio.value)

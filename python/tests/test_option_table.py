@@ -32,6 +32,8 @@ ARGUMENTS = {
     "infer least-void-ratio": "infer.least_void_ratio",
     "infer largest-void-ratio": "infer.largest_void_ratio",
     "infer d50": "infer.d50",
+    "fines": "packing_answer.fines",
+    "infer fines": "infer.fines",
     "strain": "packing_answer.shear_strain",
     "coordination-number": "packing_answer.coordination_number",
     "mechanical-coordination-number": "packing_answer.mechanical_coordination_number",

@@ -176,7 +176,8 @@ class TableColumns {
   /// The dimension in the heading of a column; none if the numbers are SI.
   [[nodiscard]] Dimension stated(std::string_view quantity, Dimension dimension) const {
     const auto& headings = table_.headings();
-    const bool bare = std::find(headings.begin(), headings.end(), quantity) != headings.end();
+    const bool bare =
+        std::ranges::any_of(headings, [&](const auto& heading) { return same_word(heading, quantity); });
     if (bare && dimension != Dimension::dimensionless && !si_ && !paraview_)
       throw FileError(name_, table_.heading_line(),
                       "the heading '" + std::string(quantity) + "' has no unit: write '" +
