@@ -18,7 +18,7 @@ namespace granum::python {
 [[nodiscard]] std::vector<Keyword> question_keywords(const std::vector<Keyword>& more = {});
 /// How many keywords a question has: the index of the first keyword of a function.
 [[nodiscard]] std::size_t question_keyword_count();
-/// Keywords of the properties of a sand: its name, C_u, limits, relative density, fines and d50, in this order.
+/// Keywords of the properties of a sand: its name, C_u, limits, relative density, fines and d50, in order.
 [[nodiscard]] std::vector<Keyword> sand_keywords();
 /// Those of them that are numbers.
 inline constexpr estimate::Input numbers_of_sand[] = {estimate::Input::uniformity,
