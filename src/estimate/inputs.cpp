@@ -488,8 +488,9 @@ const InputRow* find_input(std::string_view key) {
 void require_within(const InputRow& row, double value, std::string_view name, bool signed_per_cent) {
   if (row.limits.contain(value))
     return;
+  const double least = row.limits.high < 0.1 ? row.limits.high : 1; // 0.6 beyond 0.5 is no per cent
   const bool per_cent_left_out =
-      row.share && !signed_per_cent && value > row.limits.high && value <= 100 * row.limits.high;
+      row.share && !signed_per_cent && value > least && value <= 100 * row.limits.high;
   const std::string range = row.limits.text(value);
   throw InvalidArgument(std::string(name), value, std::string(si_symbol(row.dimension)),
                         per_cent_left_out ? range + "; write " + short_text(value) + "% for per cent"

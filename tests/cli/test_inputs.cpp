@@ -173,7 +173,7 @@ TEST_CASE("inputs: headings that people have are those of the inputs") {
     Input input;
     double number; ///< of "2" in SI
   };
-  for (const auto& [heading, input, number] :
+  for (const Case& one :
        {Case{"e_c", Input::void_ratio, 2}, Case{"Void Ratio", Input::void_ratio, 2},
         Case{"Mean Effective Stress (kPa)", Input::pressure, 2e3},
         Case{"mean_effective_stress_kPa", Input::pressure, 2e3}, Case{"p' [kPa]", Input::pressure, 2e3},
@@ -183,16 +183,16 @@ TEST_CASE("inputs: headings that people have are those of the inputs") {
         Case{"Dr (%)", Input::relative_density, 0.02},
         Case{"Relative density (%)", Input::relative_density, 0.02}, Case{"D50 (mm)", Input::d50, 2e-3},
         Case{"Coefficient of uniformity", Input::uniformity, 2}}) {
-    CAPTURE(heading);
-    const io::CsvTable table("rows.csv", std::string(heading) + "\n2\n");
+    CAPTURE(one.heading);
+    const io::CsvTable table("rows.csv", std::string(one.heading) + "\n2\n");
     const InputValues given;
     InputColumns columns(table, given);
     columns.bind_packing();
     columns.bind_material();
     CHECK(columns.unread().empty());
     const InputValues row = columns.row(0);
-    REQUIRE(row.stated(input));
-    CHECK(row.number(input) == doctest::Approx(number).epsilon(1e-14));
+    REQUIRE(row.stated(one.input));
+    CHECK(row.number(one.input) == doctest::Approx(one.number).epsilon(1e-14));
   }
 }
 
