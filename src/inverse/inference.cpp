@@ -227,7 +227,14 @@ void require_possible_together(std::span<const Observation> all, std::optional<d
   const auto error = [](const Observation& m) {
     return (row_of(m.quantity).speed ? 2 : 1) * m.value.standard_error / m.value.value;
   };
-  for (const Observation& wave : all)
+  const auto is_shear = [](const Observation& m) {
+    const Modulus of = row_of(m.quantity).modulus;
+    return of == Modulus::G_vh || of == Modulus::G_hh;
+  };
+  for (const Observation& wave : all) {
+    stop_point();
+    if (is_shear(wave))
+      continue; // nothing is too slow for another
     for (const Observation& other : all) {
       const double least = least_ratio(row_of(wave.quantity).modulus, row_of(other.quantity).modulus);
       if (least == 0 || !at_one_state(wave, other) || !(row_of(other.quantity).speed || grain_density))
@@ -240,6 +247,7 @@ void require_possible_together(std::span<const Observation> all, std::optional<d
                             "[" + short_text(wave.value.value * std::sqrt(least / ratio)) +
                                 ", inf): beside the measured " + of_other.key + " no stable solid has less");
     }
+  }
 }
 
 void require_determined_growth(const Measured& exponent, double limit) {
