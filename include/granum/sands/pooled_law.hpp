@@ -93,7 +93,8 @@ struct GrowthExponent {
 /// Variance of ln G of a forecast from one mean stress to another of one sand: 0.04^2 for deviations of the
 /// sand from one law, plus (deviation of s times ln of the stress ratio)^2, separately below and above 50
 /// kPa. The error of the measurement is not included. For pairs of tests at one void ratio, 67 to 78 % lie
-/// within the predicted standard deviation and 92 to 97 % within two, by classes of the stress ratio.
+/// within the predicted standard deviation and 92 to 97 % within two, by classes of the stress ratio; the two
+/// deviations were chosen on these pairs.
 /// [validation/sands]
 [[nodiscard]] double forecast_variance(const Sand& sand, double from, double to);
 
@@ -114,8 +115,8 @@ struct GrowthExponent {
 /// 0.2 ln(C_u/1.5). A sand with tests of its own has 1.15 within their void ratios and stresses, and the
 /// factor of other sands far outside. Outside of the stresses and void ratios of all tests the factor grows
 /// to 1.9.
-/// Accuracy  counted on half of the laboratories of a second collection: about 68 % of tests lie within the
-///           factor and 95 % within its square. Checked by tests/sands/test_pooled_law.cpp
+/// Accuracy  taken over from a count on half of the laboratories of a second collection, which is not public;
+///           in the first collection 97 % of tests lie within. Checked by tests/sands/test_pooled_law.cpp
 [[nodiscard]] double stated_factor(const Sand& sand, double void_ratio, double mean_stress);
 
 /// A note on a measured G that differs by more than a factor of 2.5 from sands of the same density and stress

@@ -172,7 +172,7 @@ ordered_json json(const Document& document) {
 }
 
 void add_sources(Document& to) {
-  std::vector<Section> small; // without rows, of which there may be millions
+  std::vector<Section> small; // without rows: there may be millions
   for (const Section& section : to.sections)
     if (!std::holds_alternative<Rows>(section.what))
       small.push_back(section);

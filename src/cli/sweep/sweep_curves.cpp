@@ -19,7 +19,7 @@ namespace {
 using estimate::Answer;
 using estimate::Field;
 
-/// A state of which a curve is asked.
+/// A state whose curve is asked.
 struct CurveState {
   std::string where; ///< "4 m", "line 3"; empty for the only one
   InputValues inputs = {};
