@@ -228,6 +228,9 @@ stress::AxialStress stresses_of(const InputValues& values) {
 }
 
 effective::State state_of(const InputValues& values, const stress::AxialStress& stress) {
+  if (values.stated(Input::fines) && known_shape(values) == GrainShape::sphere)
+    throw InvalidArgument(values.name(Input::fines) +
+                          " is silt and clay of a sand: spheres have a sieve curve");
   const effective::State state{
       .law = law_of(values),
       .tangential_ratio = values.given(Input::tangential_ratio)

@@ -141,6 +141,7 @@ granum_new_user("strain as a number" "estimate --void-ratio 0.7 --pressure 100kP
 granum_new_user("large strain" "estimate --void-ratio 0.7 --pressure 100kPa --strain 2%" 0 "strength governs")
 granum_new_user("strain of 10 %" "estimate --void-ratio 0.7 --pressure 100kPa --strain 10%" 2 "strain = 0\\.1 is outside \\(0, 0\\.05")
 granum_new_user("fines" "estimate --void-ratio 0.7 --pressure 100kPa --fines 12%" 0 "12 % of fines")
+granum_new_user("fines of beads" "estimate --void-ratio 0.65 --pressure 100kPa --grain-shape sphere --fines 20%" 2 "--fines is silt and clay")
 granum_new_user("fines in per cent" "estimate --void-ratio 0.7 --pressure 100kPa --fines 12" 2 "write 12% for per cent")
 granum_new_user("more than half of fines" "estimate --void-ratio 0.7 --pressure 100kPa --fines 0.6" 2 "0.6 is outside .0, 0.5.: with more it is silt or clay, no sand\n")
 granum_new_user("OCR" "estimate --void-ratio 0.7 --pressure 100kPa --ocr 4" 2 "overconsolidation and age are not modelled")
