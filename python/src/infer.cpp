@@ -52,7 +52,7 @@ std::vector<Keyword> infer_keywords() {
                "Standard deviations of the inputs common to all measurements of spheres, by their "
                "names,\n    grain_shear_modulus and grain_poisson_ratio: {\"void_ratio\": 0.01} [their "
                "units]; none by default."),
-      of_input(Input::saturation, "float").or_number(0),
+      of_input(Input::saturation).or_number(0),
       optional(
           "grain_shape", "str",
           "\"sphere\", the model, or \"sand\", what was measured on sands. By default \"sand\" if a number "
@@ -105,6 +105,7 @@ struct Column {
     fabric,
     tangential_ratio,
     rolling,
+    saturation,
     relative_error,
     quantities
   };
@@ -125,6 +126,7 @@ MeasuredColumns columns_of(const Arguments& a, const contact::NormalLaw& law) {
                    Argument{"fabric_anisotropy", 0.0},
                    Argument{"tangential_ratio", contact::mindlin_stiffness_ratio(law.grain().poisson_ratio)},
                    Argument{"rolling", 0.0},
+                   Argument{"saturation", 0.0},
                    Argument{"relative_error", a[Given::relative_error]}};
   if (a.given(Given::fabric))
     out.arguments[Column::fabric].value = a[Given::fabric];
@@ -132,6 +134,8 @@ MeasuredColumns columns_of(const Arguments& a, const contact::NormalLaw& law) {
     out.arguments[Column::tangential_ratio].value = a[Given::tangential_ratio];
   if (a.given(Given::rolling))
     out.arguments[Column::rolling].value = a[Given::rolling];
+  if (a.given(Given::saturation))
+    out.arguments[Column::saturation].value = a[Given::saturation];
   for (std::size_t k = 0; k < inverse::quantities().size(); ++k)
     if (a.given(Given::quantities + k)) {
       out.arguments.push_back({inverse::quantities()[k].key, a[Given::quantities + k]});
@@ -157,7 +161,11 @@ std::vector<inverse::Observation> measurements_of(const Arguments& a, const cont
     state.rolling = x[Column::rolling];
     for (std::size_t k = 0; k < measured.given.size(); ++k)
       if (const double value = x[Column::quantities + k]; !std::isnan(value))
-        measurements.push_back({measured.given[k], {value, x[Column::relative_error] * value}, state});
+        measurements.push_back(
+            {measured.given[k],
+             {value, x[Column::relative_error] * value},
+             state,
+             a.given(Given::saturation) ? std::optional(x[Column::saturation]) : std::nullopt});
   });
   if (measurements.empty())
     throw InvalidArgument("nothing is measured: give G, G_hh, K, V_s, V_s_hh, V_p or V_p_h");
@@ -165,7 +173,8 @@ std::vector<inverse::Observation> measurements_of(const Arguments& a, const cont
 }
 
 /// What is known of the packing besides its measurements: its law, material and sand.
-InputValues values_of(const Arguments& a, const effective::State& first) {
+InputValues values_of(const Arguments& a, const inverse::Observation& measured) {
+  const effective::State& first = measured.state;
   InputValues values = values_of_law(first.law);
   values.give(Input::radius, first.radius);
   values.give(Input::void_ratio, first.void_ratio);
@@ -177,10 +186,10 @@ InputValues values_of(const Arguments& a, const effective::State& first) {
         {Input::rolling, Given::rolling, first.rolling}})
     if (a.given(place))
       values.give(input, number);
-  for (const auto& [input, place] :
-       {std::pair{Input::grain_density, Given::grain_density}, {Input::saturation, Given::saturation}})
-    if (const std::optional<double> number = a.number_if_given(place))
-      values.give(input, *number);
+  if (const std::optional<double> density = a.number_if_given(Given::grain_density))
+    values.give(Input::grain_density, *density);
+  if (measured.saturation)
+    values.give(Input::saturation, *measured.saturation);
   give_word(values, Input::grain_shape, a, Given::grain_shape);
   give_word(values, Input::sand, a, Given::sand);
   for (std::size_t k = 0; k < std::size(numbers_of_sand); ++k)
@@ -248,7 +257,7 @@ py::object infer(const Arguments& a) {
   const MeasuredColumns measured = columns_of(a, law);
   const std::vector<inverse::Observation> measurements = measurements_of(a, law, measured);
   try {
-    const InputValues values = values_of(a, measurements.front().state);
+    const InputValues values = values_of(a, measurements.front());
     return known_shape(values) == estimate::GrainShape::sand ? infer_sand(a, values, measurements)
                                                              : infer_spheres(a, values, measurements);
   } catch (const InvalidArgument& error) {

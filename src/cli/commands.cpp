@@ -27,9 +27,10 @@ void finish(Command& command, const std::string& above) {
   command.called = above.empty() ? command.name : above + " " + command.name;
   for (Command& inner : command.within)
     finish(inner, command.called);
-  command.add(output_group, {{.name = "-h,--help",
-                              .value = {.take = [](const std::string&, const std::string&) {}},
-                              .meaning = "Print this help message and exit"}});
+  command.add(command.within.empty() ? output_group : "Options",
+              {{.name = "-h,--help",
+                .value = {.take = [](const std::string&, const std::string&) {}},
+                .meaning = "Print this help message and exit"}});
 }
 
 } // namespace

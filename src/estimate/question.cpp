@@ -276,6 +276,10 @@ sands::Sand sand_of(const InputValues& values) {
   if (values.sizes) {
     if (values.sizes->mean_radius() || sized)
       sand.d50 = sizes::gradation(*values.sizes, radius_of(values)).d50;
+    if (sand.d50 && *sand.d50 < sands::silt_size)
+      throw InvalidArgument(values.name(values.given(Input::sieve) ? Input::sieve : Input::sizes) +
+                            " has d50 = " + short_text(*sand.d50 * 1e3) + " mm: finer than 0.063 mm the " +
+                            "ground is silt or clay, to which laws of sands do not apply");
   } else if (values.law)
     sand.d50 = values.if_given(Input::d50);
   else if (sized)

@@ -89,7 +89,7 @@ ContactModel::ContactModel(std::span<const Observation> measurements, const Infe
   for (const Observation& m : measurements_) {
     const QuantityRow& row = row_of(m.quantity);
     require_measured(row, m.value);
-    require_known_density(row);
+    require_known_density(row, m.saturation);
     if (!options_.contacts.numbers.empty() && !m.state.pair_shares.empty())
       throw InvalidArgument(
           "a contact law cannot be inferred for grains of several materials: each pair of them "
@@ -104,10 +104,16 @@ ContactModel::ContactModel(std::span<const Observation> measurements, const Infe
         "the growth of z* with stress can be fitted to measurements at two stresses or more");
 }
 
-void ContactModel::require_known_density(const QuantityRow& row) const {
+double pore_density(const InferenceOptions& options, std::optional<double> saturation) {
+  return saturation ? elastic::water_density * require_closed("saturation", *saturation, 0, 1)
+                    : options.pore_density;
+}
+
+void ContactModel::require_known_density(const QuantityRow& row, std::optional<double> saturation) const {
   if (row.speed && !options_.grain_density)
     throw InvalidArgument("grain_density is not given [kg/m3]: wave speeds need it");
-  if (row.speed && options_.pore_density > 0 && row.modulus != Modulus::G_vh && row.modulus != Modulus::G_hh)
+  if (row.speed && pore_density(options_, saturation) > 0 && row.modulus != Modulus::G_vh &&
+      row.modulus != Modulus::G_hh)
     throw InvalidArgument(
         "a compression wave in wet pores travels mainly in the water and depends little on the contacts: use "
         "the shear wave");
@@ -217,9 +223,9 @@ double ContactModel::void_ratio_at(const Eigen::VectorXd& theta, double mean_str
 }
 
 double ContactModel::log_value(const Eigen::VectorXd& theta, Quantity quantity, const State& at,
-                               AskedPacking specimen) const {
+                               AskedPacking specimen, std::optional<double> saturation) const {
   const QuantityRow& row = row_of(quantity);
-  require_known_density(row);
+  require_known_density(row, saturation);
   const Eigen::Index priors = free_count();
   const auto [z, rattlers] = contacts(theta, at, specimen);
   State state = effective::with_contacts(at, z, rattlers);
@@ -229,8 +235,9 @@ double ContactModel::log_value(const Eigen::VectorXd& theta, Quantity quantity, 
   state = with_law(theta, std::move(state));
   const effective::RelaxedEstimate packing = effective::relaxed(state, z);
   const double value = std::log(effective::modulus(packing.stiffness, row.modulus));
-  const double bulk_density = elastic::bulk_density(
-      {.grain_density = density, .void_ratio = state.void_ratio, .pore_density = options_.pore_density});
+  const double bulk_density = elastic::bulk_density({.grain_density = density,
+                                                     .void_ratio = state.void_ratio,
+                                                     .pore_density = pore_density(options_, saturation)});
   const double shared = std::sqrt(effective::scatter_share_of_preparation()) *
                         calibration_of(row, packing).dot(theta.segment<2>(priors + rung_prior).transpose());
   return shared + (row.speed ? (value - std::log(bulk_density)) / 2 : value);
@@ -282,7 +289,8 @@ Eigen::VectorXd ContactModel::residuals(const std::vector<StateGroup>& groups,
     for (Eigen::Index i = 0; i < misfit.size(); ++i) {
       stop_point();
       const Observation& m = measurements_[group.members[static_cast<std::size_t>(i)]];
-      misfit[i] = log_value(theta, m.quantity, m.state, AskedPacking::same) - std::log(m.value.value);
+      misfit[i] =
+          log_value(theta, m.quantity, m.state, AskedPacking::same, m.saturation) - std::log(m.value.value);
     }
     all.segment(row, misfit.size()) = group.whitening * misfit;
     row += misfit.size();
@@ -382,7 +390,7 @@ void ContactModel::describe(Inference& inference, const std::vector<StateGroup>&
       const std::size_t k = group.members[static_cast<std::size_t>(i)];
       const Observation& m = measurements_[k];
       FittedObservation& fitted = inference.fitted_[k];
-      fitted.value = inference.predict(m.quantity, m.state);
+      fitted.value = inference.predict(m.quantity, m.state, AskedPacking::same, m.saturation);
       fitted.deviation = std::log(m.value.value / fitted.value.value) /
                          std::hypot(group.noise[i], group.scatter.row(i).norm());
     }
@@ -429,10 +437,11 @@ InferredPacking Inference::packing(const effective::State& at, AskedPacking spec
           .coordination_number = with_error(all, theta, covariance_)};
 }
 
-Measured Inference::predict(Quantity quantity, const effective::State& at, AskedPacking specimen) const {
+Measured Inference::predict(Quantity quantity, const effective::State& at, AskedPacking specimen,
+                            std::optional<double> saturation) const {
   const Eigen::VectorXd theta = detail::as_vector(parameters_);
   const auto logarithm = [&](const Eigen::VectorXd& t) {
-    return model_->log_value(t, quantity, at, specimen);
+    return model_->log_value(t, quantity, at, specimen, saturation);
   };
   const Measured log_value = with_error(logarithm, theta, covariance_,
                                         model_->own_scatter(theta, quantity, at, specimen).squaredNorm());

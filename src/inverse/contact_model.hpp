@@ -34,8 +34,9 @@ class ContactModel {
   /// z* and rattlers.
   [[nodiscard]] effective::ContactCounts contacts(const Eigen::VectorXd& theta, const effective::State& at,
                                                   AskedPacking specimen) const;
+  /// \param    saturation   without it options_.pore_density holds
   [[nodiscard]] double log_value(const Eigen::VectorXd& theta, Quantity quantity, const effective::State& at,
-                                 AskedPacking specimen) const;
+                                 AskedPacking specimen, std::optional<double> saturation = {}) const;
   /// Change of ln value with one deviation of K and of G in this state only.
   [[nodiscard]] Eigen::RowVector2d own_scatter(const Eigen::VectorXd& theta, Quantity quantity,
                                                const effective::State& at, AskedPacking specimen) const;
@@ -69,7 +70,7 @@ class ContactModel {
   [[nodiscard]] effective::ContactCounts first_contacts(const Eigen::VectorXd& theta) const;
   [[nodiscard]] effective::ContactCounts at_stress(const Eigen::VectorXd& theta, double mean_stress) const;
   /// \throws   InvalidArgument for a speed that is impossible with these densities
-  void require_known_density(const QuantityRow& row) const;
+  void require_known_density(const QuantityRow& row, std::optional<double> saturation) const;
   [[nodiscard]] Eigen::Index parameter_count() const;
   [[nodiscard]] Eigen::Index law_parameter(std::size_t number) const;
   [[nodiscard]] Eigen::Index free_count() const { return options_.growth == GrowthRule::fitted ? 2 : 1; }
@@ -81,6 +82,10 @@ class ContactModel {
   double isostatic_ = 0;
   double reference_stress_ = 0;
 };
+
+/// Density of what fills the pores of a measurement [kg/m3].
+/// \throws   InvalidArgument for a saturation outside of [0, 1]
+[[nodiscard]] double pore_density(const InferenceOptions& options, std::optional<double> saturation);
 
 /// (J^T J)^-1.
 [[nodiscard]] Eigen::MatrixXd inverse_information(const Eigen::MatrixXd& jacobian);

@@ -28,7 +28,7 @@ constexpr double any_contacts = 5;
 double bulk_density(const Observation& m, const InferenceOptions& options) {
   return elastic::bulk_density({.grain_density = *options.grain_density,
                                 .void_ratio = m.state.void_ratio,
-                                .pore_density = options.pore_density});
+                                .pore_density = detail::pore_density(options, m.saturation)});
 }
 
 double modulus_of(const Observation& m, const InferenceOptions& options) {

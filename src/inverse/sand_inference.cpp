@@ -67,12 +67,23 @@ Question moved(const Question& known, const effective::State& at, const Paramete
   return q;
 }
 
-double value_of(const Question& known, Quantity quantity, const effective::State& at, const Parameters& x) {
-  return estimate::answer(moved(known, at, x))[field_of(quantity)].value;
+/// Where a quantity is measured or asked for.
+struct Place {
+  const effective::State& state;
+  std::optional<double> saturation; ///< of its pores, if it is not that of the sand
+
+  explicit Place(const Observation& m) : state(m.state), saturation(m.saturation) {}
+  Place(const effective::State& at, std::optional<double> water) : state(at), saturation(water) {}
+};
+
+double value_of(const Question& known, Quantity quantity, const Place& at, const Parameters& x) {
+  Question q = moved(known, at.state, x);
+  q.saturation = at.saturation.value_or(q.saturation);
+  return estimate::answer(q)[field_of(quantity)].value;
 }
 
 /// Derivatives of ln of a quantity by the parameters, central differences.
-Parameters slopes(const Question& known, Quantity quantity, const effective::State& at, const Parameters& x) {
+Parameters slopes(const Question& known, Quantity quantity, const Place& at, const Parameters& x) {
   constexpr double step = 1e-4;
   Parameters out;
   for (int k = 0; k < 3; ++k) {
@@ -115,9 +126,9 @@ LeastSquares solve(std::span<const Observation> all, const Question& known, cons
     for (const Observation& one : all) {
       stop_point();
       const double error = std::hypot(relative_error(one.value), own_error(one.quantity));
-      const Parameters slope = slopes(known, one.quantity, one.state, fit.x);
+      const Parameters slope = slopes(known, one.quantity, Place(one), fit.x);
       const double miss =
-          std::log(one.value.value / value_of(known, one.quantity, one.state, fit.x)) / (error * error);
+          std::log(one.value.value / value_of(known, one.quantity, Place(one), fit.x)) / (error * error);
       normal += slope * slope.transpose() / (error * error);
       right += slope * miss;
     }
@@ -130,8 +141,8 @@ LeastSquares solve(std::span<const Observation> all, const Question& known, cons
   return fit;
 }
 
-void require_wave_of_sand(Quantity quantity, const Question& known) {
-  if (row_of(quantity).speed && compresses(quantity) && known.saturation > 0)
+void require_wave_of_sand(Quantity quantity, double saturation) {
+  if (row_of(quantity).speed && compresses(quantity) && saturation > 0)
     throw InvalidArgument(
         "a compression wave in wet pores travels in the water and does not depend on the sand");
 }
@@ -150,7 +161,7 @@ void require_observations(std::span<const Observation> all, const Question& know
     require_positive("mean stress of a measurement", one.state.mean_stress(), "Pa");
     if (row_of(one.quantity).speed && !known.grain_density)
       throw InvalidArgument("grain_density is not given [kg/m3]: wave speeds need it");
-    require_wave_of_sand(one.quantity, known);
+    require_wave_of_sand(one.quantity, one.saturation.value_or(known.saturation));
   }
   detail::require_possible_together(all, known.grain_density);
   if (growth == SandGrowth::fitted && at_one_stress(all))
@@ -167,10 +178,11 @@ Validity SandInference::doubts(const effective::State& at) const {
   return estimate::answer(question(at)).validity();
 }
 
-Measured SandInference::predict(Quantity quantity, const effective::State& at) const {
-  require_wave_of_sand(quantity, known_);
-  const double value = value_of(known_, quantity, at, Parameters::Zero());
-  const Parameters slope = slopes(known_, quantity, at, Parameters::Zero());
+Measured SandInference::predict(Quantity quantity, const effective::State& at,
+                                std::optional<double> saturation) const {
+  require_wave_of_sand(quantity, saturation.value_or(known_.saturation));
+  const double value = value_of(known_, quantity, {at, saturation}, Parameters::Zero());
+  const Parameters slope = slopes(known_, quantity, {at, saturation}, Parameters::Zero());
   const Eigen::Map<const Eigen::Matrix3d> covariance(covariance_.data());
   const double own = own_error(quantity);
   return {value, value * std::sqrt(std::max(0.0, slope.dot(covariance * slope)) + own * own)};
@@ -212,7 +224,7 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
   for (std::size_t k = 0; k < all.size(); ++k) {
     stop_point();
     const Observation& one = all[k];
-    const double fitted = value_of(found.known_, one.quantity, one.state, Parameters::Zero());
+    const double fitted = value_of(found.known_, one.quantity, Place(one), Parameters::Zero());
     const double error = std::hypot(relative_error(one.value), own_error(one.quantity));
     const double off = std::log(one.value.value / fitted) / error;
     found.fitted_.push_back({.value = {fitted, 0}, .deviation = off});
@@ -233,7 +245,7 @@ SandInference infer_sand(std::span<const Observation> measurements, const Questi
   for (FittedObservation& one : found.fitted_) {
     stop_point();
     const auto k = static_cast<std::size_t>(&one - found.fitted_.data());
-    const Parameters slope = slopes(found.known_, all[k].quantity, all[k].state, Parameters::Zero());
+    const Parameters slope = slopes(found.known_, all[k].quantity, Place(all[k]), Parameters::Zero());
     one.value.standard_error = one.value.value * std::sqrt(std::max(0.0, slope.dot(covariance * slope)));
   }
   const double level = found.known_.sand.level_factor;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/elastic/waves.hpp>
 #include <granum/inverse/inference.hpp>
 
 #include <cmath>
@@ -393,6 +394,31 @@ TEST_CASE("inference: exact measurements of dependent quantities") {
     all.push_back(measurement(q, beads(1e6), 5));
   const auto answer = infer(all, options_with());
   CHECK(answer.together->packing(beads(1e6)).mechanical_coordination_number.value == relative(5.0, 1e-9));
+}
+
+TEST_CASE("inference: each measurement has its own water, which forecasts of other states do not have") {
+  const InferenceOptions dry = options_with();
+  const double e = 0.61;
+  std::vector<Observation> all = {measurement(Quantity::V_s, beads(1e6), 5.2, 0.01),
+                                  measurement(Quantity::V_s, beads(4e6), 5.35, 0.01)};
+  const auto without = infer(all, dry);
+  const double slower = 1 / std::sqrt((density + e * elastic::water_density) / density);
+  all.back().value = {all.back().value.value * slower, all.back().value.standard_error * slower};
+  all.back().saturation = 1;
+  const auto answer = infer(all, dry);
+  CHECK(answer.together->packing(beads(1e6)).mechanical_coordination_number.value ==
+        relative(without.together->packing(beads(1e6)).mechanical_coordination_number.value, 1e-9));
+  CHECK(answer.together->chi_square() == relative(without.together->chi_square(), 1e-6));
+  CHECK(answer.alone.back().mechanical_coordination_number->value ==
+        relative(without.alone.back().mechanical_coordination_number->value, 1e-9));
+  const auto V_s = [&](std::optional<double> saturation) {
+    return answer.together->predict(Quantity::V_s, beads(2e6), AskedPacking::same, saturation).value;
+  };
+  CHECK(V_s({}) == V_s(0));
+  CHECK(V_s(0.5) / V_s(0) == relative(std::sqrt(density / (density + e * elastic::water_density / 2)),
+                                      1e-3)); // e shrinks a little
+  all.back().saturation = 1.5;
+  CHECK_THROWS_AS((void)infer(all, dry), InvalidArgument);
 }
 
 TEST_CASE("inference: pore water adds mass, and excludes the compression wave") {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/elastic/waves.hpp>
 #include <granum/inverse/sand_inference.hpp>
 
 #include <algorithm>
@@ -174,6 +175,31 @@ TEST_CASE("a forecast far beyond the tests is doubtful, one of a compression wav
   CHECK_FALSE(found.doubts(at(5e7)).ok());
   CHECK(found.predict(Quantity::V_s, at(2e5)).value > 250);
   CHECK_THROWS_AS((void)found.predict(Quantity::V_p, at(2e5)), InvalidArgument);
+}
+
+TEST_CASE("V_s above and below the water of one sand have one level, as their moduli have") {
+  const estimate::Question dry = quartz({.uniformity = 1.48});
+  const auto density = [](double saturation) {
+    return elastic::bulk_density(
+        {.grain_density = 2650, .void_ratio = 0.58, .pore_density = saturation * elastic::water_density});
+  };
+  std::vector<Observation> moduli, speeds;
+  for (const auto& [p, saturation] : {std::pair{5e4, 0.2}, {1e5, 1.0}, {2e5, 1.0}}) {
+    const double G = 1.1 * 80e6 * std::sqrt(p / 1e5) * (1 + 0.02 * saturation);
+    moduli.push_back(measured(Quantity::G_vh, G, 0.02, p));
+    speeds.push_back(measured(Quantity::V_s, std::sqrt(G / density(saturation)), 0.01, p));
+    speeds.back().saturation = saturation;
+  }
+  const SandInference by_moduli = infer_sand(moduli, dry), by_speeds = infer_sand(speeds, dry);
+  CHECK(by_speeds.level().value == relative(by_moduli.level().value, 1e-9));
+  CHECK(by_speeds.exponent().value == relative(by_moduli.exponent().value, 1e-9));
+  CHECK(by_speeds.chi_square() == relative(by_moduli.chi_square(), 1e-6));
+  CHECK(
+      by_speeds.predict(Quantity::V_s, at(1e5), 1).value ==
+      relative(by_speeds.predict(Quantity::V_s, at(1e5)).value * std::sqrt(density(0) / density(1)), 1e-12));
+  CHECK_THROWS_AS((void)by_speeds.predict(Quantity::V_p, at(1e5), 0.5), InvalidArgument);
+  speeds.front().quantity = Quantity::V_p;
+  CHECK_THROWS_AS((void)infer_sand(speeds, dry), InvalidArgument); // in wet pores of its own
 }
 
 TEST_CASE("measurements without information are refused") {

@@ -28,6 +28,8 @@ struct Observation {
   Quantity quantity = Quantity::G_vh;
   Measured value; ///< > 0 [Pa or m/s], error at most the value; errors below 0.01 % count as 0.01 %
   effective::State state;
+  /// Of its pores by water, for speeds; without it that of all measurements, [0, 1] [1].
+  std::optional<double> saturation = {};
 };
 
 /// Uncertain inputs common to all measurements.
@@ -85,10 +87,12 @@ class Inference {
                                         AskedPacking specimen = AskedPacking::same) const;
   /// A quantity at another state of the same packing. Errors common to measurement and prediction, such as
   /// those of the grains' modulus or of the preparation, cancel.
+  /// \param    saturation   of the pores there, for speeds; without it that of all measurements, [0, 1] [1]
   /// \throws   InvalidArgument as relaxed(), for a speed without grain density, and for a compression wave in
   ///           wet pores
   [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at,
-                                 AskedPacking specimen = AskedPacking::same) const;
+                                 AskedPacking specimen = AskedPacking::same,
+                                 std::optional<double> saturation = {}) const;
   /// The notes of estimate::answer on the packing, with its contacts, at that state: why a prediction there
   /// is doubtful.
   /// \throws   InvalidArgument as estimate::answer

@@ -25,9 +25,11 @@ class SandInference {
   /// A quantity at another state of the same sand. One standard deviation of ln G from one measurement is
   /// sqrt(0.04^2 + (0.045 ln(p/p_0))^2 + measurement^2), half of that for a speed; it is multiplied by
   /// widening() where the measurements contradict each other.
+  /// \param    saturation   of the pores there, for speeds; without it that of the sand, [0, 1] [1]
   /// \throws   InvalidArgument as estimate::answer, for a speed without the density of the grains, and for a
   ///           compression wave in wet pores
-  [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at) const;
+  [[nodiscard]] Measured predict(Quantity quantity, const effective::State& at,
+                                 std::optional<double> saturation = {}) const;
   /// The notes of estimate::answer on the sand at that state: why a forecast there is doubtful.
   /// \throws   InvalidArgument as estimate::answer
   [[nodiscard]] Validity doubts(const effective::State& at) const;

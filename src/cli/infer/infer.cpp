@@ -54,7 +54,7 @@ void add_measured_options(Command& command, InferOptions& o) {
        {.name = "--table",
         .value = path(o.table, "FILE.csv"),
         .meaning = "CSV file with one or more measurements per row: p_kPa, e, V_s_m/s, V_s_error_m/s, "
-                   "G_MPa, ...",
+                   "G_MPa, ...; or depth_m in place of the stress, for a borehole",
         .synonyms = {{"csv file input data"}}}});
 }
 
@@ -118,6 +118,7 @@ void add_infer_options(Command& command, InferOptions& o) {
   for (const char* asked : {"--coordination-number", "--mechanical-coordination-number", "--preparation"})
     command.remove(asked);
   command.row("--least-void-ratio").meaning = "Smallest void ratio e_min, for --relative-density";
+  add_ground(command, o.ground, {{"--table", "--table, with a column depth_m"}});
   add_prediction_options(command, o);
   add_output_options(command, o.output);
   add_picture(command, o.picture, "Draw data, fit and prediction over the mean stress");
@@ -265,6 +266,7 @@ ExitCode run(const InferOptions& o) {
   const Inferred all = inferred(question);
   Document document{.command = "infer", .title = title_text(all)};
   document.warnings = likely_mistakes(o.inputs, question.measurements.front().state);
+  document.warnings.merge(question.ground);
   for (const std::string& pressure : o.predict_pressure)
     document.warnings.merge(
         likely_mistakes(Number{.value = parse_quantity("--predict-pressure", pressure, Dimension::pressure),

@@ -15,6 +15,7 @@
 
 #include "cli/document/document.hpp"
 #include "cli/frame/frame.hpp"
+#include "cli/options/ground.hpp"
 #include "cli/options/input_options.hpp"
 #include "cli/options/packing_json.hpp"
 
@@ -40,6 +41,7 @@ struct InferOptions {
   std::array<std::string, 7> measured; ///< as given, in the order of measured_options(); empty: not given
   Number measurement_error;            ///< relative, for measurements without an error
   std::string table;
+  GroundOptions ground;                      ///< of a table with depths
   std::string growth;                        ///< empty: "sand" for a sand, "packings" for spheres
   std::string contacts = "given";            ///< family of contact laws to infer
   std::vector<std::string> uncertain;        ///< key=sd
@@ -67,6 +69,8 @@ struct InferCase {
   std::vector<PredictedState> predicted;
   nlohmann::ordered_json packing, sand_packing; ///< inputs of spheres, or of a sand; of a sand beside them
   estimate::Notes assumptions;                  ///< inputs that were not given
+  std::vector<double> depths = {};              ///< of the measurements in a borehole; else empty [m]
+  Validity ground = {};                         ///< what contradicts each other in its ground
   io::CsvManner manner = {};                    ///< of the table of measurements
 };
 
@@ -84,13 +88,13 @@ struct InferCase {
 /// The assumption for measurements without an error, noted once.
 void note_assumed_error(const InferOptions& options, InferCase& question, bool stated);
 
-/// Fills in the measurements of the table.
+/// Fills in the measurements of the table, whose rows may be depths in the ground.
 /// \return   what the first row knows of its packing, without its contacts; the material and the water are
 ///           the same in all rows
 /// \throws   FileError, also for a material that is not the same in all rows
 [[nodiscard]] InputValues read_table(const InferOptions& options, InferCase& question);
 
-/// Whether the quantity can be used and predicted: compression waves in wet pores cannot.
+/// Whether the quantity can be used and predicted: compression waves in wet pores of any measurement cannot.
 [[nodiscard]] bool is_told(const InferCase& question, const inverse::QuantityRow& row);
 
 /// The notes of `doubts` on a prediction, with its stress.
@@ -115,6 +119,13 @@ struct Inferred {
 
   [[nodiscard]] bool both() const { return sand && beads; }
 };
+
+/// The inferred contact law, its correlations, and what would determine the rest.
+void add_contact_law(Document& to, const std::string& kind, const inverse::ImpliedContacts& contacts);
+/// "5.12 +- 0.08".
+[[nodiscard]] std::string with_error(const Measured& number, int digits);
+/// A line for a screen.
+void add_line(Items& to, const char* label, std::string text, std::string meaning = "");
 
 /// Measurements, what was inferred and predictions for each kind of grains; and as CSV all states.
 void add_inferred(Document& to, const Inferred& all);

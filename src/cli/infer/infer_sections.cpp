@@ -35,9 +35,6 @@ std::vector<const QuantityRow*> predictable(const InferCase& question) {
 std::string error_in_percent(const Measured& number) {
   return number.value != 0 ? percent_text(number.standard_error / std::abs(number.value)) : "0 %";
 }
-std::string with_error(const Measured& number, int digits) {
-  return fmt::format("{} +- {}", short_text(number.value, digits), short_text(number.standard_error, 2));
-}
 std::string quantity_text(const QuantityRow& row, double value) { return pretty(value, dimension_of(row)); }
 
 /// "p' = 100 kPa, e = 0.6".
@@ -47,12 +44,6 @@ std::string place_text(const State& s) {
                          : fmt::format("sigma_v = {}, sigma_h = {}", pretty(s.stress_v, Dimension::pressure),
                                        pretty(s.stress_h, Dimension::pressure));
   return text + ", e = " + short_text(s.void_ratio);
-}
-
-void add_line(Items& to, const char* label, std::string text, std::string meaning = "") {
-  io::ShownColumn look = shown_as(label);
-  look.meaning = std::move(meaning);
-  io::add_item(to.items, "", std::move(text), std::move(look));
 }
 
 /// How well all measurements agree.
@@ -74,9 +65,14 @@ struct MeasuredRow {
   const Observation* measured;
   const inverse::FittedObservation* fitted; ///< null where no contacts explain the measurements
   const inverse::AloneAnswer* alone;        ///< null for a sand
+  std::optional<double> depth;              ///< in a borehole [m]
 
   [[nodiscard]] const QuantityRow& row() const { return inverse::row_of(measured->quantity); }
 };
+
+std::optional<double> depth_of(const InferCase& question, std::size_t measurement) {
+  return question.depths.empty() ? std::nullopt : std::optional(question.depths[measurement]);
+}
 
 const char* name_of(effective::Explained explained) {
   switch (explained) {
@@ -93,12 +89,7 @@ const char* name_of(effective::Explained explained) {
 /// What JSON has of measurements that spheres explain, or do not.
 io::Columns<MeasuredRow> explained_columns() {
   using Of = const MeasuredRow&;
-  return {{"", "value", [](Of of) { return of.measured->value.value; }},
-          {"", "standard_error", [](Of of) { return of.measured->value.standard_error; }},
-          {"", "stress_v", [](Of of) { return of.measured->state.stress_v; }},
-          {"", "stress_h", [](Of of) { return of.measured->state.stress_h; }},
-          {"", "void_ratio", [](Of of) { return of.measured->state.void_ratio; }},
-          {"", "explained", [](Of of) { return name_of(of.alone->implied.explained); }},
+  return {{"", "explained", [](Of of) { return name_of(of.alone->implied.explained); }},
           {"", "softest", [](Of of) { return of.alone->implied.softest; }},
           {"", "stiffest", [](Of of) { return of.alone->implied.stiffest; }},
           {"", "mechanical_coordination_number",
@@ -117,7 +108,12 @@ Table measured_table(const std::string& key, const std::vector<MeasuredRow>& row
       {"", "quantity", [](Of of) { return of.row().key; }, shown_as("", {}, -7)},
       {"", "", [](Of of) { return quantity_text(of.row(), of.measured->value.value); },
        shown_as("measured", {}, 10)},
-      {"", "", [](Of of) { return " +- " + error_in_percent(of.measured->value); }, shown_as("", {}, -9)}};
+      {"", "", [](Of of) { return " +- " + error_in_percent(of.measured->value); }, shown_as("", {}, -9)},
+      {"", "value", [](Of of) { return of.measured->value.value; }},
+      {"", "standard_error", [](Of of) { return of.measured->value.standard_error; }},
+      {"", "stress_v", [](Of of) { return of.measured->state.stress_v; }},
+      {"", "stress_h", [](Of of) { return of.measured->state.stress_h; }},
+      {"", "void_ratio", [](Of of) { return of.measured->state.void_ratio; }}};
   if (rows.front().alone != nullptr)
     for (io::Column<MeasuredRow>& column : explained_columns())
       columns.push_back(std::move(column));
@@ -134,8 +130,18 @@ Table measured_table(const std::string& key, const std::vector<MeasuredRow>& row
       "", "deviation",
       [](Of of) { return of.fitted != nullptr ? std::optional(of.fitted->deviation) : std::nullopt; },
       several ? std::optional(off) : std::nullopt);
+  if (rows.front().depth)
+    columns.emplace_back("", "depth", &MeasuredRow::depth);
   columns.emplace_back(
-      "", "", [](Of of) { return "  " + place_text(of.measured->state); }, shown_as("  at", {}, -1));
+      "", "",
+      [](Of of) {
+        const State& at = of.measured->state;
+        return of.depth
+                   ? fmt::format("  {} m, p' = {}, e = {}", short_text(*of.depth),
+                                 pretty(at.mean_stress(), Dimension::pressure), short_text(at.void_ratio))
+                   : "  " + place_text(at);
+      },
+      shown_as("  at", {}, -1));
   Table table = table_of(key, "", columns, rows);
   if (several)
     table.remark = "together: by the fit to all measurements; off: from it, in standard errors";
@@ -151,6 +157,7 @@ struct StateRow {
   State state;
   std::optional<InferredPacking> packing; ///< of spheres
   const Observation* measured;            ///< null for a prediction
+  std::optional<double> depth;            ///< of a measurement in a borehole [m]
   std::vector<Measured> forecasts;        ///< in the order of predictable(); empty without a fit
 };
 
@@ -162,18 +169,21 @@ io::Columns<StateRow> state_columns(const InferCase& question) {
   const auto value_of_packing = [](Measured InferredPacking::*part) {
     return [part](Of of) { return of.packing ? std::optional(((*of.packing).*part).value) : std::nullopt; };
   };
-  io::Columns<StateRow> columns = {
-      {"kind", "", &StateRow::kind},
-      {"p_Pa", "", [](Of of) { return of.state.mean_stress(); }},
-      {"sigma_v_Pa", "stress_v", [](Of of) { return of.state.stress_v; }},
-      {"sigma_h_Pa", "stress_h", [](Of of) { return of.state.stress_h; }},
-      {"e", "void_ratio", [](Of of) { return of.state.void_ratio; }},
-      {"z_star", "mechanical_coordination_number",
-       of_packing(&InferredPacking::mechanical_coordination_number)},
-      {"", "rattler_fraction", of_packing(&InferredPacking::rattler_fraction)},
-      {"rattler_fraction", "", value_of_packing(&InferredPacking::rattler_fraction)},
-      {"", "coordination_number", of_packing(&InferredPacking::coordination_number)},
-      {"C_n", "", value_of_packing(&InferredPacking::coordination_number)}};
+  io::Columns<StateRow> columns = {{"kind", "", &StateRow::kind}};
+  if (!question.depths.empty())
+    columns.emplace_back("depth_m", "", &StateRow::depth);
+  for (io::Column<StateRow>& column :
+       io::Columns<StateRow>{{"p_Pa", "", [](Of of) { return of.state.mean_stress(); }},
+                             {"sigma_v_Pa", "stress_v", [](Of of) { return of.state.stress_v; }},
+                             {"sigma_h_Pa", "stress_h", [](Of of) { return of.state.stress_h; }},
+                             {"e", "void_ratio", [](Of of) { return of.state.void_ratio; }},
+                             {"z_star", "mechanical_coordination_number",
+                              of_packing(&InferredPacking::mechanical_coordination_number)},
+                             {"", "rattler_fraction", of_packing(&InferredPacking::rattler_fraction)},
+                             {"rattler_fraction", "", value_of_packing(&InferredPacking::rattler_fraction)},
+                             {"", "coordination_number", of_packing(&InferredPacking::coordination_number)},
+                             {"C_n", "", value_of_packing(&InferredPacking::coordination_number)}})
+    columns.push_back(std::move(column));
   const std::vector<const QuantityRow*> rows = predictable(question);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const QuantityRow& row = *rows[k];
@@ -205,17 +215,21 @@ std::vector<StateRow> states_of(const InferCase& question, GrainShape shape, con
   const std::vector<const QuantityRow*> quantities = predictable(question);
   std::vector<StateRow> rows;
   const auto add = [&](const char* kind, const State& state, AskedPacking specimen, const Observation* m) {
-    StateRow& row = rows.emplace_back(StateRow{kind, shape, state, {}, m, {}});
+    StateRow& row = rows.emplace_back(StateRow{kind, shape, state, {}, m, {}, {}});
+    const std::optional<double> water = m != nullptr ? m->saturation : std::nullopt;
     if (beads != nullptr)
       row.packing = beads->packing(state, specimen);
     for (const QuantityRow* quantity : quantities)
       if (sand != nullptr)
-        row.forecasts.push_back(sand->predict(quantity->quantity, state));
+        row.forecasts.push_back(sand->predict(quantity->quantity, state, water));
       else if (beads != nullptr)
-        row.forecasts.push_back(beads->predict(quantity->quantity, state, specimen));
+        row.forecasts.push_back(beads->predict(quantity->quantity, state, specimen, water));
   };
-  for (const Observation& m : question.measurements)
+  for (std::size_t k = 0; k < question.measurements.size(); ++k) {
+    const Observation& m = question.measurements[k];
     add("measured", m.state, AskedPacking::same, &m);
+    rows.back().depth = depth_of(question, k);
+  }
   if (sand != nullptr || beads != nullptr)
     for (const auto& [state, specimen] : question.predicted)
       add("predicted", state, specimen, nullptr);
@@ -306,7 +320,7 @@ void add_sand(Document& to, const InferCase& question, const SandInference& sand
               const std::vector<StateRow>& states) {
   std::vector<MeasuredRow> measured;
   for (std::size_t k = 0; k < question.measurements.size(); ++k)
-    measured.push_back({&question.measurements[k], &sand.measurements()[k], nullptr});
+    measured.push_back({&question.measurements[k], &sand.measurements()[k], nullptr, depth_of(question, k)});
   Table table = measured_table("sand/measurements", measured);
   table.title = title_of(GrainShape::sand);
   to.add(Seen::always, std::move(table));
@@ -371,58 +385,6 @@ void add_contacts(Document& to, const InferCase& question, const Inference& fit)
   to.add(Seen::data, std::move(shares));
 }
 
-/// Numbers not determined by the data, and a quantity that would determine them.
-Prose open_question(const inverse::ImpliedContacts& contacts) {
-  std::vector<std::string> open;
-  for (const inverse::ImpliedNumber& number : contacts.numbers)
-    if (!number.determined())
-      open.push_back(number.key);
-  if (open.empty())
-    return {};
-  return {{fmt::format("not determined by these data: {}", fmt::join(open, ", ")),
-           contacts.would_determine
-               ? fmt::format("{} at the same states, within 2 %, would determine all",
-                             inverse::row_of(*contacts.would_determine).key)
-               : "no further quantity at the same states would determine them: measure over a wider range of "
-                 "pressures"}};
-}
-
-void add_contact_law(Document& to, const std::string& kind, const inverse::ImpliedContacts& contacts) {
-  using inverse::ImpliedNumber;
-  Items law{.key = "contacts", .title = "inferred contact law: " + kind};
-  io::add_item(law.items, "kind", kind);
-  for (const ImpliedNumber& number : contacts.numbers)
-    add_line(law, number.key.c_str(),
-             number.unit.empty() ? with_error(number.value, 3)
-                                 : fmt::format("{} +- {}", pretty(number.value.value, Dimension::length),
-                                               pretty(number.value.standard_error, Dimension::length)));
-  io::add_item(law.items, "exponent", contacts.local_exponent,
-               io::ShownColumn{.heading = "b",
-                               .digits = 3,
-                               .meaning = "k_n ~ f^b at the mean contact force f of the first measurement"});
-  io::ShownColumn softness = shown_as_percent("k_n");
-  softness.meaning = "of k_n by Hertz' law at this f";
-  io::add_item(law.items, "softness", contacts.softness, softness);
-  io::add_item(law.items, "correlation", contacts.correlation);
-  const std::size_t size = contacts.numbers.size();
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t k = i + 1; k < size; ++k)
-      add_line(law, "correlation", fmt::format("{:.2f}", contacts.correlation[i * size + k]),
-               fmt::format("of ln {} and ln {}", contacts.numbers[i].key, contacts.numbers[k].key));
-  io::add_item(law.items, "would_determine",
-               contacts.would_determine
-                   ? io::Value(std::string(inverse::row_of(*contacts.would_determine).key))
-                   : io::Value(nullptr));
-  to.add(Seen::always, std::move(law));
-  const io::Columns<ImpliedNumber> columns = {
-      {"", "key", &ImpliedNumber::key},
-      {"", "value", [](const ImpliedNumber& number) { return number.value.value; }},
-      {"", "standard_error", [](const ImpliedNumber& number) { return number.value.standard_error; }},
-      {"", "determined", &ImpliedNumber::determined}};
-  to.add(Seen::data, table_of("contacts/numbers", "", columns, contacts.numbers));
-  to.add(Seen::always, open_question(contacts));
-}
-
 void add_beads(Document& to, const InferCase& question, const inverse::InferenceAnswer& answer,
                const std::vector<StateRow>& states) {
   const Inference* const fit = answer.together ? &*answer.together : nullptr;
@@ -440,8 +402,8 @@ void add_beads(Document& to, const InferCase& question, const inverse::Inference
   to.add(Seen::always, std::move(packing));
   std::vector<MeasuredRow> measured;
   for (std::size_t k = 0; k < question.measurements.size(); ++k)
-    measured.push_back(
-        {&question.measurements[k], fit != nullptr ? &fit->measurements()[k] : nullptr, &answer.alone[k]});
+    measured.push_back({&question.measurements[k], fit != nullptr ? &fit->measurements()[k] : nullptr,
+                        &answer.alone[k], depth_of(question, k)});
   to.add(Seen::always, measured_table("measurements", measured));
   if (fit == nullptr)
     to.add(Seen::data, Data{"answer", nullptr});
@@ -458,11 +420,24 @@ void add_beads(Document& to, const InferCase& question, const inverse::Inference
 
 } // namespace
 
+std::string with_error(const Measured& number, int digits) {
+  return fmt::format("{} +- {}", short_text(number.value, digits), short_text(number.standard_error, 2));
+}
+
+void add_line(Items& to, const char* label, std::string text, std::string meaning) {
+  io::ShownColumn look = shown_as(label);
+  look.meaning = std::move(meaning);
+  io::add_item(to.items, "", std::move(text), std::move(look));
+}
+
 Dimension dimension_of(const QuantityRow& row) { return row.speed ? Dimension::speed : Dimension::pressure; }
 
 bool is_told(const InferCase& question, const QuantityRow& row) {
   const bool compression = row.quantity == Quantity::V_p || row.quantity == Quantity::V_p_h;
-  return !compression || question.options.pore_density == 0;
+  return !compression || (question.options.pore_density == 0 &&
+                          std::ranges::all_of(question.measurements, [](const Observation& m) {
+                            return m.saturation.value_or(0) == 0;
+                          }));
 }
 
 void add_inferred(Document& to, const Inferred& all) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 
-#include "cli/options/input_columns.hpp"
+#include "cli/options/answer_rows.hpp"
 #include "infer.hpp"
 
 namespace granum::cli {
@@ -70,22 +72,11 @@ estimate::Notes table_remarks(const InputColumns& columns, const InputValues& ro
   return remarks;
 }
 
-/// Depths of a table without a stress would need the weight of the ground.
-void require_stress(const io::CsvTable& table, InputColumns& columns) {
-  Number depth{0, Dimension::length, "z", "--depth"};
-  if (columns.gives_stress() || !columns.bind(depth))
-    return;
-  throw FileError(table.name(), table.heading_line(),
-                  fmt::format("the stress at '{}' is missing: add columns sigma_v_kPa and K_0, or p_kPa",
-                              columns.heading("--depth").value_or("")));
-}
-
-/// The inputs that are one and the same for all states of a sand.
+/// The inputs that are one and the same for all states of a sand; each state has its own saturation.
 constexpr Input of_material[] = {Input::sand,
                                  Input::grain_shape,
                                  Input::grain,
                                  Input::grain_density,
-                                 Input::saturation,
                                  Input::least_void_ratio,
                                  Input::largest_void_ratio,
                                  Input::relative_density,
@@ -113,6 +104,17 @@ std::string material_text(const InputValues& values, Input input) {
   return number ? short_text(*number) : "";
 }
 
+/// The inputs of a row; at a depth with its stress, which is noted with the ground.
+InputValues values_of(const AnswerRow& row, bool of_depths, bool first, InferCase& question) {
+  if (!of_depths)
+    return row.inputs;
+  RowInGround at = in_ground(row);
+  if (first)
+    std::ranges::copy(at.ground.assumptions, std::back_inserter(question.assumptions));
+  question.ground.merge(at.ground.validity);
+  return std::move(at.inputs);
+}
+
 /// \throws   InvalidArgument naming the column, or the option, in which a row is of another material
 void require_same_material(const InputValues& expected, const InputValues& found,
                            const InputColumns& columns) {
@@ -137,20 +139,18 @@ InputValues read_table(const InferOptions& o, InferCase& question) {
       throw InvalidArgument("measurements are given both by --table and by options: use one of the two");
   const io::CsvTable table = io::read_csv(o.table);
   question.manner = table.manner();
-  InputColumns inputs(table, o.inputs);
-  inputs.bind_packing();
-  inputs.bind_material();
-  inputs.bind(Input::k0);
-  require_stress(table, inputs);
+  AnswerRows rows(table, o.inputs, o.ground, RowsOf::measurements);
+  InputColumns& inputs = rows.columns();
   const std::vector<MeasuredColumn> columns = measured_columns(table, inputs);
   std::optional<InputValues> first;
   for (std::size_t k = 0; k < table.row_count(); ++k) {
     try {
-      InputValues row = completed(inputs.row(k));
+      const AnswerRow given = rows.row(k);
+      InputValues row = values_of(given, rows.in_ground(), !first, question);
       if (first)
         require_same_material(*first, row, inputs);
       else
-        question.assumptions = table_remarks(inputs, row);
+        std::ranges::copy(table_remarks(inputs, row), std::back_inserter(question.assumptions));
       if (row[Input::rattler_fraction].source == estimate::Source::table)
         row.leave_out(Input::rattler_fraction); // contacts are inferred
       first = first ? first : std::optional(row);
@@ -164,7 +164,10 @@ InputValues read_table(const InferOptions& o, InferCase& question) {
         question.measurements.push_back(
             {column.quantity,
              {*value, error.value_or(share_of(o.measurement_error, unit) * *value)},
-             state_of(row, stresses_of(row))});
+             state_of(row, stresses_of(row)),
+             row.within(Input::saturation)});
+        if (rows.in_ground())
+          question.depths.push_back(given.ground.row_depth.value);
       }
     } catch (const InvalidArgument& error) {
       throw FileError(o.table, table.line(k), error.what());
@@ -172,6 +175,12 @@ InputValues read_table(const InferOptions& o, InferCase& question) {
   }
   if (question.measurements.empty())
     throw FileError(o.table, 0, "contains no measured value: the columns of measured quantities are empty");
+  const double pores = first->within(Input::saturation);
+  if (std::ranges::any_of(question.measurements,
+                          [pores](const inverse::Observation& m) { return m.saturation != pores; }))
+    add_sentence(
+        question.assumptions,
+        fmt::format("forecasts have the pores of the first measurement, S_r = {}", percent_text(pores)));
   return *first;
 }
 

@@ -95,6 +95,14 @@ void add_range(io::Columns<CurveRow>& to, const std::string& heading, const std:
                [range, part = part](const CurveRow& row) { return row.at.*range.*part; });
 }
 
+std::vector<CurveRow> rows_of(const std::vector<StrainCurve>& curves) {
+  std::vector<CurveRow> rows;
+  for (const StrainCurve& curve : curves)
+    for (const StrainPoint& point : curve.points)
+      rows.push_back({&curve, point});
+  return rows;
+}
+
 void add_state(io::Columns<CurveRow>& to, const StrainCurve& of) {
   to.emplace_back("curve", "curve", [](const CurveRow& row) { return row.curve->name; });
   if (of.depth)
@@ -151,11 +159,27 @@ Table curve_table(const std::vector<StrainCurve>& curves, bool alone) {
   add_number(columns, "G_MPa", "strained_shear_modulus/value", million,
              [](const CurveRow& row) { return row.at.modulus.value; });
   add_range(columns, "G", "_MPa", "strained_shear_modulus", million, &StrainPoint::modulus);
-  std::vector<CurveRow> rows;
-  for (const StrainCurve& curve : curves)
-    for (const StrainPoint& point : curve.points)
-      rows.push_back({&curve, point});
-  return table_of("curves", "", columns, rows);
+  return table_of("curves", "", columns, rows_of(curves));
+}
+
+Table shown_curves(const std::vector<StrainCurve>& curves) {
+  using Of = const CurveRow&;
+  const auto with_range = [](estimate::Range StrainPoint::*range, double unit) {
+    return [range, unit](Of row) {
+      const auto text = [&](double value) { return short_text(value / unit, 3); };
+      const estimate::Range& of = row.at.*range;
+      return fmt::format("{} ({} to {})", text(of.value), text(of.low), text(of.high));
+    };
+  };
+  io::Columns<CurveRow> columns;
+  if (curves.size() > 1)
+    columns.emplace_back(
+        "", "", [](Of row) { return row.curve->name; }, shown_as("curve", {}, -1));
+  columns.emplace_back(
+      "", "", [](Of row) { return short_text(row.at.strain / per_cent); }, shown_as("strain [%]", {}, 10));
+  columns.emplace_back("", "", with_range(&StrainPoint::ratio, 1), shown_as("G/G0", {}, 24));
+  columns.emplace_back("", "", with_range(&StrainPoint::damping, per_cent), shown_as("damping [%]", {}, 22));
+  return table_of("", "", columns, rows_of(curves));
 }
 
 } // namespace granum::cli

@@ -46,6 +46,9 @@ struct StrainCurve {
 /// \param    alone   whether it is the curve of a single state; otherwise columns of the state come first
 [[nodiscard]] Table curve_table(const std::vector<StrainCurve>& curves, bool alone);
 
+/// Their strains, G/G0 and damping with their ranges, for a page.
+[[nodiscard]] Table shown_curves(const std::vector<StrainCurve>& curves);
+
 /// Answers the states of the options for each strain, and prints the curves.
 /// \throws   InvalidArgument if the first state has no answer, and for spheres, which have no law of strain
 ExitCode sweep_curves(const SweepOptions& options);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include <fmt/core.h>
 #include <granum/core/error.hpp>
 #include <granum/io/csv/table.hpp>
 
-#include "answer_rows.hpp"
+#include "cli/options/answer_rows.hpp"
 #include "depth.hpp"
 
 namespace granum::cli {
@@ -51,17 +52,30 @@ Layer layer_of(const SweepOptions& o, const AnswerRow& row) {
   Layer layer{.top = row.ground.top.value, .options = o, .ground = {}};
   layer.options.inputs = row.inputs;
   layer.options.ground = row.ground;
-  layer.ground = resolve_ground(layer.options);
+  layer.ground = resolve_ground(row.inputs, row.ground);
   return layer;
 }
 
 } // namespace
 
+std::vector<double> depths_of(const SweepOptions& o) {
+  const std::string& text = o.ground.depth;
+  const auto ends = ends_of_range(text);
+  if (!ends)
+    throw InvalidArgument(fmt::format("--depth = '{}' must be two depths, such as 0m..30m", text));
+  const double first = parse_quantity("--depth", ends->front(), Dimension::length);
+  const double last = parse_quantity("--depth", ends->back(), Dimension::length);
+  require_non_negative("--depth", first, "m");
+  if (!(last > first))
+    throw InvalidArgument(fmt::format("--depth = '{}' must be the smaller depth, then the larger", text));
+  return spread(first, last, o.points, false);
+}
+
 std::vector<Layer> layers_of(const SweepOptions& o) {
   if (o.ground.layers.empty())
-    return {{.top = 0, .options = o, .ground = resolve_ground(o)}};
+    return {{.top = 0, .options = o, .ground = resolve_ground(o.inputs, o.ground)}};
   const io::CsvTable table = io::read_csv(o.ground.layers);
-  AnswerRows reader(table, o, RowsOf::layers);
+  AnswerRows reader(table, o.inputs, o.ground, RowsOf::layers);
   const std::vector<AnswerRow> rows = rows_of(table, reader);
   std::vector<Layer> layers;
   for (std::size_t k = 0; k < table.row_count(); ++k) {
@@ -93,18 +107,9 @@ const Layer& layer_at(const std::vector<Layer>& layers, double depth) {
   return *(next - 1);
 }
 
-InputValues values_in_ground(const SweepOptions& o, const GroundCase& ground, double depth,
-                             const stress::AxialStress& effective) {
-  InputValues values = at_stress(o.inputs, effective);
-  const auto& table = ground.ground.water_table;
-  values.give(Input::saturation, table && depth > *table ? 1.0 : ground.saturation);
-  return values;
-}
-
-GroundState state_in_ground(const SweepOptions& o, const GroundCase& ground, double depth,
-                            const Rungs& rungs) {
-  const stress::GroundStress stress = stress::stress_at(ground.ground, depth);
-  return {stress, swept(values_in_ground(o, ground, depth, stress.effective), rungs)};
+InputValues values_at(const std::vector<Layer>& layers, double depth) {
+  const Layer& layer = layer_at(layers, depth);
+  return values_in_ground(layer.options.inputs, layer.ground, depth - layer.top);
 }
 
 } // namespace granum::cli

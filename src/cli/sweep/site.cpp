@@ -17,10 +17,7 @@ using estimate::Range;
 
 /// V_s at a depth, small strain, above 0 in its whole range.
 Range shear_speed(const std::vector<Layer>& layers, double depth) {
-  const Layer& layer = layer_at(layers, depth);
-  const double within = depth - layer.top;
-  InputValues values = values_in_ground(layer.options, layer.ground, within,
-                                        stress::stress_at(layer.ground.ground, within).effective);
+  InputValues values = values_at(layers, depth);
   values.grain_shape = known_shape(values); // also where a strain implies it
   values.leave_out(Input::shear_strain);
   const Range speed = bare_answer(values).answer[Field::shear_wave_speed];

@@ -92,17 +92,37 @@ void add_curve_options(Command& command, SweepOptions& o) {
         .synonyms = {{"curve curves siteresponse deepsoil"}}}});
 }
 
+/// What makes a sweep of the options that follow.
+void add_ways(Command& command, SweepOptions& o) {
+  Value depth = text(o.ground.depth, "FROM..TO");
+  depth.joins_units = true;
+  command.add(
+      "What to sweep",
+      {{.name = "--depth",
+        .value = std::move(depth),
+        .meaning =
+            "Stiffness over depth in level ground, between two depths: 0m..30m; with V_s30, the travel "
+            "time of a shear wave and the period 4 H/V_s",
+        .excludes = {{"--path --from --to --eta --friction-angle --spacing --table --rungs --picture-of"}},
+        .synonyms = {{"z"}}},
+       {.name = "--path",
+        .value = choice({"iso", "txc", "rtxc", "rtxe", "txe"}, o.path),
+        .meaning = "Stress path. iso: equal stresses, from --from to --to. The others, from --from to --eta: "
+                   "txc, vertical stress grows; rtxc, horizontal stress falls; rtxe, vertical stress falls; "
+                   "txe, horizontal stress grows"},
+       {.name = "--table",
+        .value = path(o.table, "FILE.csv"),
+        .meaning = "States from the rows of this CSV file",
+        .excludes = {{"--path --from --to --eta --friction-angle --points --spacing --picture-of"}},
+        .synonyms = {{"csv file input data"}}}});
+}
+
 void add_path_options(Command& command, SweepOptions& o) {
   const std::vector<Belonging> sheared = {
       {"--path", "txc rtxc rtxe txe", "iso", "--path txc, rtxc, rtxe and txe, not with iso"}};
   command.add(
       "Path",
-      {{.name = "--path",
-        .value = choice({"iso", "txc", "rtxc", "rtxe", "txe"}, o.path),
-        .meaning = "Stress path. iso: equal stresses, from --from to --to. The others, from --from to --eta: "
-                   "txc, vertical stress grows; rtxc, horizontal stress falls; rtxe, vertical stress falls; "
-                   "txe, horizontal stress grows"},
-       {.name = "--from",
+      {{.name = "--from",
         .value = number_without_default(o.from),
         .meaning = "Mean stress at the start",
         .synonyms = command.row("--pressure").synonyms},
@@ -130,6 +150,24 @@ void add_path_options(Command& command, SweepOptions& o) {
         .meaning = "States on the path, or depths, or strains of one curve, both ends included"}});
 }
 
+void add_ground_options(Command& command, GroundOptions& o) {
+  command.add(
+      ground_group,
+      {{.name = "--layers",
+        .value = path(o.layers, "FILE.csv"),
+        .meaning =
+            "Layers of the ground, one per row from its top_m down, with columns as for --table: e or D_r, "
+            "unit_weight, saturated_unit_weight, k0, sand, S_r",
+        .needs = {{"--depth", "--depth"}},
+        .synonyms = {{"profile soil strata"}}}});
+  add_ground(command, o, {{"--depth --table", "--depth"}});
+  command.add(ground_group, {{.name = "--k0",
+                              .value = number(o.earth_pressure_at_rest),
+                              .meaning = "K_0, horizontal over vertical effective stress in the ground",
+                              .needs = {{"--depth --table --for", "--depth"}},
+                              .synonyms = {{"k0 ko"}}}});
+}
+
 void add_table_options(Command& command, SweepOptions& o) {
   Value rungs = choice(names_of(effective::closed_forms(), &Rung::key),
                        [&o](const std::string& key) { o.rungs.push_back(key); });
@@ -142,12 +180,7 @@ void add_table_options(Command& command, SweepOptions& o) {
   units.by_default = "practice";
   command.add(
       "Table and columns",
-      {{.name = "--table",
-        .value = path(o.table, "FILE.csv"),
-        .meaning = "States from the rows of this CSV file",
-        .excludes = {{"--path --from --to --eta --friction-angle --points --spacing --picture-of"}},
-        .synonyms = {{"csv file input data"}}},
-       {.name = "--rungs",
+      {{.name = "--rungs",
         .value = std::move(rungs),
         .meaning = "Closed forms to compare with (rungs, below), separated by commas"},
        {.name = "--laws",
@@ -176,6 +209,7 @@ void restrict_stresses(Command& command) {
 }
 
 void add_sweep_options(Command& command, SweepOptions& o) {
+  add_ways(command, o);
   add_packing_options(command, o.inputs);
   add_answer_options(command, o.inputs);
   add_curve_options(command, o);

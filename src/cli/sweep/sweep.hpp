@@ -12,31 +12,17 @@
 #include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
 #include <granum/effective/rungs.hpp>
-#include <granum/elastic/waves.hpp>
 #include <granum/plot/chart.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/estimate/answer_sections.hpp"
 #include "cli/frame/frame.hpp"
+#include "cli/options/ground.hpp"
 #include "practice.hpp"
 
 /// The computations of granum sweep, state by state, and their output: along a path, over depth, and for the
 /// rows of a table.
 namespace granum::cli {
-
-/// Level ground, for a sweep over depth.
-struct GroundOptions {
-  std::string depth;  ///< "0m..30m"; empty for another sweep
-  std::string layers; ///< file; empty for a single layer
-  Number unit_weight{0, Dimension::unit_weight, "gamma"};
-  Number saturated_unit_weight{0, Dimension::unit_weight, "gamma_sat"};
-  Number water_table{0, Dimension::length};
-  Number water_unit_weight{elastic::water_density * standard_gravity, Dimension::unit_weight};
-  Number earth_pressure_at_rest{0.5, Dimension::dimensionless, "K_0 K0"};
-  Number surcharge{0, Dimension::pressure};
-  Number row_depth{0, Dimension::length, "z", "--depth"}; ///< of a table's row
-  Number top{0, Dimension::length, "top_depth", "--top"}; ///< of a layer
-};
 
 struct SweepOptions {
   InputValues inputs;

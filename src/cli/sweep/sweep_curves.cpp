@@ -7,7 +7,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 
-#include "answer_rows.hpp"
+#include "cli/options/answer_rows.hpp"
 #include "cli/options/packing_json.hpp"
 #include "curves.hpp"
 #include "depth.hpp"
@@ -49,43 +49,34 @@ CurveStates states_of_profile(const SweepOptions& o) {
   const std::vector<Layer> layers = layers_of(o);
   for (const double depth : depths) {
     const Layer& layer = layer_at(layers, depth);
-    const double within = depth - layer.top;
-    states.all.push_back(
-        {.where = pretty(depth, Dimension::length),
-         .inputs = values_in_ground(layer.options, layer.ground, within,
-                                    stress::stress_at(layer.ground.ground, within).effective),
-         .depth = depth,
-         .unit_weight = unit_weight_at(layer.ground.ground, within)});
+    states.all.push_back({.where = pretty(depth, Dimension::length),
+                          .inputs = values_at(layers, depth),
+                          .depth = depth,
+                          .unit_weight = unit_weight_at(layer.ground.ground, depth - layer.top)});
   }
   states.assumptions = assumptions_of(layers, depths.back());
   return states;
 }
 
 /// The state of a row, which may be a depth in a ground of its own.
-void set_row(CurveState& state, const SweepOptions& o, const AnswerRow& row, bool in_ground) {
+void set_row(CurveState& state, const AnswerRow& row, bool of_depths) {
   state.inputs = row.inputs;
-  if (!in_ground)
+  if (!of_depths)
     return;
-  SweepOptions here = o;
-  here.inputs = row.inputs;
-  here.ground = row.ground;
-  const GroundCase ground = resolve_ground(here);
-  state.depth = require_non_negative("depth", row.ground.row_depth.value, "m");
-  state.inputs =
-      values_in_ground(here, ground, *state.depth, stress::stress_at(ground.ground, *state.depth).effective);
-  state.unit_weight = unit_weight_at(ground.ground, *state.depth);
+  RowInGround at = in_ground(row);
+  state.depth = at.depth;
+  state.unit_weight = unit_weight_at(at.ground.ground, at.depth);
+  state.inputs = std::move(at.inputs);
 }
 
 CurveStates states_of_table(const SweepOptions& o) {
   CurveStates states;
   const io::CsvTable table = io::read_csv(o.table);
-  AnswerRows reader(table, o);
-  SweepOptions of_rows = o;
-  of_rows.inputs.ground = reader.in_ground();
+  AnswerRows reader(table, o.inputs, o.ground);
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     CurveState state{.where = fmt::format("line {}", table.line(row)), .line = table.line(row)};
     try {
-      set_row(state, of_rows, reader.row(row), reader.in_ground());
+      set_row(state, reader.row(row), reader.in_ground());
     } catch (const Error& error) {
       state.error = error.what();
     }
@@ -252,6 +243,8 @@ Document document_of(const SweepOptions& o, const Curves& curves, const estimate
   inputs.leave_out(Input::shear_strain);
   to.add(Seen::data, Data{"inputs", packing_json(inputs, curves.first->question.state)});
   to.add(Seen::data, curve_table(curves.all, is_alone(o)));
+  if (constexpr std::size_t most_on_a_page = 8; curves.all.size() <= most_on_a_page)
+    to.add(Seen::full, shown_curves(curves.all));
   to.add_notes(notes);
   const std::vector<std::string> comments = comments_of(curves.all, notes);
   if (curves.all.size() == 1)

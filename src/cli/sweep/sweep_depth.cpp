@@ -48,8 +48,8 @@ struct DepthState {
 
 DepthState state_at(const std::vector<Layer>& layers, double depth) {
   const Layer& layer = layer_at(layers, depth);
-  GroundState at = state_in_ground(layer.options, layer.ground, depth - layer.top, {});
-  return {.point = {depth, &layer, at.stress}, .state = std::move(at.state)};
+  return {.point = {depth, &layer, stress::stress_at(layer.ground.ground, depth - layer.top)},
+          .state = swept(values_at(layers, depth), {})};
 }
 
 std::vector<DepthState> states_at(const std::vector<Layer>& layers, const std::vector<double>& depths) {
@@ -102,7 +102,9 @@ double void_ratio_of(const Layer& layer) {
 std::string depth_title(const std::vector<Layer>& layers, const AnswerCase& last) {
   if (layers.size() > 1)
     return "Stiffness of level ground in layers, each from its top down";
-  return fmt::format("Stiffness of level ground, void ratio {}: {}",
+  const sands::KnownSand* const sand = layers.front().options.inputs.known_sand;
+  return fmt::format("Stiffness of level ground, {}void ratio {}: {}",
+                     sand != nullptr ? sand->name + std::string(", ") : "",
                      short_text(last.question.state.void_ratio), title_of(last.question.grain_shape));
 }
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <granum/core/error.hpp>
 
-#include "answer_rows.hpp"
 #include "cli/frame/json_members.hpp"
+#include "cli/options/answer_rows.hpp"
 #include "depth.hpp"
 
 namespace granum::cli {
@@ -59,7 +59,8 @@ struct RowPoint {
 class TableSweep {
  public:
   TableSweep(const SweepOptions& options, const Rungs& rungs)
-      : options_(options), rungs_(rungs), table_(io::read_csv(options.table)), reader_(table_, options),
+      : options_(options), rungs_(rungs), table_(io::read_csv(options.table)),
+        reader_(table_, options.inputs, options.ground),
         stresses_(
             SweptRows::in_units(reader_.in_ground() ? stress_columns() : io::Columns<RowStress>{}, options)),
         speeds_(
@@ -113,21 +114,17 @@ class TableSweep {
 
   /// The answer at a depth, with the ground of the row.
   SweptState state_at_depth(const AnswerRow& question, RowStress& stress) {
-    SweepOptions here = options_;
-    here.inputs = question.inputs;
-    here.ground = question.ground;
-    const GroundCase ground = resolve_ground(here);
-    const double depth = require_non_negative("depth", question.ground.row_depth.value, "m");
-    GroundState at = state_in_ground(here, ground, depth, rungs_);
+    const RowInGround at = in_ground(question);
+    SweptState state = swept(at.inputs, rungs_);
     stress = at.stress;
     if (!assumptions_) {
-      assumptions_ = ground.assumptions;
-      const AnswerCase solved = solve_answer(at_stress(here.inputs, at.stress.effective), {});
+      assumptions_ = at.ground.assumptions;
+      const AnswerCase solved = solve_answer(at_stress(question.inputs, at.stress.effective), {});
       assumptions_->insert(assumptions_->end(), solved.assumptions.begin(), solved.assumptions.end());
     }
-    for (const std::string& note : ground.validity.notes)
-      at.state.notes.push_back(note);
-    return at.state;
+    for (const std::string& note : at.ground.validity.notes)
+      state.notes.push_back(note);
+    return state;
   }
 
   SweptState state_of(std::size_t row, RowStress& stress, SpeedRatio& ratio) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ground.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +9,6 @@
 #include <granum/core/text.hpp>
 #include <granum/elastic/waves.hpp>
 
-#include "depth.hpp"
-
 namespace granum::cli {
 
 namespace {
@@ -16,23 +16,6 @@ namespace {
 /// Relative difference between a given unit weight and that of void ratio and grain density that is not
 /// reported.
 constexpr double unit_weight_tolerance = 0.02;
-
-} // namespace
-
-std::vector<double> depths_of(const SweepOptions& o) {
-  const std::string& text = o.ground.depth;
-  const auto ends = ends_of_range(text);
-  if (!ends)
-    throw InvalidArgument(fmt::format("--depth = '{}' must be two depths, such as 0m..30m", text));
-  const double first = parse_quantity("--depth", ends->front(), Dimension::length);
-  const double last = parse_quantity("--depth", ends->back(), Dimension::length);
-  require_non_negative("--depth", first, "m");
-  if (!(last > first))
-    throw InvalidArgument(fmt::format("--depth = '{}' must be the smaller depth, then the larger", text));
-  return spread(first, last, o.points, false);
-}
-
-namespace {
 
 /// The mass of the packing from its void ratio.
 struct PackingMass {
@@ -63,9 +46,10 @@ void note_contradiction(const Number& given, double expected, const char* pores,
 }
 
 /// Unit weight and saturation above the water table; each follows from the other.
-void resolve_moist_ground(const SweepOptions& o, const PackingMass& mass, GroundCase& c) {
-  const Number& given = o.ground.unit_weight;
-  const double share_of_water = o.inputs.within(Input::saturation);
+void resolve_moist_ground(const InputValues& inputs, const GroundOptions& o, const PackingMass& mass,
+                          GroundCase& c) {
+  const Number& given = o.unit_weight;
+  const double share_of_water = inputs.within(Input::saturation);
   if (!given.given()) {
     c.saturation = share_of_water;
     c.ground.unit_weight = mass.unit_weight(share_of_water);
@@ -77,7 +61,7 @@ void resolve_moist_ground(const SweepOptions& o, const PackingMass& mass, Ground
     return;
   }
   c.ground.unit_weight = require_positive(given.name, given.value, "N/m3");
-  if (o.inputs.given(Input::saturation)) {
+  if (inputs.given(Input::saturation)) {
     c.saturation = share_of_water;
     note_contradiction(given, mass.unit_weight(share_of_water), "this saturation", mass, c.validity);
     return;
@@ -92,15 +76,14 @@ void resolve_moist_ground(const SweepOptions& o, const PackingMass& mass, Ground
                            short_text(100 * c.saturation, 3)));
 }
 
-void resolve_wet_ground(const SweepOptions& o, const PackingMass& mass, GroundCase& c) {
-  const GroundOptions& g = o.ground;
-  if (!g.water_table.given())
+void resolve_wet_ground(const GroundOptions& o, const PackingMass& mass, GroundCase& c) {
+  if (!o.water_table.given())
     return;
-  c.ground.water_table = g.water_table.value;
+  c.ground.water_table = o.water_table.value;
   const double full = mass.unit_weight(1);
-  if (g.saturated_unit_weight.given()) {
-    c.ground.saturated_unit_weight = g.saturated_unit_weight.value;
-    note_contradiction(g.saturated_unit_weight, full, "all pores full", mass, c.validity);
+  if (o.saturated_unit_weight.given()) {
+    c.ground.saturated_unit_weight = o.saturated_unit_weight.value;
+    note_contradiction(o.saturated_unit_weight, full, "all pores full", mass, c.validity);
     return;
   }
   c.ground.saturated_unit_weight = full;
@@ -112,29 +95,12 @@ void resolve_wet_ground(const SweepOptions& o, const PackingMass& mass, GroundCa
 
 } // namespace
 
-void add_ground_options(Command& command, GroundOptions& o) {
-  const std::vector<Need> in_ground = {{"--depth --table", "--depth"}};
-  const std::vector<Need> below_water = {{"--depth --table", "--depth"},
-                                         {"--water-table --table", "--water-table, below which it applies"}};
-  Value depth = text(o.depth, "FROM..TO");
-  depth.joins_units = true;
+void add_ground(Command& command, GroundOptions& o, const std::vector<Need>& in_ground) {
+  std::vector<Need> below_water = in_ground;
+  below_water.push_back({"--water-table --table", "--water-table, below which it applies"});
   command.add(
-      "Ground",
-      {{.name = "--depth",
-        .value = std::move(depth),
-        .meaning =
-            "Stiffness over depth in level ground, between two depths: 0m..30m; with V_s30, the travel "
-            "time of a shear wave and the period 4 H/V_s",
-        .excludes = {{"--path --from --to --eta --friction-angle --spacing --table --rungs --picture-of"}},
-        .synonyms = {{"z"}}},
-       {.name = "--layers",
-        .value = path(o.layers, "FILE.csv"),
-        .meaning =
-            "Layers of the ground, one per row from its top_m down, with columns as for --table: e or D_r, "
-            "unit_weight, saturated_unit_weight, k0, sand, S_r",
-        .needs = {{"--depth", "--depth"}},
-        .synonyms = {{"profile soil strata"}}},
-       {.name = "--unit-weight",
+      ground_group,
+      {{.name = "--unit-weight",
         .value = number_without_default(o.unit_weight),
         .meaning =
             "Unit weight above the water table, with pore water; by default from grain density and void "
@@ -150,11 +116,6 @@ void add_ground_options(Command& command, GroundOptions& o) {
         .meaning = "Depth of the water table; negative for water above the ground; by default none (dry)",
         .needs = in_ground,
         .synonyms = {{"gwt waterlevel groundwater"}}},
-       {.name = "--k0",
-        .value = number(o.earth_pressure_at_rest),
-        .meaning = "K_0, horizontal over vertical effective stress in the ground",
-        .needs = {{"--depth --table --for", "--depth"}},
-        .synonyms = {{"k0 ko"}}},
        {.name = "--surcharge",
         .value = number(o.surcharge),
         .meaning = "Pressure on the surface of the ground",
@@ -165,22 +126,29 @@ void add_ground_options(Command& command, GroundOptions& o) {
         .needs = below_water}});
 }
 
-GroundCase resolve_ground(const SweepOptions& o) {
+GroundCase resolve_ground(const InputValues& inputs, const GroundOptions& o) {
   GroundCase c;
   constexpr double any_stress = 1e5; // the density does not depend on it
-  const PackingMass mass{.grain_density = o.inputs.within(Input::grain_density),
-                         .void_ratio = state_of(o.inputs, {any_stress, any_stress}).void_ratio};
-  const Number& k0 = o.ground.earth_pressure_at_rest;
+  const PackingMass mass{.grain_density = inputs.within(Input::grain_density),
+                         .void_ratio = state_of(inputs, {any_stress, any_stress}).void_ratio};
+  const Number& k0 = o.earth_pressure_at_rest;
   estimate::require_within(estimate::row_of(Input::k0), k0.value, k0.name);
   c.ground.earth_pressure_at_rest = k0.value;
-  c.ground.surcharge = require_non_negative(o.ground.surcharge.name, o.ground.surcharge.value, "Pa");
-  c.ground.water_unit_weight =
-      require_positive(o.ground.water_unit_weight.name, o.ground.water_unit_weight.value, "N/m3");
-  resolve_moist_ground(o, mass, c);
+  c.ground.surcharge = require_non_negative(o.surcharge.name, o.surcharge.value, "Pa");
+  c.ground.water_unit_weight = require_positive(o.water_unit_weight.name, o.water_unit_weight.value, "N/m3");
+  resolve_moist_ground(inputs, o, mass, c);
   resolve_wet_ground(o, mass, c);
   if (!k0.given())
     c.assumptions.push_back({.name = k0.name, .value = short_text(k0.value), .number = k0.value});
   return c;
+}
+
+InputValues values_in_ground(const InputValues& inputs, const GroundCase& ground, double depth) {
+  InputValues values = inputs;
+  values.set_stresses(stress::stress_at(ground.ground, depth).effective);
+  const auto& table = ground.ground.water_table;
+  values.give(Input::saturation, table && depth > *table ? 1.0 : ground.saturation);
+  return values;
 }
 
 } // namespace granum::cli

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/options/input_columns.hpp"
-#include "sweep.hpp"
+#include "ground.hpp"
+#include "input_columns.hpp"
 
 /// Questions from the rows of a table.
 namespace granum::cli {
@@ -19,17 +19,29 @@ struct AnswerRow {
   std::optional<double> shear_wave_speed = {}; ///< measured, in addition to the question [m/s]
 };
 
+/// A row that is a depth, in the ground of the row.
+struct RowInGround {
+  GroundCase ground;
+  double depth = 0; ///< [m]
+  stress::GroundStress stress = {};
+  InputValues inputs = {}; ///< with the effective stress and the saturation of the depth
+};
+/// \throws   InvalidArgument for a depth above the surface, and as resolve_ground
+[[nodiscard]] RowInGround in_ground(const AnswerRow& row);
+
 /// The kind of the rows.
 enum class RowsOf {
-  states, ///< stresses; or depths in the ground, if there is a column of depths and none of stresses
-  layers  ///< of the ground, each from its top down
+  states,       ///< stresses; or depths in the ground, if there is a column of depths and none of stresses
+  measurements, ///< states at which something was measured: without a strain, and V_s is not read
+  layers        ///< of the ground, each from its top down
 };
 
 /// What the rows of a table know of their packings, and the measured V_s.
 class AnswerRows {
  public:
   /// \throws   as InputColumns; InvalidArgument for options of the ground with rows that contain their stress
-  AnswerRows(const io::CsvTable& table, const SweepOptions& options, RowsOf rows = RowsOf::states);
+  AnswerRows(const io::CsvTable& table, const InputValues& inputs, const GroundOptions& ground,
+             RowsOf rows = RowsOf::states);
   AnswerRows(const AnswerRows&) = delete; // the columns refer to its members
   AnswerRows& operator=(const AnswerRows&) = delete;
 
@@ -43,6 +55,7 @@ class AnswerRows {
   [[nodiscard]] AnswerRow row(std::size_t row) const;
   /// As those of InputColumns.
   [[nodiscard]] std::vector<std::string> remarks() const { return columns_.remarks(); }
+  [[nodiscard]] InputColumns& columns() { return columns_; }
 
  private:
   void bind_ground(bool layers);
