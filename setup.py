@@ -11,6 +11,7 @@ import shlex
 import subprocess
 import sys
 
+import setuptools
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
@@ -74,9 +75,16 @@ class CMakeBuild(build_ext):
         subprocess.run(["cmake", "--build", tree, "--target", "granum_python_stub"], check=True)
 
 
+def licence():
+    """By PEP 639 where setuptools knows it, and by the older field where it does not."""
+    key = "license_expression" if int(setuptools.__version__.split(".")[0]) >= 77 else "license"
+    return {key: "GPL-3.0-or-later"}
+
+
 LOCK = alone()
 setup(
     version=version(),
+    **licence(),
     ext_modules=[Extension("granum._granum", sources=[])],
     cmdclass={"build_ext": CMakeBuild},
 )

@@ -36,8 +36,11 @@ if(TARGET granum_cli)
     "on stress, and how far the number can be trusted: in closed form, from the"
     "contact networks of DEM codes, and by a compact simulation of its own.")
 endif()
-granum_debian_package(dev libgranum-dev libdevel any
-  "libeigen3-dev (>= 3.4), libgsl-dev, zlib1g-dev, libexpat1-dev, libboost-dev, libfast-float-dev"
+file(STRINGS "${PROJECT_SOURCE_DIR}/scripts/setup.sh" needed REGEX "^library_packages=")
+string(REGEX REPLACE "^[^(]*\\(([^)]*)\\).*" "\\1" needed "${needed}")
+string(REPLACE " " ", " needed "${needed}")
+string(REPLACE "libeigen3-dev" "libeigen3-dev (>= 3.4)" needed "${needed}")
+granum_debian_package(dev libgranum-dev libdevel any "${needed}"
   "Static libraries for C++20, headers, and files for CMake and pkg-config:"
   "closed forms, contact networks, readers of the files of DEM codes, and a DEM"
   "engine.")

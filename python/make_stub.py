@@ -194,7 +194,10 @@ class Stub:
     def initializer(self, kind):
         """That of a class that users make, from the docstring that pybind11 wrote."""
         found = re.search(r"__init__\(self: [\w.]+(, .*)?\) -> None", kind.__init__.__doc__ or "")
-        return [f"    def __init__(self{found.group(1) or ''}) -> None: ..."] if found else []
+        if found:
+            return [f"    def __init__(self{found.group(1) or ''}) -> None: ..."]
+        # Made by functions alone: no argument lets a call pass.
+        return ["    def __init__(self, _: NoReturn) -> None: ..."]
 
     def class_lines(self, name, kind):
         own = vars(kind)
@@ -211,6 +214,8 @@ class Stub:
             lines.append("    def __len__(self) -> int: ...")
         if "__eq__" in own and "_Result" not in bases:
             lines.append("    def __eq__(self, arg0: object) -> bool: ...")
+        if own.get("__hash__", ...) is None:
+            lines.append("    __hash__: ClassVar[None]  # type: ignore[assignment]")
         inherited = [base for base in kind.__mro__[1:] if base.__name__.startswith("_")]
         members = {key: value for base in inherited for key, value in vars(base).items()} | own
         for key, value in members.items():

@@ -3,7 +3,7 @@
 # Made by python/make_stub.py: this head is written by hand, all below of the package itself.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
-from typing import Any, Generic, Literal, Optional, TypeVar, Union, overload
+from typing import Any, ClassVar, Generic, Literal, NoReturn, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray

@@ -1,13 +1,22 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds build/release/granum. On a terminal one line of standard error gives what is built, how far, and how long it
-# still takes; elsewhere nothing is written. The output of the tools goes to build/release.log, and is shown if they fail.
+# still takes; elsewhere there is such a line every ten seconds. The output of the tools goes to build/release.log, and is
+# shown if they fail.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 tree=build/release log=build/release.log
 mkdir -p build
 
-line() { [ ! -t 2 ] || printf '\r\033[K%s' "$1" >&2; }
+said=-10 # seconds, of the last line
+line() {
+  if [ -t 2 ]; then
+    printf '\r\033[K%s' "$1" >&2
+  elif [ -n "$1" ] && [ $((SECONDS - said)) -ge 10 ]; then
+    echo "$1" >&2
+    said=$SECONDS
+  fi
+}
 fail() {
   line ""
   cat "$log" >&2

@@ -6,11 +6,8 @@
 # Exit codes: 0 all there, 2 usage, 3 something is missing and cannot be installed from here.
 set -euo pipefail
 
-run_packages=(
-  g++ cmake ninja-build
-  libeigen3-dev libboost-dev libgsl-dev zlib1g-dev libexpat1-dev
-  libfast-float-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
-)
+library_packages=(libeigen3-dev libboost-dev libgsl-dev zlib1g-dev libexpat1-dev libfast-float-dev) # cmake/GranumPackage.cmake reads it
+run_packages=(g++ cmake ninja-build "${library_packages[@]}" libtomlplusplus-dev nlohmann-json3-dev libfmt-dev)
 python_packages=("${run_packages[@]}" python3-dev python3-numpy python3-matplotlib pybind11-dev python3-pytest python3-hypothesis mypy
   python3-pip python3-wheel)
 docs_packages=("${python_packages[@]}" doxygen doxygen-awesome-css libjs-mathjax)
@@ -18,7 +15,7 @@ web_packages=("${run_packages[@]}" clang lld wasi-libc libclang-rt-dev-wasm32 li
   nodejs chromium)
 command -v npm >/dev/null || web_packages+=(npm) # some packages of nodejs bring it along
 test_packages=("${docs_packages[@]}" doctest-dev librapidcheck-dev clang-format
-  clang lld libclang-rt-dev libc++-dev libc++abi-dev libbenchmark-dev dpkg-dev file pkg-config)
+  clang lld libclang-rt-dev libc++-dev libc++abi-dev libbenchmark-dev dpkg-dev file pkg-config reuse)
 tidy_packages=("${test_packages[@]}" clang-tidy)
 bench_packages=("${run_packages[@]}" libbenchmark-dev python3-numpy)
 # Beside which bench/solvers measures the network's solver; what is missing is left out there.
@@ -50,7 +47,9 @@ give_up() {
     echo "granum: $1"
     echo "  needed, by their names in Debian and Ubuntu: ${missing[*]}"
     echo "  (C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, Boost 1.74, GSL 2.7, zlib, expat, and the small libraries named)"
-    echo "  Install them, then run again; GRANUM_SKIP_SETUP=1 leaves this check out."
+    echo "  Install them, as root:"
+    echo "    apt-get update && apt-get install -y --no-install-recommends ${missing[*]}"
+    echo "  Then run again; GRANUM_SKIP_SETUP=1 leaves this check out."
   } >&2
   exit 3
 }
@@ -74,8 +73,11 @@ if [ "$(id -u)" -ne 0 ]; then
   [ -t 0 ] || as_root=(sudo -n)
 fi
 
+# What apt-get prints is shown where it fails.
 apt() {
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 "$@" </dev/null >&2
+  local said
+  said=$("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 "$@" </dev/null 2>&1) ||
+    { printf '%s\n' "$said" >&2 && return 1; }
 }
 
 # Sets `refused` to the missing packages that the system's lists do not offer.
@@ -98,6 +100,12 @@ if [ "${#refused[@]}" -gt 0 ] || ! apt-get -qq -s install --no-install-recommend
 fi
 [ "${#refused[@]}" -eq 0 ] || give_up "this system offers no package ${refused[*]}."
 
-echo "granum: installing ${missing[*]}" >&2
 install=(install -y --no-install-recommends "${missing[@]}")
+files=0 bytes=0
+while read -r _ _ size _; do
+  [[ $size =~ ^[0-9]+$ ]] && files=$((files + 1)) bytes=$((bytes + size))
+done < <(apt-get -qq --print-uris "${install[@]}" 2>/dev/null)
+fetched=""
+[ "$files" -eq 0 ] || fetched=" ($files files of $(((bytes + 999999) / 1000000)) MB are fetched, with what they need)"
+echo "granum: installing ${#missing[@]} packages$fetched: ${missing[*]}" >&2
 apt "${install[@]}" || { apt update && apt "${install[@]}"; } || give_up "the packages cannot be installed."

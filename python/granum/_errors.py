@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 from typing import Optional
 
 
@@ -32,10 +34,14 @@ class InvalidArgument(Error, ValueError):
 
 
 class FileError(Error, OSError):
-    """A file that cannot be read or written.
+    """A file that cannot be read or written; where there is none, a FileNotFoundError as well.
 
     Attributes
     ----------
+    errno : int or None
+        Of the system, if it refuses the file: errno.ENOENT, errno.EISDIR or errno.EACCES.
+    filename : str or None
+        The same as path, as other errors of the system have it.
     path : str or None
         Path of the file, as open() takes it; in the message, bytes that are no UTF-8 are written "\\xff".
     line : int or None
@@ -44,6 +50,30 @@ class FileError(Error, OSError):
 
     path: Optional[str] = None
     line: Optional[int] = None
+    errno: Optional[int] = None  # type: ignore[assignment]
+    filename: Optional[str] = None
+
+    def __str__(self) -> str:
+        return str(self.args[0]) if self.args else ""
+
+
+class _MissingFile(FileError, FileNotFoundError):
+    """A FileError of a file that is not there."""
+
+
+def _file_error(message: str, path: str, line: Optional[int] = None) -> FileError:
+    """Asks the system why it refuses a file, if it does."""
+    missing = not os.path.lexists(path)
+    error = _MissingFile(message) if missing else FileError(message)
+    error.path = error.filename = path
+    error.line = line
+    if missing:
+        error.errno = errno.ENOENT
+    elif os.path.isdir(path):
+        error.errno = errno.EISDIR
+    elif not os.access(path, os.R_OK):
+        error.errno = errno.EACCES
+    return error
 
 
 class NotConverged(Error, RuntimeError):

@@ -17,7 +17,8 @@ def _of_atoms(lmp, name):
     values = lmp.numpy.extract_atom(name)
     if values is None:
         raise InvalidArgument(f"the atoms of LAMMPS have no {name}: granum needs spheres, of atom_style sphere")
-    return values
+    # LAMMPS of November 2024 and later returns the ghosts too, in rows behind those of the grains.
+    return values[: lmp.extract_setting("nlocal")]
 
 
 def _locals_of(lmp, name):

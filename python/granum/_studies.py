@@ -7,7 +7,7 @@ import importlib
 import numbers
 import os
 
-from ._errors import FileError
+from ._errors import InvalidArgument, _file_error
 from ._granum import _text_in_si, _verify
 
 
@@ -33,20 +33,28 @@ def _settings(table, numbers_in_si, prefix=""):
             yield prefix + key, _text(prefix + key, value, numbers_in_si)
 
 
+def _reader_of_toml():
+    for name in ("tomllib", "tomli"):  # of Python 3.11; the same for older ones
+        try:
+            return importlib.import_module(name)
+        except ImportError:
+            pass
+    raise InvalidArgument("a scene in a file needs Python 3.11 or the package tomli: give its keys as a dict")
+
+
 def _scene(scene):
     """Name and text of all keys of a scene."""
     if scene is None:
         return []
     if isinstance(scene, dict):
         return list(_settings(scene, numbers_in_si=True))
-    toml = importlib.import_module("tomllib")  # of Python 3.11; a dict does without
+    toml = _reader_of_toml()
     with open(os.fspath(scene), "rb") as file:
         try:
             table = toml.load(file)
         except ValueError as error:  # no TOML, or no UTF-8
-            refused = FileError(f"{os.fsdecode(scene).encode(errors='backslashreplace').decode()}: {error}")
-            refused.path = os.fsdecode(scene)
-            raise refused from None
+            shown = os.fsdecode(scene).encode(errors="backslashreplace").decode()
+            raise _file_error(f"{shown}: {error}", os.fsdecode(scene)) from None
     return list(_settings(table, numbers_in_si=False))
 
 

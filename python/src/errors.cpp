@@ -35,13 +35,11 @@ void raise(const InvalidArgument& error) {
 }
 
 void raise(const FileError& error) {
-  const py::object type = error_class("FileError");
-  py::object object = type(decoded(error.what()));
-  object.attr("path") = py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefaultAndSize(
+  const auto path = py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefaultAndSize(
       error.path().data(), static_cast<py::ssize_t>(error.path().size()))); // a name that open() takes
-  if (error.line() > 0)
-    object.attr("line") = error.line();
-  raise(type, object);
+  const py::object line = error.line() > 0 ? py::object(py::int_(error.line())) : py::none();
+  const py::object object = error_class("_file_error")(decoded(error.what()), path, line);
+  raise(py::type::of(object), object);
 }
 
 void set_error(const std::exception_ptr& error) {

@@ -11,12 +11,13 @@ import numpy as np
 import pytest
 
 
-def test_the_page_prints_its_stated_output(source, monkeypatch):
+@pytest.mark.parametrize("path, least", [("docs/python.md", 11), ("python/package.md", 3)])
+def test_the_page_prints_its_stated_output(source, monkeypatch, path, least):
     monkeypatch.chdir(source)
-    page = source / "docs" / "python.md"
+    page = source / path
     text = page.read_text().replace("```", "")  # a fence would be taken for output
-    test = doctest.DocTestParser().get_doctest(text, {}, "python.md", str(page), 0)
-    assert len(test.examples) > 10
+    test = doctest.DocTestParser().get_doctest(text, {}, path, str(page), 0)
+    assert len(test.examples) >= least
     runner = doctest.DocTestRunner()
     output = []
     runner.run(test, out=output.append)

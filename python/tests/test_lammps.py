@@ -25,14 +25,14 @@ class Numpy:
 
 
 class Lammps:
-    """Three spheres, of which the first and the last touch through a face, the highest id first."""
+    """Three spheres, of which the first and the last touch through a face, the highest id first; behind them two ghosts."""
 
     def __init__(self):
         self.atoms = {
-            "id": np.array([7, 5, 2], dtype=np.int32),
-            "type": np.array([1, 2, 1], dtype=np.int32),
-            "x": np.array([[3.3, 1, 1], [1.1, 1, 1], [0.2, 1, 1]]),
-            "radius": np.full(3, 0.5),
+            "id": np.array([7, 5, 2, 2, 7], dtype=np.int32),
+            "type": np.array([1, 2, 1, 1, 1], dtype=np.int32),
+            "x": np.array([[3.3, 1, 1], [1.1, 1, 1], [0.2, 1, 1], [4.2, 1, 1], [-0.7, 1, 1]]),
+            "radius": np.full(5, 0.5),
         }
         # Forces on the first of a pair: 5 is pushed by 2 along +x, 7 by 2 along -x, through the face.
         self.computes = {
@@ -43,7 +43,7 @@ class Lammps:
         self.processes, self.units, self.numpy = 1, "si", Numpy(self)
 
     def extract_setting(self, name):
-        return {"world_size": self.processes}[name]
+        return {"world_size": self.processes, "nlocal": 3}[name]
 
     def extract_global(self, name):
         return {"units": self.units, "ntimestep": 12}[name]

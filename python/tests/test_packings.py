@@ -2,6 +2,7 @@
 """Packings out of files and of arrays, their views, and what is measured on them."""
 
 import copy
+import errno
 import os
 import pickle
 import sys
@@ -106,6 +107,24 @@ def test_bytes_of_names_and_files_need_not_be_utf8(tmp_path):
                 granum.read(name)
             assert refused.value.path == os.fsdecode(table)
             assert "\\xff.csv" in str(refused.value) and str(refused.value).encode()
+
+
+def test_a_file_that_is_not_there_is_what_open_says_it_is(tmp_path):
+    missing, folder = tmp_path / "none.atoms", tmp_path / "a folder"
+    folder.mkdir()
+    for path, kind, number in ((missing, FileNotFoundError, errno.ENOENT), (folder, OSError, errno.EISDIR)):
+        with pytest.raises(granum.FileError) as refused:
+            granum.read(str(path))
+        assert isinstance(refused.value, kind) and isinstance(pickle.loads(pickle.dumps(refused.value)), kind)
+        assert (refused.value.errno, refused.value.filename) == (number, str(path))
+        assert str(path) in str(refused.value)
+
+
+def test_a_scene_in_a_file_needs_a_reader_of_toml(monkeypatch, tmp_path):
+    for name in ("tomllib", "tomli"):
+        monkeypatch.setitem(sys.modules, name, None)
+    with pytest.raises(granum.InvalidArgument, match="tomli"):
+        granum.verify(tmp_path / "scene.toml")
 
 
 def test_a_scene_that_is_no_toml_is_refused(tmp_path):

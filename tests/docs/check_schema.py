@@ -39,6 +39,7 @@ infer {STATE} --vs 280m/s+-2% --vp 480m/s+-2% --grain-shape sphere --contacts ro
 infer {STATE} --vs 2800m/s --grain-shape sphere
 infer --table beads_speeds.csv --void-ratio 0.6 --grain glass --growth fitted
 infer --table borehole.csv --unit-weight 18kN/m3
+infer --table borehole.csv --water-table 2m --grain-shape sphere
 sweep --void-ratio 0.6 --from 10kPa --to 100kPa --points 2 --rungs 0,3 --laws
 sweep --void-ratio 0.6 --path txc --from 100kPa --eta 0.5 --points 2 --rungs 1,2
 sweep --void-ratio 0.6 --depth 0m..10m --points 2 --water-table 2m

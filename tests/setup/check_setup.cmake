@@ -40,6 +40,7 @@ simulated=0 names=()
 for word; do
   case \"$word\" in
   -s) simulated=1 ;;
+  --print-uris) echo \"'http://somewhere/a.deb' a.deb 2000001 SHA256:0\"; exit 0 ;;
   update) echo update >>'${SCRATCH}/log'; cat '${SCRATCH}/AFTER_UPDATE' >>'${SCRATCH}/OFFERED'; exit 0 ;;
   -* | DPkg::* | install) ;;
   *) names+=(\"$word\") ;;
@@ -74,7 +75,7 @@ expect("nothing missing" 0 "" "" run)
 expect("not a purpose" 2 "" "usage: scripts/setup.sh" everything)
 
 system(INSTALLED g++ cmake OFFERED all)
-expect("lists that know all" 0 "install ninja-build .*libfmt-dev" "granum: installing ninja-build" run)
+expect("lists that know all" 0 "install ninja-build .*libfmt-dev" " packages (1 files of 3 MB are fetched, with what they need): ninja-build" run)
 
 system(INSTALLED g++ AFTER_UPDATE all)
 expect("lists not yet fetched" 0 "update\ninstall cmake ninja-build .*" "" run)

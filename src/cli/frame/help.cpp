@@ -124,7 +124,8 @@ std::vector<OptionGroup> option_groups(const Command& command) {
     else
       group_called(groups, row.group).options.push_back(text);
   }
-  groups.push_back(output);
+  if (!output.options.empty())
+    groups.push_back(output);
   return groups;
 }
 
