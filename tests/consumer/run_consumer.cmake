@@ -45,14 +45,21 @@ if(pkg_config)
   file(GLOB_RECURSE file "${prefix}/*/granum.pc")
   get_filename_component(folder "${file}" DIRECTORY)
   set(ENV{PKG_CONFIG_PATH} "${folder}")
-  execute_process(COMMAND "${pkg_config}" --cflags --libs "granum = ${VERSION}" OUTPUT_VARIABLE flags
-    OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-  separate_arguments(flags UNIX_COMMAND "${flags}")
   file(MAKE_DIRECTORY "${build}")
-  run("${CXX}" -std=c++20 "-DGRANUM_EXPECTED_VERSION=\"${VERSION}\"" "${CMAKE_CURRENT_LIST_DIR}/use_granum.cpp"
-    -o "${build}/by_pkg_config" ${flags})
   get_filename_component(libraries "${folder}" DIRECTORY)
-  run("${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${libraries}" "${build}/by_pkg_config")
+  foreach(package_and_use "granum;granum" "granum-theory;theory")
+    list(GET package_and_use 0 package)
+    list(GET package_and_use 1 use)
+    execute_process(COMMAND "${pkg_config}" --cflags --libs "${package} = ${VERSION}" OUTPUT_VARIABLE flags
+      OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    separate_arguments(flags UNIX_COMMAND "${flags}")
+    if(use STREQUAL "theory" AND flags MATCHES "granum_(fit|packing|io)|gsl|expat")
+      message(FATAL_ERROR "${package} links more than theory: ${flags}")
+    endif()
+    run("${CXX}" -std=c++20 "-DGRANUM_EXPECTED_VERSION=\"${VERSION}\"" "${CMAKE_CURRENT_LIST_DIR}/use_${use}.cpp"
+      -o "${build}/by_pkg_config_${use}" ${flags})
+    run("${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${libraries}" "${build}/by_pkg_config_${use}")
+  endforeach()
 endif()
 
 # refused(<use> <text> <option>...): a consumer is refused, with words that say what is wrong.
