@@ -125,7 +125,7 @@ class Stub:
 
     def result(self, words, number):
         words = re.sub(r"^list of (\w+)$", r"list[\1]", words)
-        words = re.sub(r"^dict of (\w+)$", r"dict[str, \1]", words)
+        words = re.sub(r"^dict of (\w+)$", r"dict[str, \1]", words).replace("[str, ndarray]", "[str, _Array]")
         words = re.sub(r"^(\w+) or (\w+)$", r"Union[\1, \2]", words.replace("float or ndarray", number))
         words = re.sub(r"^(\(.*\) )?ndarray$", "_Array", words)
         known = re.search(r"\w+", words)

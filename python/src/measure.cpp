@@ -3,9 +3,11 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <limits>
 #include <tuple>
 
 #include <granum/analysis/measure.hpp>
+#include <granum/analysis/profile.hpp>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/network/linear_response.hpp>
@@ -361,6 +363,64 @@ std::vector<Keyword> measure_keywords() {
           "\"angle\"), k [N m]; or \"marshall\", k_t R* d/2. Without it the values of the contacts.")};
 }
 
+/// Keywords of measure() that say what is known of the packing, without those of the network.
+std::vector<Keyword> profile_keywords() {
+  std::vector<Keyword> all{
+      required("packing", "Packing", "From read() or packing()."),
+      with_default("axis", "'z'", "{\"x\", \"y\", \"z\"}", "Across which the slices are."),
+      with_default("slices", "10", "int", "Number of slices, of equal width.")};
+  for (Keyword& known : measure_keywords())
+    if (known.name != "packing" && known.name != "network" && known.name != "prestress")
+      all.push_back(std::move(known));
+  return all;
+}
+
+constexpr std::pair<const char*, int> axes[] = {{"x", 0}, {"y", 1}, {"z", 2}};
+
+py::object profile(const Arguments& a) {
+  const auto packing = a.as<SharedPacking>(a.at("packing"));
+  const analysis::Given given = given_of(a, *packing);
+  const int axis = a.given(a.at("axis")) ? a.choice(a.at("axis"), axes) : 2;
+  const auto slices = a.given(a.at("slices")) ? a.as<std::size_t>(a.at("slices"), "a whole number") : 10;
+  const std::optional<analysis::Window> window =
+      a.given(a.at("window")) ? window_of(a, *packing) : std::nullopt;
+  std::vector<analysis::Slice> all;
+  {
+    const Unlocked unlocked;
+    const Packing whole = studies::with_overlap_contacts(*packing, given);
+    const MeasuredFrame frame = studies::measure_frame(whole, given, {.closed_forms = true});
+    all = analysis::profile(whole.assembly, frame.packing, window ? *window : studies::window_in(whole, {}),
+                            axis, slices);
+  }
+  py::dict out;
+  const auto add = [&](const char* name, const auto& of) {
+    std::vector<double> numbers;
+    for (const analysis::Slice& slice : all)
+      numbers.push_back(of(slice));
+    out[name] = array_of(numbers);
+  };
+  using Of = const analysis::Slice&;
+  add("low", [](Of slice) { return slice.low; });
+  add("high", [](Of slice) { return slice.high; });
+  add("grains", [](Of slice) { return static_cast<double>(slice.part.grains); });
+  add("solid_fraction", [](Of slice) { return slice.solid_fraction; });
+  add("coordination_number", [](Of slice) { return slice.part.micro.coordination_number; });
+  add("mechanical_coordination_number",
+      [](Of slice) { return slice.part.micro.mechanical_coordination_number; });
+  add("rattler_fraction", [](Of slice) { return slice.part.micro.rattler_fraction; });
+  add("fabric_anisotropy", [](Of slice) { return slice.part.micro.fabric_anisotropy; });
+  static constexpr std::tuple<const char*, int, int> components[] = {
+      {"stress_xx", 0, 0}, {"stress_yy", 1, 1}, {"stress_zz", 2, 2},
+      {"stress_xy", 0, 1}, {"stress_xz", 0, 2}, {"stress_yz", 1, 2}};
+  for (const auto& component : components)
+    add(std::get<0>(component),
+        [&](Of slice) { return slice.part.stress(std::get<1>(component), std::get<2>(component)); });
+  add("shear_modulus", [](Of slice) {
+    return slice.relaxed ? slice.relaxed->stiffness.G_vh() : std::numeric_limits<double>::quiet_NaN();
+  });
+  return out;
+}
+
 void define_overlap_contacts(py::module_& module) {
   define(
       module, "overlap_contacts",
@@ -404,6 +464,23 @@ void bind_measure(py::module_& module) {
                        "and relaxed parts as [AgnolinRoux2007c].",
                        "analysis::measure", "analysis/measure.hpp"},
                       &measure, 1),
+             "grain_"));
+  define(module,
+         with_bulk_modulus(
+             function(
+                 "profile", profile_keywords(),
+                 {"How a packing changes along an axis: stress, solid fraction, contacts, and G by rung 3 of "
+                  "slices.\n\nThe stress of a slice takes each contact with the share of its branch "
+                  "inside. Slices narrower than two diameters show single layers of grains.",
+                  "dict of ndarray\n    One number for each slice: low, high [m], grains, solid_fraction, "
+                  "coordination_number,\n    mechanical_coordination_number, rattler_fraction, "
+                  "fabric_anisotropy, stress_xx to stress_yz [Pa], and\n    shear_modulus [Pa], NaN where "
+                  "a slice has none. pandas.DataFrame takes it as it is.",
+                  "For an impossible packing or number.",
+                  "Slices of a whole periodic packing add up to its stress and its solids to 1e-12. "
+                  "[Goldhirsch2010]",
+                  "analysis::profile", "analysis/profile.hpp"},
+                 &profile, 1),
              "grain_"));
   define_overlap_contacts(module);
 }

@@ -57,6 +57,25 @@ def test_windows_are_those_of_the_program(sphere, tmp_path, run_program):
     assert read.interior.void_ratio == said["window"]["void_ratio"]
 
 
+def test_profiles_are_those_of_the_program_and_add_up(source, run_program):
+    files = [str(source / "examples" / "data" / f"lammps_loose_p50.{kind}.gz") for kind in ("atoms", "contacts")]
+    packing = granum.read(*files)
+    found = granum.profile(packing, axis="x", slices=7)
+    said = run_program("analyse", *files, "--no-network", "--profile", "x:7")["frames"][0]
+    whole = granum.measure(packing, network=False)
+    assert [one["shear_modulus"] for one in said["profile"]] == found["shear_modulus"].tolist()
+    for k, name in enumerate(("xx", "yy", "zz", "xy", "xz", "yz")):
+        assert [one["stress"][k] for one in said["profile"]] == found["stress_" + name].tolist()
+    assert found["stress_yy"].mean() == pytest.approx(whole.stress.tensor[1, 1], rel=1e-12)
+    assert found["solid_fraction"].mean() == pytest.approx(1 / (1 + whole.void_ratio), rel=1e-10)
+    # A plane across which forces balance carries one stress: that of LAMMPS, quenched to 1e-4 of the mean force.
+    assert np.ptp(found["stress_xx"]) < 1e-3 * found["stress_xx"].mean() < np.ptp(found["stress_yy"])
+    assert np.isnan(granum.profile(granum.packing(position=[[0, 0, 0]], radius=1, cell=[4, 4, 4]))["shear_modulus"]).all()
+    for wrong in (dict(axis="w"), dict(slices=0)):
+        with pytest.raises(granum.InvalidArgument):
+            granum.profile(packing, **wrong)
+
+
 def test_rolling_stiffness_is_that_of_the_contacts(sphere):
     small = granum.specimen(law=sphere, radius=0.5e-3, friction_coefficient=0.5, kind="dense", grains=60)
     state = next(iter(granum.compress(small, [50e3]))).packing

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/analysis/parts.hpp>
 
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include <granum/core/error.hpp>
@@ -29,11 +29,20 @@ packing::Assembly counted_part(const packing::Assembly& assembly, const contact:
 
 namespace {
 
-/// Empty if no grain inside carries load.
-std::optional<InteriorMeasures> measures_of(const packing::Assembly& assembly,
-                                            const packing::MechanicalCoordination& mechanical,
-                                            const packing::Interior& interior) {
-  InteriorMeasures out;
+double share(std::size_t part, std::size_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+struct Part {
+  InteriorMeasures measures; ///< but for the fabric
+  std::size_t bearing = 0;   ///< grains inside that carry load
+  std::vector<Vec3> normals; ///< of contacts whose middle is inside
+};
+
+Part part_of(const packing::Assembly& assembly, const packing::MechanicalCoordination& mechanical,
+             const packing::Interior& interior) {
+  Part part;
+  InteriorMeasures& out = part.measures;
   std::vector<bool> inside(assembly.grain_count());
   std::size_t rattlers = 0;
   double solid = 0;
@@ -43,57 +52,64 @@ std::optional<InteriorMeasures> measures_of(const packing::Assembly& assembly,
     out.grains += inside[g];
     rattlers += inside[g] && mechanical.rattler[g];
   }
-  if (out.grains == rattlers)
-    return std::nullopt;
-  out.void_ratio = interior.volume() / solid - 1;
+  part.bearing = out.grains - rattlers;
+  out.void_ratio = solid > 0 ? interior.volume() / solid - 1 : 0;
   const auto add_stress = [&](const packing::Contact& c) {
     out.stress +=
         interior.share(assembly.position[c.i], c.branch) / interior.volume() * outer(force(c), c.branch);
   };
   std::size_t ends = 0, bearing_ends = 0, sliding = 0;
-  std::vector<Vec3> normals;
   for (const packing::Contact& c : assembly.contacts) {
     const std::size_t here = static_cast<std::size_t>(inside[c.i]) + static_cast<std::size_t>(inside[c.j]);
     ends += here;
     bearing_ends += mechanical.rattler[c.i] || mechanical.rattler[c.j] ? 0 : here;
     add_stress(c);
     if (interior.holds(assembly.position[c.i] + 0.5 * c.branch)) {
-      normals.push_back(normal(c));
+      part.normals.push_back(normal(c));
       sliding += c.sliding;
     }
   }
   for (const packing::Contact& c : assembly.wall_contacts)
     add_stress(c);
-  const fabric::AnisotropyEstimate anisotropy = fabric::estimate_anisotropy(normals);
-  const auto share = [](std::size_t part, std::size_t whole) {
-    return static_cast<double>(part) / static_cast<double>(whole);
-  };
   out.micro = {.coordination_number = share(ends, out.grains),
-               .mechanical_coordination_number = share(bearing_ends, out.grains - rattlers),
+               .mechanical_coordination_number = share(bearing_ends, part.bearing),
                .rattler_fraction = share(rattlers, out.grains),
-               .fabric_anisotropy = anisotropy.anisotropy,
-               .fabric_anisotropy_error = anisotropy.standard_error,
-               .sliding_fraction = share(sliding, normals.size())};
-  return out;
+               .sliding_fraction = share(sliding, part.normals.size())};
+  return part;
+}
+
+/// \throws   InvalidArgument for fewer than 2 contacts
+InteriorMeasures with_fabric(Part part) {
+  const fabric::AnisotropyEstimate anisotropy = fabric::estimate_anisotropy(part.normals);
+  part.measures.micro.fabric_anisotropy = anisotropy.anisotropy;
+  part.measures.micro.fabric_anisotropy_error = anisotropy.standard_error;
+  return part.measures;
 }
 
 } // namespace
 
 InteriorMeasures interior_measures(const packing::Assembly& assembly,
                                    const packing::MechanicalCoordination& mechanical, double layer) {
-  const auto out = measures_of(assembly, mechanical, packing::Interior(assembly.cell, layer));
-  if (!out)
+  Part part = part_of(assembly, mechanical, packing::Interior(assembly.cell, layer));
+  if (part.bearing == 0)
     throw InvalidArgument("layer at the walls", layer, "m", "a range that leaves grains which carry load");
-  return *out;
+  return with_fabric(std::move(part));
 }
 
 InteriorMeasures interior_measures(const packing::Assembly& assembly,
                                    const packing::MechanicalCoordination& mechanical,
                                    const packing::Interior& interior) {
-  const auto out = measures_of(assembly, mechanical, interior);
-  if (!out)
+  Part part = part_of(assembly, mechanical, interior);
+  if (part.bearing == 0)
     throw InvalidArgument("the window contains no grain that carries load");
-  return *out;
+  return with_fabric(std::move(part));
+}
+
+InteriorMeasures part_measures(const packing::Assembly& assembly,
+                               const packing::MechanicalCoordination& mechanical,
+                               const packing::Interior& interior) {
+  Part part = part_of(assembly, mechanical, interior);
+  return part.normals.size() < 2 ? part.measures : with_fabric(std::move(part));
 }
 
 } // namespace granum::analysis

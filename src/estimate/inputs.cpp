@@ -292,7 +292,7 @@ std::vector<InputRow> number_rows() {
       {.input = Input::shear_strain,
        .key = "strain",
        .group = state_group,
-       .meaning = "For sands: also G at this shear strain, such as 0.01%; small strain is 0.001% and less",
+       .meaning = "Shear strain for G of sands as well, such as 0.01%; small strain is 0.001% and less",
        .belongs = Belongs::to_state,
        .share = true,
        .symbols = "shear_strain gamma",

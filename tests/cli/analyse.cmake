@@ -26,6 +26,15 @@ granum_cli_test("analyse: YADE's recorder, as VTK XML" EXIT 0 STDERR "^granum: w
 granum_cli_test("analyse: CSV in a box" EXIT 0 STDERR "the void ratio is 39\\.7: most of the box is empty"
   STDOUT "C_n +1\\.3333.*zz +1\\.03965.*unbalanced force +unknown.*equilibrium cannot be checked"
   ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv --box 4mm,4mm,4mm)
+granum_cli_test("analyse: a profile across x" EXIT 0 STDERR "." JSON "frames/0/profile/1/low=^0\\.0015" "frames/0/profile/3/grains=^0$"
+    "frames/0/profile/3/solid_fraction=^0(\\.0)?$" "frames/0/profile/3/shear_modulus=MISSING"
+  ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv --box 4mm,4mm,4mm --profile x:4 --json)
+foreach(wrong "20" "z" "z:0" "w:3" "z:2.5" "z:")
+  granum_cli_test("analyse: profile ${wrong}" EXIT 2 STDERR "--profile takes an axis"
+    ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv --profile ${wrong})
+endforeach()
+granum_cli_test("analyse: a profile without grains" EXIT 2 STDERR "--profile needs grains"
+  ARGS analyse analyse_chain_contacts.csv --profile z:3)
 granum_cli_test("analyse: CSV without a box" EXIT 0 STDERR "no box in the file" STDOUT "C_n +1\\.3333"
   ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv)
 granum_cli_test("analyse: only contacts" EXIT 0 STDOUT "F_11 F_22 F_33 +0\\.50000 0\\.00000 0\\.50000.*f_n +66\\.55 mN"

@@ -59,6 +59,7 @@ analyse analyse_chain_contacts.csv
 analyse ../../io/data/mercury_chain.data ../../io/data/mercury_chain.fstat
 analyse ../../io/data/lammps_chain.atoms ../../io/data/lammps_chain.contacts --stress analyse_stress_frames.csv
 analyse ../../io/data/lammps_box.atoms ../../io/data/lammps_box.contacts --window ..,..,1mm..3mm
+analyse ../../io/data/lammps_box.atoms ../../io/data/lammps_box.contacts --profile z:3 --no-network
 verify {SCENE} --grains 120 --set study.probe_pressures=20kPa
 verify {SCENE} --grains 120 --seeds 2 --set study.contacts=rough --set contact.roughness=1um --set study.probe_pressures=10kPa,20kPa
 reproduce {SCENE} --grains 80 --set shear.paths=TXC --set shear.inertial_number=1e-3 --set shear.largest_strain=0.001 --out {FOLDER}/experiment

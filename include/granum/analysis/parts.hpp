@@ -56,7 +56,13 @@ struct InteriorMeasures {
                                                  const packing::MechanicalCoordination& mechanical,
                                                  double layer);
 
-/// The same for a window of any packing.
+/// What a window holds, be it air: without grains the void ratio is 0, as are the numbers of what there is
+/// not.
+[[nodiscard]] InteriorMeasures part_measures(const packing::Assembly& assembly,
+                                             const packing::MechanicalCoordination& mechanical,
+                                             const packing::Interior& interior);
+
+/// The same as interior_measures for a window of any packing.
 [[nodiscard]] InteriorMeasures interior_measures(const packing::Assembly& assembly,
                                                  const packing::MechanicalCoordination& mechanical,
                                                  const packing::Interior& interior);

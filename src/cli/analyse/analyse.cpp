@@ -123,8 +123,9 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
   }
   const io::FileKind& first = out.kinds.front();
   if (given.size() == 1 && first.holds == io::Holds::contacts && first.format->read_contacts != nullptr) {
-    if (o.paraview)
-      throw InvalidArgument("--paraview needs grains: this file has contacts alone");
+    if (o.paraview || options.profile)
+      throw InvalidArgument(std::string(o.paraview ? "--paraview" : "--profile") +
+                            " needs grains: this file has contacts alone");
     out.frames.push_back(analyse_contacts(given.front(), options, of_files));
     return out;
   }

@@ -56,9 +56,9 @@ struct AnalyseAnswer {
 [[nodiscard]] std::string megapascal(double pascal);
 
 /// Names of the files that write_analysis writes.
-inline constexpr const char* analysis_files[] = {"frames.csv",  "stiffness.csv", "rose.csv",   "forces.csv",
-                                                 "rose.svg",    "forces.svg",    "chains.svg", "states.svg",
-                                                 "report.html", "analysis.json"};
+inline constexpr const char* analysis_files[] = {"frames.csv",  "stiffness.csv", "rose.csv",     "forces.csv",
+                                                 "profile.csv", "rose.svg",      "forces.svg",   "chains.svg",
+                                                 "states.svg",  "report.html",   "analysis.json"};
 /// Writes tables of all frames, and a report and pictures of the last one.
 /// \throws   FileError if a file cannot be written, or exists and is to be kept
 void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer,

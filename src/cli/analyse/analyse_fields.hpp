@@ -36,6 +36,12 @@ inline constexpr const char* voigt_names[] = {"11", "22", "33", "23", "13", "12"
 [[nodiscard]] const io::Columns<NamedMatrix>& matrix_fields();
 [[nodiscard]] const io::Columns<NamedMatrix>& wave_fields();
 
+/// Slices of a profile.
+[[nodiscard]] const io::Columns<analysis::Slice>& profile_fields();
+/// The profile of a frame, if it has one, as a table and as charts.
+void add_profile(Document& to, const FrameAnswer& frame);
+void add_profile_charts(Document& to, const FrameAnswer& frame);
+
 /// Exponents of a rung over a series: s, then m and n.
 [[nodiscard]] const io::Columns<RungSeries>& sum_fields();
 [[nodiscard]] const io::Columns<RungSeries>& separate_fields();

@@ -172,6 +172,18 @@ std::optional<studies::WindowChoice> parse_window(const std::string& window, con
   return choice;
 }
 
+std::optional<studies::ProfileChoice> parse_profile(const std::string& text) {
+  if (text.empty())
+    return std::nullopt;
+  constexpr double most = 10000;
+  const std::size_t axis = text.find_first_of("xyz"), colon = text.find(':');
+  const auto slices = colon == 1 ? parse_number(text.substr(2)) : std::nullopt;
+  if (axis != 0 || !slices || *slices != std::floor(*slices) || !(*slices >= 1 && *slices <= most))
+    throw InvalidArgument(
+        fmt::format("--profile takes an axis and 1 to {:.0f} slices, such as z:20, not \"{}\"", most, text));
+  return studies::ProfileChoice{.axis = text[0] - 'x', .slices = static_cast<std::size_t>(*slices)};
+}
+
 studies::MaterialsByType parse_materials(const std::vector<std::string>& texts) {
   constexpr double largest = 1e9;
   studies::MaterialsByType out;
@@ -241,6 +253,7 @@ studies::MeasureOptions measure_options(const AnalyseOptions& o) {
       std::move(out), wanted, parse_materials(o.materials),
       parse_window(o.window == "auto" || o.window == "none" ? "" : o.window, o.depth)};
   options.choose_window = o.window != "none";
+  options.profile = parse_profile(o.profile);
   return options;
 }
 
@@ -346,6 +359,11 @@ void add_measuring_options(Command& command, AnalyseOptions& o) {
         .value = text(o.depth, "RANGE"),
         .meaning = "Range of z of that part, by depth below the highest grain: 2mm..6mm",
         .synonyms = {{"z"}}},
+       {.name = "--profile",
+        .value = text(o.profile, "AXIS:SLICES"),
+        .meaning =
+            "Also solid fraction, contacts, stress and G by rung 3 of slices across an axis: z:20; of the "
+            "window, if --window or --depth gives one"},
        {.name = "--no-network",
         .value = flag(o.no_network),
         .meaning =
@@ -378,7 +396,8 @@ void add_analyse_options(Command& command, AnalyseOptions& o) {
       {{.name = "--json", .value = flag(o.json), .meaning = "Print one JSON object, SI units"},
        {.name = "--strict", .value = flag(o.strict), .meaning = "Fail (exit code 4) if there is a warning"}});
   add_output_place(command, o.out, o.force, "DIR",
-                   "Folder for CSV (frames, stiffness, rose, forces), JSON and pictures", "existing results");
+                   "Folder for CSV (frames, stiffness, rose, forces, profile), JSON and pictures",
+                   "existing results");
   command.add(output_group, {{.name = "--paraview",
                               .value = flag(o.paraview),
                               .meaning = "Also write grains and force chains for ParaView",

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/analyse/frame_answer.hpp"
 #include "studies/analyse/materials.hpp"
 #include "studies/analyse/measured_frame.hpp"
 #include "studies/analyse/window.hpp"
@@ -36,6 +37,7 @@ struct AnalyseOptions {
   std::optional<std::size_t> threads;
   std::string window = "auto";
   std::string depth;
+  std::string profile; ///< "z:20"; empty for none
   bool no_network = false;
   bool json = false;
   bool strict = false;
@@ -70,6 +72,8 @@ struct FrameChoice {
 /// "x0..x1,y0..y1,z0..z1", each end a length or empty, and "d0..d1" below the top.
 [[nodiscard]] std::optional<studies::WindowChoice> parse_window(const std::string& window,
                                                                 const std::string& depth);
+/// "z:20".
+[[nodiscard]] std::optional<studies::ProfileChoice> parse_profile(const std::string& text);
 /// "1:shear-modulus=30GPa,poisson-ratio=0.15", once for each type.
 [[nodiscard]] studies::MaterialsByType parse_materials(const std::vector<std::string>& texts);
 /// "2e4N/m", "1e-3Nm", "0.1" or "marshall".

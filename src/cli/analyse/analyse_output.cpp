@@ -127,6 +127,9 @@ void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& an
     add("forces.csv", forces_csv(answer));
     add("forces.svg", plot::svg(force_chart(last)));
   }
+  if (!last.profile.empty())
+    add("profile.csv",
+        csv_of_frames(answer, profile_fields(), [](const FrameAnswer& frame) { return frame.profile; }));
   if (answer.chains)
     add("chains.svg", answer.chains->svg);
   std::vector<plot::Chart> states;

@@ -219,6 +219,7 @@ void add_frame(Document& to, const FrameAnswer& frame) {
     to.add(Seen::always, probes_of(frame));
     add_stiffness(to, frame);
   }
+  add_profile(to, frame);
   Prose notes;
   for (const std::string& note : a.notes)
     notes.lines.push_back("- " + note);
@@ -290,6 +291,8 @@ ordered_json frame_json(const FrameAnswer& frame, const io::Columns<FrameAnswer>
     return json;
   json["gradation"] = json_of(a.sizes.gradation);
   json["contact_means"] = frame.measured.contacts_known ? json_of(a.sizes.contacts) : ordered_json();
+  if (!frame.profile.empty())
+    json["profile"] = members_of_all(profile_fields(), frame.profile);
   for (const char* part : {"stress", "forces"})
     if (!a.forces && !json.contains(part))
       json[part] = nullptr;
@@ -404,6 +407,7 @@ void add_pictures(Document& to, const AnalyseAnswer& answer) {
                "at least 25 contacts in the bar at the vertical; rose.csv has all 18.",
                "",
                {"rose.csv"}});
+  add_profile_charts(to, last);
   if (answer.chains)
     to.add(Seen::data,
            Picture{{},

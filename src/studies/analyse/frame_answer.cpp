@@ -113,6 +113,12 @@ FrameAnswer answer_frame(const io::ImportedPacking& packing, const MeasureOption
   frame.window = wanted.window;
   if (chosen)
     frame.validity.add(window_text(*wanted.window, packing.periodic));
+  if (options.profile) {
+    frame.profile_axis = options.profile->axis;
+    frame.profile = analysis::profile(packing.assembly, frame.measured.packing,
+                                      options.window ? *wanted.window : window_in(packing, {}),
+                                      options.profile->axis, options.profile->slices);
+  }
   add_closed_forms(frame);
   add_network(frame);
   set_ratios(frame);

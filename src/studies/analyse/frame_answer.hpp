@@ -9,6 +9,7 @@
 #include "studies/analyse/materials.hpp"
 #include "studies/analyse/measured_frame.hpp"
 #include "studies/analyse/window.hpp"
+#include <granum/analysis/profile.hpp>
 #include <granum/effective/rungs.hpp>
 #include <granum/elastic/stiffness.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
@@ -71,8 +72,16 @@ struct FrameAnswer {
   std::optional<PrintedStress> code_stress = std::nullopt;
   std::vector<ProbedModulus> probes = {};                ///< by the code itself
   std::optional<analysis::Window> window = std::nullopt; ///< of measured.packing.interior
-  Validity validity = {};                                ///< of the closed forms
-  double seconds = 0;                                    ///< reading left out
+  std::vector<analysis::Slice> profile = {};             ///< where one is asked for
+  int profile_axis = 2;
+  Validity validity = {}; ///< of the closed forms
+  double seconds = 0;     ///< reading left out
+};
+
+/// Slices across an axis of the results.
+struct ProfileChoice {
+  int axis = 2;
+  std::size_t slices = 1;
 };
 
 /// Given properties of the packings, and the requested measurements.
@@ -81,7 +90,8 @@ struct MeasureOptions {
   analysis::Wanted wanted;
   MaterialsByType materials = {};
   std::optional<WindowChoice> window = {};
-  bool choose_window = true; ///< use interior_window, if there is one and no other is given
+  std::optional<ProfileChoice> profile = {}; ///< of the window that is given, or of the whole packing
+  bool choose_window = true;                 ///< use interior_window, if there is one and no other is given
 };
 
 /// Measures a frame and evaluates every rung for it.
