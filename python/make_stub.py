@@ -58,6 +58,8 @@ ITERATORS = {"Compression": "State", "Frames": "Packing", "Shearing": "PathPoint
 GENERIC_WITHOUT_SHAPE = ("Moduli", "ModulusErrors", "Range")
 # Functions that take no arrays, although their docstring shares entries with others.
 OF_NUMBERS = ("estimate",)
+# Of a range and a number.
+OPERATORS = ("__mul__", "__rmul__", "__truediv__", "__add__", "__radd__", "__sub__")
 # Calls of one function with results of different classes: types of keywords, keywords left out, result.
 OF_SANDS = ("uniformity", "least_void_ratio", "largest_void_ratio", "relative_density", "d50")
 OF_SPHERES = ("pore_density", "rattler_fraction", "contacts", "uncertainty")
@@ -210,6 +212,8 @@ class Stub:
             lines.append(f"    def __next__(self) -> {ITERATORS[name]}: ...")
         for copy, arguments in {"__copy__": "self", "__deepcopy__": "self, memo: Any"}.items():
             lines += [f"    def {copy}({arguments}) -> {name}: ..."] if copy in own else []
+        if name == "Range":
+            lines += [f"    def {op}(self, number: float) -> Range[_N]: ..." for op in OPERATORS]
         if "__len__" in own:
             lines.append("    def __len__(self) -> int: ...")
         if "__eq__" in own and "_Result" not in bases:

@@ -8,6 +8,8 @@ classes, unless they define their own. Checked by python/tests/test_results.py
 from __future__ import annotations
 
 import copyreg
+import html
+import numbers
 
 import numpy as np
 
@@ -224,6 +226,64 @@ def _refuse_to_reduce(self):
     raise TypeError(f"a {type(self).__name__} cannot be pickled or copied")
 
 
+def _scaled(self, factor, shift=0.0):
+    """A range times a number, plus a number; its ends change places where the number is negative."""
+    ends = [end * factor + shift for end in (self.low, self.high)]
+    low, high = np.minimum(*ends), np.maximum(*ends)
+    if not isinstance(self.value, np.ndarray):
+        low, high = float(low), float(high)
+    return Record("Range", {"value": self.value * factor + shift, "low": low, "high": high})
+
+
+def _is_number(value):
+    return isinstance(value, numbers.Real) and not isinstance(value, bool)
+
+
+# Of a range and a number alone: two ranges may have errors in common.
+def _times(self, number):
+    return _scaled(self, float(number)) if _kind(self) == "Range" and _is_number(number) else NotImplemented
+
+
+def _over(self, number):
+    return _scaled(self, 1 / float(number)) if _kind(self) == "Range" and _is_number(number) else NotImplemented
+
+
+def _plus(self, number):
+    return _scaled(self, 1.0, float(number)) if _kind(self) == "Range" and _is_number(number) else NotImplemented
+
+
+def _minus(self, number):
+    return _plus(self, -number) if _is_number(number) else NotImplemented
+
+
+def _format(self, how):
+    """A range as f"{value:.3g} ({low:.3g} to {high:.3g})"."""
+    if _kind(self) != "Range" or not how:
+        return format(str(self), how)
+    if isinstance(self.value, np.ndarray):
+        raise TypeError("a range of arrays has no format: take one element of value, low and high")
+    return f"{self.value:{how}} ({self.low:{how}} to {self.high:{how}})"
+
+
+_OF_RANGES = {
+    "__mul__": _times,
+    "__rmul__": _times,
+    "__truediv__": _over,
+    "__add__": _plus,
+    "__radd__": _plus,
+    "__sub__": _minus,
+    "__format__": _format,
+}
+
+
+def _repr_html_(self):
+    """The numbers of the result as a table, for notebooks."""
+    rows = "".join(
+        f"<tr><th>{html.escape(name)}</th><td>{html.escape(_short(_value(self, name)))}</td></tr>" for name in _names(self)
+    )
+    return f"<table><caption>{html.escape(_kind(self))}</caption>{rows}</table>"
+
+
 class Record:
     """A result restored from a pickle or a copy: the same names and numbers, without methods.
 
@@ -253,6 +313,12 @@ class Record:
     __hash__ = None  # type: ignore[assignment]
     to_dict = to_dict
     to_columns = to_columns
+    __mul__ = __rmul__ = _times
+    __truediv__ = _over
+    __add__ = __radd__ = _plus
+    __sub__ = _minus
+    __format__ = _format
+    _repr_html_ = _repr_html_
 
 
 def _attach():
@@ -270,6 +336,9 @@ def _attach():
             type_.__reduce__ = _reduce if type_ in _results else _refuse_to_reduce
         if type_ not in _results:
             continue
-        type_.to_dict, type_.to_columns = to_dict, to_columns
+        type_.to_dict, type_.to_columns, type_._repr_html_ = to_dict, to_columns, _repr_html_
+        if type_.__name__ == "Range":
+            for name, function in _OF_RANGES.items():
+                setattr(type_, name, function)
         if type_.__eq__ is object.__eq__:
             type_.__eq__, type_.__hash__ = _equal, None

@@ -2,6 +2,7 @@
 #include "arrays.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <granum/core/error.hpp>
 
@@ -15,6 +16,16 @@ namespace {
 
 [[noreturn]] void refuse_shape(const char* name, const py::array& array, const std::string& expected) {
   throw InvalidArgument(std::string(name) + " has the shape " + shape_text(array) + ", not " + expected);
+}
+
+/// A column of pandas in which numbers may be missing, as NaN.
+py::array without_missing(const char* name, const py::handle& column) {
+  try {
+    return column.attr("to_numpy")(py::arg("dtype") = "float64",
+                                   py::arg("na_value") = std::numeric_limits<double>::quiet_NaN());
+  } catch (py::error_already_set&) { // of texts
+    refuse_type(name, " is not an array of numbers");
+  }
 }
 
 } // namespace
@@ -54,7 +65,9 @@ py::array_t<double> numbers_of(const char* name, const py::handle& value) {
   const bool plain = Py_TYPE(value.ptr()) == py::detail::npy_api::get().PyArray_Type_;
   if (!plain && py::isinstance(value, py::module_::import("numpy.ma").attr("MaskedArray")))
     refuse_type(name, " is a masked array: fill it or take its compressed() values");
-  const py::array any = py::array::ensure(value);
+  py::array any = py::array::ensure(value);
+  if (any && any.dtype().kind() == 'O' && !plain && py::hasattr(value, "to_numpy"))
+    any = without_missing(name, value);
   if (!any) {
     PyErr_Clear();
     refuse_type(name, " is not an array of numbers");

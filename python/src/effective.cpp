@@ -386,7 +386,7 @@ py::object estimate_object(const RungAnswer& answer) {
   Notes notes;
   Stiffnesses out;
   out.rows.push_back(row_of(answer, notes));
-  out.notes = notes.take();
+  out.notes = notes.take(1, true);
   out.has_error = answer.relative_error.has_value();
   return py::cast(std::move(out));
 }

@@ -5,6 +5,33 @@
 
 namespace granum::python {
 
+void Notes::add(const Validity& validity) {
+  for (const std::string& note : validity.notes) {
+    std::string kind = note;
+    std::erase_if(kind, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; });
+    const auto [place, fresh] = places_.emplace(std::move(kind), in_order_.size());
+    if (fresh)
+      in_order_.push_back({.first_note = note, .elements = 1, .first = element_, .last = element_});
+    Kind& known = in_order_[place->second];
+    known.elements += known.last != element_;
+    known.last = element_;
+  }
+}
+
+std::vector<std::string> Notes::take(std::size_t elements, bool scalar) const {
+  std::vector<std::string> out;
+  for (const Kind& kind : in_order_)
+    out.push_back(scalar || elements == 1
+                      ? kind.first_note
+                      : "at " + std::to_string(kind.elements) + " of " + std::to_string(elements) +
+                            " elements (" +
+                            (kind.elements == 1 ? "number " + std::to_string(kind.first)
+                                                : "numbers " + std::to_string(kind.first) + " to " +
+                                                      std::to_string(kind.last) + ", the first") +
+                            "): " + kind.first_note);
+  return out;
+}
+
 std::vector<Argument> columns_of(const Arguments& a) {
   std::vector<Argument> out;
   out.reserve(a.function().columns.size());

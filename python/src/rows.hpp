@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -104,25 +103,29 @@ struct Rows {
   std::vector<py::ssize_t> shape;
   std::vector<Row> rows;
   std::map<std::size_t, std::string> errors; ///< of refused elements
-  std::vector<std::string> notes;            ///< each once
+  std::vector<std::string> notes;            ///< one of each kind, see Notes
 
   [[nodiscard]] const Row& front() const { return rows.front(); }
 };
 
-/// Notes, each once.
+/// Notes on the elements of a call: one of each kind, which is a note without its numbers.
 class Notes {
  public:
-  void add(const Validity& validity) {
-    for (const std::string& note : validity.notes)
-      if (in_order_.size() < most && seen_.insert(note).second)
-        in_order_.push_back(note);
-  }
-  [[nodiscard]] std::vector<std::string> take() { return std::move(in_order_); }
+  /// The element that the next notes are on.
+  void go_to(std::size_t element) { element_ = element; }
+  void add(const Validity& validity);
+  /// The first note of each kind, and for arrays on how many elements there is one and which are the first and
+  /// the last of them.
+  [[nodiscard]] std::vector<std::string> take(std::size_t elements, bool scalar) const;
 
  private:
-  static constexpr std::size_t most = 1000; // as many as a batch reports
-  std::set<std::string> seen_;
-  std::vector<std::string> in_order_;
+  struct Kind {
+    std::string first_note;
+    std::size_t elements = 0, first = 0, last = 0;
+  };
+  std::size_t element_ = 0;
+  std::map<std::string, std::size_t> places_; ///< of the kinds in the list
+  std::vector<Kind> in_order_;
 };
 
 /// Calls `answer`(numbers, notes) for every element. A refused element gets `refused` and a message; calls
@@ -139,7 +142,7 @@ Rows<Row> answer_rows(std::span<const Argument> arguments, bool strict, const Ro
     } catch (const InvalidArgument& error) {
       throw as_typed(error, arguments);
     }
-    out.notes = notes.take();
+    out.notes = notes.take(1, true);
     return out;
   }
   out.scalar = false;
@@ -147,6 +150,7 @@ Rows<Row> answer_rows(std::span<const Argument> arguments, bool strict, const Ro
   const Unlocked unlocked;
   out.rows.resize(columns.rows(), refused);
   columns.for_each([&](std::size_t row, const double* numbers) {
+    notes.go_to(row);
     try {
       out.rows[row] = answer(numbers, notes);
     } catch (const InvalidArgument& error) {
@@ -156,7 +160,7 @@ Rows<Row> answer_rows(std::span<const Argument> arguments, bool strict, const Ro
       out.errors.emplace(row, typed.what());
     }
   });
-  out.notes = notes.take();
+  out.notes = notes.take(out.rows.size(), false);
   return out;
 }
 

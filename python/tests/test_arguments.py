@@ -188,3 +188,25 @@ def test_whole_numbers_of_any_length_are_numbers_and_flags_are_not():
     assert granum.bulk_density(grain_density=10**30, void_ratio=0) == 1e30
     with pytest.raises(TypeError, match="void_ratio"):
         granum.bulk_density(grain_density=2650.0, void_ratio=True)
+
+
+class Nullable:
+    """A column of pandas whose numbers may be missing: as an array it holds objects."""
+
+    def __init__(self, *values):
+        self.values = values
+
+    def __array__(self, dtype=None, copy=None):
+        return np.array(self.values, dtype=object)
+
+    def to_numpy(self, dtype=None, na_value=None):
+        return np.array([na_value if value is None else value for value in self.values], dtype=dtype)
+
+
+def test_numbers_missing_in_a_column_of_pandas_are_missing():
+    speeds = Nullable(320.0, None, 425.0)
+    call = dict(law=granum.sphere(shear_modulus=26e9, poisson_ratio=0.22, radius=5e-4), radius=5e-4, void_ratio=0.58)
+    call.update(pressure=[1e5, 2e5, 4e5], relative_error=0.02, grain_density=2500)
+    assert granum.infer(**call, V_s=speeds) == granum.infer(**call, V_s=[320, np.nan, 425])
+    with pytest.raises(TypeError, match="V_s"):
+        granum.infer(**call, V_s=Nullable("320", "x", "y"))

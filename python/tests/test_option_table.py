@@ -35,6 +35,7 @@ ARGUMENTS = {
     "fines": "packing_answer.fines",
     "infer fines": "infer.fines",
     "strain": "packing_answer.shear_strain",
+    "profile": "profile.slices",
     "coordination-number": "packing_answer.coordination_number",
     "mechanical-coordination-number": "packing_answer.mechanical_coordination_number",
     "rattler-fraction": "packing_answer.rattler_fraction",

@@ -5,6 +5,7 @@ import copy
 import errno
 import os
 import pickle
+import subprocess
 import sys
 import threading
 
@@ -257,3 +258,16 @@ def test_python_runs_while_a_packing_is_measured(packing, sphere):
         assert not ran_meanwhile(lambda: sum(range(1000)))
     finally:
         sys.setswitchinterval(interval)
+
+
+def test_the_package_says_what_it_is_and_runs_the_program(tmp_path):
+    def run(path, *arguments):
+        environment = {**os.environ, "PATH": path}
+        return subprocess.run([sys.executable, "-m", "granum", *arguments], env=environment, capture_output=True, text=True)
+
+    assert granum.__version__ in run("/nowhere").stdout
+    assert run("/nowhere", "estimate").returncode == 2
+    program = tmp_path / "granum"
+    program.write_text('#!/bin/sh\necho "$@"\n')
+    program.chmod(0o755)
+    assert run(str(tmp_path), "estimate", "--json").stdout == "estimate --json\n"

@@ -186,3 +186,37 @@ def test_columns_of_a_study_are_its_states():
 def test_results_with_arrays_have_columns(packing, sphere):
     for result in results(packing, sphere):
         assert result.to_columns(), type(result)
+
+
+def test_a_range_is_scaled_shifted_and_formatted():
+    one = granum.packing_answer(law=LAWS["sphere"](30e9), radius=5e-4, void_ratio=0.6, pressure=1e5).shear_modulus
+    for scaled in (one * 1e-6, 1e-6 * one, one / 1e6, pickle.loads(pickle.dumps(one)) * 1e-6):
+        assert (scaled.value, scaled.low, scaled.high) == pytest.approx((one.value / 1e6, one.low / 1e6, one.high / 1e6))
+    turned = -1 * one + 5
+    assert turned.low == 5 - one.high and turned.high == 5 - one.low and turned - 5 == one * -1
+    assert f"{one / 1e6:.1f}" == f"{one.value / 1e6:.1f} ({one.low / 1e6:.1f} to {one.high / 1e6:.1f})"
+    assert f"{one}" == str(one)
+    many = granum.packing_answer(law=LAWS["sphere"](30e9), radius=5e-4, void_ratio=[0.6, 0.7], pressure=1e5).shear_modulus
+    assert (many * 2).high.tolist() == (2 * many.high).tolist()
+    for refused in (lambda: one * one, lambda: one + "1", lambda: one * True, lambda: f"{many:.3g}"):
+        with pytest.raises(TypeError):
+            refused()
+
+
+def test_results_are_tables_in_notebooks():
+    answer = granum.packing_answer(law=LAWS["sphere"](30e9), radius=5e-4, void_ratio=0.6, pressure=1e5)
+    html = answer._repr_html_()
+    assert html.count("<tr>") == len(answer.to_dict()) and "<th>shear_modulus</th>" in html
+    assert pickle.loads(pickle.dumps(answer))._repr_html_() == html
+
+
+def test_notes_of_arrays_are_one_for_each_kind():
+    void_ratio = np.concatenate([np.linspace(0.40, 0.50, 600), np.linspace(0.6, 0.7, 400), [0.45]])
+    call = dict(law=LAWS["sphere"](30e9), radius=5e-4, pressure=1e5)
+    many = granum.packing_answer(**call, void_ratio=void_ratio).notes
+    alone = [granum.packing_answer(**call, void_ratio=e).notes for e in (0.40, 0.60)]
+    assert len(many) == len(alone[0]) and not alone[1]
+    assert many[0] == f"at 601 of 1001 elements (numbers 0 to 1000, the first): {alone[0][0]}"
+    one = granum.packing_answer(**call, void_ratio=[0.65, 0.40]).notes
+    assert one[0] == f"at 1 of 2 elements (number 1): {alone[0][0]}"
+    assert granum.packing_answer(**call, void_ratio=[0.40]).notes == alone[0]
