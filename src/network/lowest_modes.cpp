@@ -3,7 +3,7 @@
 // stiffness over the masses: of all eigenvalues x of K those next above s have the largest x/(x + s)^2, and
 // motions without stiffness 0, however many there are. A block as wide as the number of wanted modes finds
 // modes of one frequency as often as they occur.
-#include <granum/network/stiffness_matrix.hpp>
+#include <granum/network/lowest_modes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,7 @@
 #include <Eigen/SparseCholesky>
 
 #include <granum/core/error.hpp>
+#include <granum/network/stiffness_matrix.hpp>
 
 namespace granum::network {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// H, the motions under unit strains and the modes beside the dense twin; 300 grains beside numpy are in
+// H and the motions under unit strains beside the dense twin; 300 grains beside numpy are in
 // python/tests/test_networks.py.
 #include <granum/network/stiffness_matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
@@ -83,7 +82,7 @@ TEST_CASE("the stiffness matrix is that of the dense twin, symmetric to the bit"
   }
   const packing::Assembly a = samples::random_network({.seed = 1, .repeats = 2});
   CHECK(largest(of_all_grains(network::stiffness_matrix(a, {.prestress = true}), a.grain_count()) -
-             with_turns(twin::response(a, true).stiffness, a)) < 1e-14);
+                with_turns(twin::response(a, true).stiffness, a)) < 1e-14);
 }
 
 TEST_CASE("a network without walls and periodic images resists neither translation nor rotation") {
@@ -170,7 +169,6 @@ TEST_CASE("motions of contacts that count as rigid, of bodies, and none of a net
   CHECK(network::linear_response(a, {.motions = true}).motions()[0].size() == a.grain_count() - 1);
   CHECK(network::stiffness_matrix(a).grain.size() == a.grain_count() - 1);
   CHECK_THROWS_AS(static_cast<void>(network::stiffness_matrix(a, {.prestress = true})), InvalidArgument);
-  CHECK_THROWS_AS(static_cast<void>(network::lowest_modes(a, 2650, 1)), InvalidArgument);
   a.body.clear();
   auto hasty = network::linear_response(a, {.motions = true, .iteration_limit = 1});
   CHECK_THROWS_AS(static_cast<void>(hasty.motions()), NotConverged);
@@ -178,69 +176,4 @@ TEST_CASE("motions of contacts that count as rigid, of bodies, and none of a net
   a.contacts.clear();
   CHECK(network::linear_response(a, {.motions = true}).motions()[5].size() == a.grain_count());
   CHECK(network::stiffness_matrix(a).matrix.rows() == 0);
-  CHECK(network::lowest_modes(a, 2650, 3).empty());
-}
-
-namespace {
-
-double energy(const network::GrainMotion& motion, double mass) {
-  return mass * (dot(motion.displacement, motion.displacement) + 0.4 * dot(motion.turn, motion.turn));
-}
-
-} // namespace
-
-// A simple cubic lattice of N grains on an edge without tangential springs is N^2 chains along each axis: the
-// frequencies are sqrt(k/m) sin(pi n/N)/pi, those of n = 1 and N - 1 the same, for each chain and each axis.
-TEST_CASE("modes of a cubic lattice are those of its chains, as often as they occur") {
-  constexpr double density = 2650, k_n = 3e5, radius = 0.5e-3;
-  const packing::Assembly a =
-      samples::lattice(samples::simple_cubic, {.radius = radius, .normal_stiffness = k_n, .repeats = 4});
-  const double mass = density * 4 / 3 * std::numbers::pi * radius * radius * radius;
-  const std::vector<network::Mode> modes = network::lowest_modes(a, density, 100);
-  REQUIRE(modes.size() == 100);
-  for (std::size_t k = 0; k < modes.size(); ++k) {
-    const double part = k < 96 ? std::sqrt(0.5) : 1; // sin of pi/4 and of 3 pi/4; 48 chains
-    CHECK(modes[k].frequency ==
-          doctest::Approx(std::sqrt(k_n / mass) * part / std::numbers::pi).epsilon(1e-12));
-    double sum = 0;
-    for (const network::GrainMotion& motion : modes[k].motion)
-      sum += energy(motion, mass);
-    CHECK(sum == doctest::Approx(1).epsilon(1e-12));
-  }
-  CHECK(network::lowest_modes(a, density, 1000).size() == 144); // all but the 48 translations of chains
-}
-
-TEST_CASE("modes solve their equation and share nothing; their participation is that of their energies") {
-  constexpr double density = 2650;
-  const packing::Assembly a = samples::random_network({.seed = 9, .repeats = 4, .kept = 0.5});
-  const std::vector<network::Mode> modes = network::lowest_modes(a, density, 8);
-  REQUIRE(modes.size() == 8);
-  const network::StiffnessMatrix h = network::stiffness_matrix(a);
-  const Dense all = of_all_grains(h, a.grain_count());
-  for (std::size_t k = 0; k < modes.size(); ++k) {
-    const Dense shape = column_of(modes[k].motion);
-    Dense inertia = shape;
-    double sum = 0, squares = 0;
-    for (int row = 0; row < inertia.rows(); ++row) {
-      const double radius = a.radius[static_cast<std::size_t>(row / 6)];
-      inertia(row, 0) *= density * 4 / 3 * std::numbers::pi * std::pow(radius, 3) * (row % 6 < 3 ? 1 : 0.4);
-    }
-    for (int g = 0; g < static_cast<int>(a.grain_count()); ++g) {
-      const double of_grain = shape.middleRows(6 * g, 6).cwiseProduct(inertia.middleRows(6 * g, 6)).sum();
-      sum += of_grain;
-      squares += of_grain * of_grain;
-    }
-    const double eigenvalue = std::pow(2 * std::numbers::pi * modes[k].frequency, 2);
-    CHECK(largest(all * shape - eigenvalue * inertia) < 1e-6 * eigenvalue * largest(inertia));
-    CHECK(modes[k].participation_ratio ==
-          doctest::Approx(sum * sum / (squares * static_cast<double>(h.grain.size()))).epsilon(1e-12));
-    for (std::size_t other = 0; other < k; ++other)
-      CHECK(std::abs(column_of(modes[other].motion).cwiseProduct(inertia).sum()) < 1e-7);
-    CHECK((k == 0 || modes[k - 1].frequency <= modes[k].frequency));
-  }
-  CHECK_THROWS_AS(static_cast<void>(network::lowest_modes(a, 0, 8)), InvalidArgument);
-  CHECK_THROWS_AS(static_cast<void>(network::lowest_modes(a, density, 0)), InvalidArgument);
-  CHECK_THROWS_AS(
-      static_cast<void>(network::lowest_modes(a, density, 8, {.stop_requested = [] { return true; }})),
-      Stopped);
 }

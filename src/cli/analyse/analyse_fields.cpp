@@ -392,6 +392,15 @@ const io::Columns<NamedMatrix>& matrix_fields() {
   return fields;
 }
 
+const io::Columns<network::Mode>& mode_fields() {
+  static const io::Columns<network::Mode> fields = {
+      {"frequency_Hz", "frequency", &network::Mode::frequency,
+       ShownColumn{.heading = "f [Hz]", .width = 14, .digits = 6}},
+      {"participation_ratio", "participation_ratio", &network::Mode::participation_ratio,
+       column("participation", 14, 4)}};
+  return fields;
+}
+
 const io::Columns<NamedMatrix>& wave_fields() {
   static const io::Columns<NamedMatrix> fields = [] {
     using elastic::PlaneWaves;

@@ -36,6 +36,8 @@ inline constexpr const char* voigt_names[] = {"11", "22", "33", "23", "13", "12"
 [[nodiscard]] const io::Columns<NamedMatrix>& matrix_fields();
 [[nodiscard]] const io::Columns<NamedMatrix>& wave_fields();
 
+[[nodiscard]] const io::Columns<network::Mode>& mode_fields();
+
 /// Exponents of a rung over a series: s, then m and n.
 [[nodiscard]] const io::Columns<RungSeries>& sum_fields();
 [[nodiscard]] const io::Columns<RungSeries>& separate_fields();
