@@ -8,7 +8,7 @@ set -euo pipefail
 
 library_packages=(libeigen3-dev libboost-dev libgsl-dev zlib1g-dev libexpat1-dev libfast-float-dev) # cmake/GranumPackage.cmake reads it
 run_packages=(g++ cmake ninja-build "${library_packages[@]}" libtomlplusplus-dev nlohmann-json3-dev libfmt-dev)
-python_packages=("${run_packages[@]}" python3-dev python3-numpy python3-matplotlib pybind11-dev python3-pytest python3-hypothesis mypy
+python_packages=("${run_packages[@]}" python3-dev python3-numpy python3-scipy python3-matplotlib pybind11-dev python3-pytest python3-hypothesis mypy
   python3-pip python3-wheel)
 docs_packages=("${python_packages[@]}" doxygen doxygen-awesome-css libjs-mathjax)
 web_packages=("${run_packages[@]}" clang lld wasi-libc libclang-rt-dev-wasm32 libc++-dev-wasm32 binaryen

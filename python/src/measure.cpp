@@ -15,6 +15,7 @@
 #include "bindings.hpp"
 #include "errors.hpp"
 #include "estimate.hpp"
+#include "measure.hpp"
 #include "members.hpp"
 #include "packing.hpp"
 #include "shared_keywords.hpp"
@@ -111,6 +112,10 @@ void bind_forces(py::module_& module) {
           "Q, ln of K under uniform strain over that of equal forces, which rung 3 uses [1]; None where the "
           "contact law is not known.",
           &Forces::unevenness)
+      .show("strong_anisotropy", "a of contacts with f_n above the mean [1].", &Forces::strong,
+            &fabric::AnisotropyEstimate::anisotropy)
+      .show("weak_anisotropy", "a of the other pressing contacts [1].", &Forces::weak,
+            &fabric::AnisotropyEstimate::anisotropy)
       .show("mean_tangential_over_normal", "[1]", &Forces::mean_tangential_over_normal)
       .show("friction_coefficient", "Estimated from the forces [1].", &Forces::friction,
             [](const auto& friction) { return friction.coefficient; })
@@ -134,6 +139,13 @@ void bind_network(py::module_& module) {
   ResultClass<Network>(module, "Network", "Linear response of the contact network, rung 4.")
       .show("relaxed", "6 x 6 with every grain in equilibrium [Pa]. Raises NotConverged if not solved.",
             [](const Network& n) { return n.response.relaxed().matrix; })
+      .show("motions",
+            "What the grains of relaxed do beside a unit of each strain, in Voigt order: u and R w [m], "
+            "(6, N, 6); of bodies if grains form bodies. None unless measure was called with motions=True.",
+            [](const Network& n) -> py::object {
+              const network::StrainMotions& motions = n.response.motions();
+              return motions[0].empty() ? py::object(py::none()) : array_of_motions(motions);
+            })
       .show("affine", "6 x 6 under uniform strain without spin [Pa].",
             [](const Network& n) { return n.response.affine().matrix; })
       .show("converged", "Whether the solver converged.",
@@ -283,36 +295,15 @@ void take_law(const Arguments& a, std::size_t at, analysis::Given& given) {
   given.grain_poisson_ratio = law.grain().poisson_ratio;
 }
 
-analysis::Given given_of(const Arguments& a, const Packing& packing) {
-  analysis::Given given{.grain_shear_modulus = a.number_if_given(a.at("grain_shear_modulus")),
-                        .grain_density = a.number_if_given(a.at("grain_density")),
-                        .law_assumed = !a.given(a.at("law")),
-                        .tangential_ratio = a.number_if_given(a.at("tangential_ratio")),
-                        .friction_coefficient = a.number_if_given(a.at("friction_coefficient"))};
-  if (a.given(a.at("grain_poisson_ratio")))
-    given.grain_poisson_ratio = a.number(a.at("grain_poisson_ratio"));
-  if (a.given(a.at("law"))) {
-    if (a.given(a.at("grain_shear_modulus")) || a.given(a.at("grain_poisson_ratio")) ||
-        a.given(a.at("materials")))
-      throw py::type_error("law contains the material of the grains: leave out grain_shear_modulus, "
-                           "grain_poisson_ratio and materials");
-    take_law(a, a.at("law"), given);
-  }
-  if (a.given(a.at("materials")))
-    given.materials = studies::materials_of(packing, materials_by_type(a));
-  if (a.given(a.at("stiffness_from")))
-    given.stiffness_from = a.choice(a.at("stiffness_from"), sources_of_stiffness);
-  given.rolling = turning_spring(a, a.at("rolling_stiffness"));
-  given.twisting = turning_spring(a, a.at("twisting_stiffness"));
-  return given;
-}
-
 py::object measure(const Arguments& a) {
   const auto packing = a.as<SharedPacking>(a.at("packing"));
-  const analysis::Given given = given_of(a, *packing);
+  analysis::Given given = given_of(a, *packing);
+  given.grain_density = a.number_if_given(a.at("grain_density"));
+  given.friction_coefficient = a.number_if_given(a.at("friction_coefficient"));
   analysis::Wanted wanted = analysis::everything();
   wanted.network->stop_requested = stop_on_signal();
   wanted.network->prestress = a.flag(a.at("prestress"));
+  wanted.network->motions = a.flag(a.at("motions"));
   if (a.given(a.at("network")) && !a.flag(a.at("network")))
     wanted.network.reset();
   wanted.window = window_of(a, *packing);
@@ -330,37 +321,21 @@ py::object measure(const Arguments& a) {
 
 std::vector<Keyword> measure_keywords() {
   using estimate::Input;
-  const std::string spring = "float, (float, str) or \"marshall\"";
-  return {
-      required("packing", "Packing",
-               "From read() or packing(). Without contacts, overlapping spheres are assumed to touch."),
-      optional("law", "NormalLaw",
-               "Contact law and material of the grains; for spheres the radii are those of the packing. "
-               "Default: derived from forces and overlaps."),
-      optional("grain_shear_modulus", "float", ""),
-      optional("grain_poisson_ratio", "float",
-               "Material of spheres, instead of a law: G_g [Pa] and nu_g [1]."),
-      optional("materials", "dict",
-               "Materials of spheres of several types: {type: (shear modulus [Pa], Poisson's ratio [1])}."),
-      of_input(Input::tangential_ratio, "float").or_none(),
+  std::vector<Keyword> keywords = given_keywords();
+  const Keyword all[] = {
       optional("friction_coefficient", "float",
                "Friction between grains [1]; without it estimated from the forces."),
       of_input(Input::grain_density, "float").or_none(),
-      optional("stiffness_from", "{\"overlap\", \"force\", \"ratio\"}",
-               "Source of k_n of the network; default: the overlaps, or the forces if the overlaps have few "
-               "digits."),
       with_default("network", "True", "bool",
                    "Solve the contact network, rung 4: the part that takes the time."),
-      with_default("prestress", "False", "bool", "Add the geometric stiffness of the contact forces."),
+      with_default("motions", "False", "bool",
+                   "Keep what the grains do beside each uniform strain, network.motions."),
       with_default("window", "'auto'", "\"auto\", None or three ranges, optional",
                    "The part whose e, C_n, z*, fabric and stress are used for the closed forms: \"auto\", "
                    "the interior between walls or under a free surface, if there is one; None, the whole; or "
-                   "(low, high) [m] along each axis, with None for a whole axis or an open end."),
-      optional("rolling_stiffness", spring, ""),
-      optional(
-          "twisting_stiffness", spring,
-          "For all contacts: a number times k_n R*^2 [1]; (k, \"displacement\"), k [N/m] times R*^2; (k, "
-          "\"angle\"), k [N m]; or \"marshall\", k_t R* d/2. Without it the values of the contacts.")};
+                   "(low, high) [m] along each axis, with None for a whole axis or an open end.")};
+  keywords.insert(keywords.end(), std::begin(all), std::end(all));
+  return keywords;
 }
 
 /// Keywords of measure() that say what is known of the packing, without those of the network.
@@ -369,8 +344,10 @@ std::vector<Keyword> profile_keywords() {
       required("packing", "Packing", "From read() or packing()."),
       with_default("axis", "'z'", "{\"x\", \"y\", \"z\"}", "Across which the slices are."),
       with_default("slices", "10", "int", "Number of slices, of equal width.")};
+  constexpr std::string_view others[] = {"packing",   "network",       "motions",
+                                         "prestress", "grain_density", "friction_coefficient"};
   for (Keyword& known : measure_keywords())
-    if (known.name != "packing" && known.name != "network" && known.name != "prestress")
+    if (std::ranges::find(others, known.name) == std::end(others))
       all.push_back(std::move(known));
   return all;
 }
@@ -443,6 +420,54 @@ void define_overlap_contacts(py::module_& module) {
 }
 
 } // namespace
+
+analysis::Given given_of(const Arguments& a, const Packing& packing) {
+  analysis::Given given{.grain_shear_modulus = a.number_if_given(a.at("grain_shear_modulus")),
+                        .law_assumed = !a.given(a.at("law")),
+                        .tangential_ratio = a.number_if_given(a.at("tangential_ratio"))};
+  if (a.given(a.at("grain_poisson_ratio")))
+    given.grain_poisson_ratio = a.number(a.at("grain_poisson_ratio"));
+  if (a.given(a.at("law"))) {
+    if (a.given(a.at("grain_shear_modulus")) || a.given(a.at("grain_poisson_ratio")) ||
+        a.given(a.at("materials")))
+      throw py::type_error("law contains the material of the grains: leave out grain_shear_modulus, "
+                           "grain_poisson_ratio and materials");
+    take_law(a, a.at("law"), given);
+  }
+  if (a.given(a.at("materials")))
+    given.materials = studies::materials_of(packing, materials_by_type(a));
+  if (a.given(a.at("stiffness_from")))
+    given.stiffness_from = a.choice(a.at("stiffness_from"), sources_of_stiffness);
+  given.rolling = turning_spring(a, a.at("rolling_stiffness"));
+  given.twisting = turning_spring(a, a.at("twisting_stiffness"));
+  return given;
+}
+
+std::vector<Keyword> given_keywords() {
+  using estimate::Input;
+  const std::string spring = "float, (float, str) or \"marshall\"";
+  return {
+      required("packing", "Packing",
+               "From read() or packing(). Without contacts, overlapping spheres are assumed to touch."),
+      optional("law", "NormalLaw",
+               "Contact law and material of the grains; for spheres the radii are those of the packing. "
+               "Default: derived from forces and overlaps."),
+      optional("grain_shear_modulus", "float", ""),
+      optional("grain_poisson_ratio", "float",
+               "Material of spheres, instead of a law: G_g [Pa] and nu_g [1]."),
+      optional("materials", "dict",
+               "Materials of spheres of several types: {type: (shear modulus [Pa], Poisson's ratio [1])}."),
+      of_input(Input::tangential_ratio, "float").or_none(),
+      optional("stiffness_from", "{\"overlap\", \"force\", \"ratio\"}",
+               "Source of k_n of the network; default: the overlaps, or the forces if the overlaps have few "
+               "digits."),
+      with_default("prestress", "False", "bool", "Add the geometric stiffness of the contact forces."),
+      optional("rolling_stiffness", spring, ""),
+      optional(
+          "twisting_stiffness", spring,
+          "For all contacts: a number times k_n R*^2 [1]; (k, \"displacement\"), k [N/m] times R*^2; (k, "
+          "\"angle\"), k [N m]; or \"marshall\", k_t R* d/2. Without it the values of the contacts.")};
+}
 
 void bind_analysis(py::module_& module) {
   bind_counts(module);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <granum/analysis/parts.hpp>
 #include <granum/core/error.hpp>
@@ -14,70 +13,12 @@
 #include <granum/packing/coordination.hpp>
 #include <granum/packing/forces.hpp>
 
+#include "counts.hpp"
 #include "materials.hpp"
 
 namespace granum::analysis {
 
 namespace {
-
-Sizes sizes_of(const packing::Assembly& assembly) {
-  const std::vector<double>& radii = assembly.radius;
-  const auto [smallest, largest] = std::minmax_element(radii.begin(), radii.end());
-  double squares = 0, cubes = 0;
-  for (const double radius : radii) {
-    const double relative = radius / *largest;
-    squares += relative * relative;
-    cubes += relative * relative * relative;
-  }
-  Sizes out{.smallest = *smallest,
-            .largest = *largest,
-            .equivalent = *smallest == *largest ? *largest : *largest * (cubes / squares),
-            .gradation = sizes::gradation(radii)};
-  std::vector<sizes::TouchingPair> pairs;
-  pairs.reserve(assembly.contacts.size());
-  for (const packing::Contact& c : assembly.contacts)
-    pairs.push_back({radii[c.i], radii[c.j]});
-  if (!pairs.empty())
-    out.contacts = sizes::counted_contact_means(radii, pairs, out.equivalent);
-  return out;
-}
-
-/// Standard error of the mean of numbers; 0 for one.
-double error_of_mean(const std::vector<double>& values) {
-  const double count = static_cast<double>(values.size());
-  if (values.size() < 2)
-    return 0;
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
-  double squares = 0;
-  for (const double value : values)
-    squares += (value - mean) * (value - mean);
-  return std::sqrt(squares / (count - 1) / count);
-}
-
-/// \param    assembly   of bodies
-Counts count(const packing::Assembly& assembly, std::size_t grains) {
-  std::vector<double> contacts_of(assembly.grain_count());
-  for (const packing::Contact& c : assembly.contacts) {
-    contacts_of[c.i] += 1;
-    contacts_of[c.j] += 1;
-  }
-  Counts out{.grains = grains,
-             .bodies = assembly.grain_count(),
-             .contacts = assembly.contacts.size(),
-             .wall_contacts = assembly.wall_contacts.size(),
-             .coordination_number = coordination_number(assembly),
-             .coordination_error = error_of_mean(contacts_of),
-             .sliding_fraction = sliding_fraction(assembly),
-             .mechanical = mechanical_coordination(assembly, packing::ContactKind::frictional)};
-  out.without_contact = static_cast<std::size_t>(std::count(contacts_of.begin(), contacts_of.end(), 0.0));
-  const double bodies = static_cast<double>(out.bodies);
-  const double touching = bodies - static_cast<double>(out.without_contact);
-  if (touching > 0)
-    out.touching_coordination_number = out.coordination_number * (bodies / touching);
-  out.coordination_number_with_walls =
-      out.coordination_number + static_cast<double>(out.wall_contacts) / bodies;
-  return out;
-}
 
 /// Whether the law can be read off forces and overlaps, so that its modulus can be as well.
 /// \param    rounded   share by which overlaps may be off: forces by 1.5 times as much
@@ -115,8 +56,8 @@ class Measuring {
     measure_load();
     find_law();
     out_.counts = out_.law && forces_known_
-                      ? count(counted_part(moving(), *out_.law), assembly_.grain_count())
-                      : count(moving(), assembly_.grain_count());
+                      ? counts_of(counted_part(moving(), *out_.law), assembly_.grain_count())
+                      : counts_of(moving(), assembly_.grain_count());
     if (out_.counts.contacts >= 2)
       out_.fabric = measure_fabric(contact_normals(assembly_), wanted_);
     if (wanted_.interior_layer)
@@ -137,6 +78,18 @@ class Measuring {
       solve_network(*stiff_);
     keep_within_bounds(out_);
     return std::move(out_);
+  }
+
+  packing::Assembly stiffened() && {
+    out_.void_ratio = void_ratio(assembly_); // refuses what is no packing
+    out_.sizes = sizes_of(assembly_);
+    measure_load();
+    find_law();
+    if (!find_stiffness())
+      throw InvalidArgument(
+          "the contacts have no stiffness, and it does not follow from their forces, overlaps "
+          "and grains: give the material of the grains");
+    return *std::move(stiff_);
   }
 
  private:
@@ -490,6 +443,10 @@ Wanted everything() {
           .law_check = true,
           .closed_forms = true,
           .network = network::ResponseOptions{}};
+}
+
+packing::Assembly stiffened(const packing::Assembly& assembly, const Given& given) {
+  return Measuring(assembly, given, {}).stiffened();
 }
 
 Measurement measure(const packing::Assembly& assembly, const Given& given, const Wanted& wanted) {

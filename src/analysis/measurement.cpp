@@ -130,6 +130,21 @@ Fabric measure_fabric(std::span<const Vec3> normals, const Wanted& wanted) {
   return out;
 }
 
+namespace {
+
+/// Of the contacts whose normal force is taken; empty for fewer than 2.
+template <class Takes>
+std::optional<fabric::AnisotropyEstimate> anisotropy_where(const packing::Assembly& assembly,
+                                                           const Takes& takes) {
+  std::vector<Vec3> normals;
+  for (const packing::Contact& c : assembly.contacts)
+    if (takes(c.normal_force))
+      normals.push_back(normal(c));
+  return normals.size() < 2 ? std::nullopt : std::optional(fabric::estimate_anisotropy(normals));
+}
+
+} // namespace
+
 Forces measure_forces(const packing::Assembly& assembly, const Given& given, std::size_t bins) {
   Forces out{.distribution = packing::force_distribution(normal_forces(assembly), bins)};
   if (given.tangential_forces) {
@@ -144,6 +159,8 @@ Forces measure_forces(const packing::Assembly& assembly, const Given& given, std
   const packing::Assembly pressing = pressing_part(assembly);
   out.Z_2 = normal_force_moment(pressing, 2);
   out.Z_5_3 = normal_force_moment(pressing, 5.0 / 3);
+  out.strong = anisotropy_where(pressing, [&](double f) { return f > out.distribution.mean; });
+  out.weak = anisotropy_where(pressing, [&](double f) { return f <= out.distribution.mean; });
   if (!given.tangential_forces)
     return out;
   double tangential = 0;

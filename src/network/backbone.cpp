@@ -259,6 +259,8 @@ void fill(Backbone& backbone, const packing::Assembly& assembly, const Grains& g
 
 Backbone load_bearing_network(const packing::Assembly& assembly, const ResponseOptions& options,
                               const std::vector<bool>& soft) {
+  if (options.prestress && !assembly.body.empty())
+    throw InvalidArgument("prestress: not implemented for grains that are parts of rigid bodies");
   Backbone backbone;
   const Grains grains(assembly);
   const packing::Assembly& moving = grains.moving();
@@ -266,6 +268,7 @@ Backbone load_bearing_network(const packing::Assembly& assembly, const ResponseO
   const auto mechanics = mechanical_coordination(
       moving, backbone.rotations ? packing::ContactKind::frictional : packing::ContactKind::frictionless);
   backbone.grain_count = moving.grain_count() - mechanics.rattler_count;
+  backbone.moving_count = moving.grain_count();
   if (mechanics.contact_count + mechanics.wall_contact_count == 0)
     return backbone;
 

@@ -50,6 +50,7 @@ struct LoadedContact {
 /// The grains that carry load, renumbered.
 struct Backbone {
   std::size_t grain_count = 0;
+  std::size_t moving_count = 0;           ///< of the whole assembly: grains, or bodies if grains form them
   bool rotations = false;                 ///< some contact has tangential stiffness
   double stiffness_scale = 1;             ///< mean k_n [N/m]
   double length_scale = 1;                ///< mean branch length [m]
@@ -75,6 +76,7 @@ struct Backbone {
 
 /// Removes rattlers and units, and treats sliding contacts according to the options.
 /// \param    soft   for each grain of the assembly: number it as weakly supported; or empty
+/// \throws   InvalidArgument for prestress of rigid bodies
 [[nodiscard]] Backbone load_bearing_network(const packing::Assembly& assembly, const ResponseOptions& options,
                                             const std::vector<bool>& soft = {});
 

@@ -109,10 +109,23 @@ class Relaxation {
     solution.residual = worst_of(size);
     solution.work = products<Dof>(workers_, load_, q_);
     solution.by_forces = force_energies<Dof>(backbone_, q_);
+    if (options_.motions)
+      solution.motions = motions();
     return solution;
   }
 
  private:
+  [[nodiscard]] StrainMotions motions() const {
+    StrainMotions out;
+    for (int c = 0; c < load_cases; ++c)
+      for (const Rows<Dof>& grain : q_) {
+        GrainMotion& motion = out[static_cast<std::size_t>(c)].emplace_back();
+        for (int d = 0; d < Dof; ++d)
+          (d < 3 ? motion.displacement : motion.turn)[d % 3] = grain.row[d][c];
+      }
+    return out;
+  }
+
   /// Whether the energy of a negative direction of p is beyond rounding. Never for contacts without
   /// prestress.
   [[nodiscard]] bool is_unstable(const Matrix6& energies, const Vector6& direction) const {

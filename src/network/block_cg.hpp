@@ -54,6 +54,7 @@ struct Solution {
   double residual = 0;                              ///< worst load case, relative to its right-hand side
   elastic::Matrix6 work = elastic::Matrix6::Zero(); ///< W^T q, the (negative) energy of relaxation
   ForceEnergies by_forces;                          ///< of the motions q, if the backbone has loaded contacts
+  StrainMotions motions; ///< q in the order and units of the backbone, if options.motions
 };
 
 /// Solves H q = -W for all load cases at once, in one shared Krylov space.

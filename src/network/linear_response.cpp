@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <granum/core/error.hpp>
@@ -36,6 +37,23 @@ struct Attempt {
   [[nodiscard]] bool is_final() const { return solution.status != Status::iteration_limit; }
 };
 
+/// Motions of a network by the numbers of its grains in the assembly [m]. What no wall holds does not move in
+/// the mean.
+StrainMotions in_assembly(const StrainMotions& of_network, const Backbone& network) {
+  StrainMotions out;
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    Vec3 mean;
+    if (network.wall_links.empty())
+      for (const GrainMotion& motion : of_network[c])
+        mean += (1 / static_cast<double>(network.grain_count)) * motion.displacement;
+    out[c].resize(network.moving_count);
+    for (std::size_t g = 0; g < of_network[c].size(); ++g)
+      out[c][network.grain[g]] = {network.length_scale * (of_network[c][g].displacement - mean),
+                                  network.length_scale * of_network[c][g].turn};
+  }
+  return out;
+}
+
 template <int Dof>
 Attempt attempt(const packing::Assembly& assembly, Backbone& backbone, const FactorRule& rule,
                 ResponseOptions options, int iteration_limit, const Workers& workers) {
@@ -44,8 +62,11 @@ Attempt attempt(const packing::Assembly& assembly, Backbone& backbone, const Fac
       uses_motions(rule.soft_pivots) ? factor_with_soft_first<Dof>(assembly, options, rule, workers, backbone)
                                      : IncompleteFactor<Dof>(backbone, workers, rule));
   options.iteration_limit = iteration_limit;
+  Solution solution = relax<Dof>(backbone, preconditioner, options, workers);
+  if (options.motions) // now, because another attempt may number the grains anew
+    solution.motions = in_assembly(solution.motions, backbone);
   return {.rule = rule,
-          .solution = relax<Dof>(backbone, preconditioner, options, workers),
+          .solution = std::move(solution),
           .factor_nonzeros = preconditioner.nonzeros(),
           .mended_pivots = preconditioner.factor().mended_pivots()};
 }
@@ -78,7 +99,7 @@ Solution relaxation(const packing::Assembly& assembly, Backbone& backbone, const
   report.residual = best->solution.residual;
   report.factor_nonzeros = best->factor_nonzeros;
   report.mended_pivots = best->mended_pivots;
-  return best->solution;
+  return std::move(best->solution);
 }
 
 // Residuals are relative to the forces of the stiffest contacts, and C is the difference of two energies of
@@ -163,12 +184,25 @@ std::string failure_text(const Response::Report& report) {
 
 } // namespace
 
-const elastic::VoigtStiffness& Response::relaxed() const {
-  if (report_.status == Status::stopped)
+namespace {
+
+void require_converged(const Response& response) {
+  if (response.report().status == Status::stopped)
     throw Stopped();
-  if (!converged())
-    throw NotConverged(failure_text(report_));
+  if (!response.converged())
+    throw NotConverged(failure_text(response.report()));
+}
+
+} // namespace
+
+const elastic::VoigtStiffness& Response::relaxed() const {
+  require_converged(*this);
   return relaxed_;
+}
+
+const StrainMotions& Response::motions() const {
+  require_converged(*this);
+  return motions_;
 }
 
 namespace {
@@ -179,13 +213,17 @@ Response response_of(const packing::Assembly& assembly, const ResponseOptions& o
                           .contacts = backbone.links.size(),
                           .wall_contacts = backbone.wall_links.size(),
                           .unknowns_per_grain = backbone.rotations ? 6 : 3};
-  if (backbone.links.empty() && backbone.wall_links.empty())
-    return {{}, {}, report};
+  if (backbone.links.empty() && backbone.wall_links.empty()) {
+    StrainMotions at_rest;
+    if (options.motions)
+      at_rest.fill(std::vector<GrainMotion>(backbone.moving_count));
+    return {{}, {}, report, {}, std::move(at_rest)};
+  }
 
   const double unit = stiffness_unit(backbone, assembly);
   const Matrix6 affine = affine_energy(backbone);
-  const Solution solution = backbone.rotations ? relaxation<6>(assembly, backbone, options, report)
-                                               : relaxation<3>(assembly, backbone, options, report);
+  Solution solution = backbone.rotations ? relaxation<6>(assembly, backbone, options, report)
+                                         : relaxation<3>(assembly, backbone, options, report);
   const Matrix6 relaxed = affine + solution.work;
   const double largest = relaxed.cwiseAbs().maxCoeff();
   if (largest > 0)
@@ -193,7 +231,11 @@ Response response_of(const packing::Assembly& assembly, const ResponseOptions& o
   std::optional<ForceTerms> by_forces;
   if (options.force_terms)
     by_forces = ForceTerms{{unit * solution.by_forces.geometric}, {unit * solution.by_forces.shedding}};
-  return {{unit * affine}, {unit * (relaxed + relaxed.transpose()) / 2}, report, by_forces};
+  return {{unit * affine},
+          {unit * (relaxed + relaxed.transpose()) / 2},
+          report,
+          by_forces,
+          std::move(solution.motions)};
 }
 
 /// Of an assembly whose stiffnesses differ widely: those far above the median count as rigid. It did not
@@ -202,9 +244,9 @@ Response response_of(const packing::Assembly& assembly, const ResponseOptions& o
 Response response_of_wide_spread(const packing::Assembly& assembly, double largest,
                                  const ResponseOptions& options) {
   const double limit = widest_spread * median_stiffness(assembly);
-  const Response stiff = response_of(softened(assembly, limit), options),
-                 softer = largest > limit / 10 ? response_of(softened(assembly, limit / 10), options) : stiff;
-  const Matrix6& c = stiff.last_iterate().matrix;
+  Response stiff = response_of(softened(assembly, limit), options);
+  const Response softer = largest > limit / 10 ? response_of(softened(assembly, limit / 10), options) : stiff;
+  const Matrix6 c = stiff.last_iterate().matrix;
   Response::Report report = stiff.report();
   if (stiff.converged())
     report.status = softer.report().status;
@@ -214,7 +256,11 @@ Response response_of_wide_spread(const packing::Assembly& assembly, double large
     report.status = Status::iteration_limit;
     report.residual = std::max(report.residual, moved);
   }
-  return {affine_of(load_bearing_network(assembly, options), assembly), {c}, report, stiff.force_terms()};
+  return {affine_of(load_bearing_network(assembly, options), assembly),
+          {c},
+          report,
+          stiff.force_terms(),
+          stiff.take_motions()};
 }
 
 } // namespace
@@ -233,9 +279,8 @@ Response linear_response(const packing::Assembly& assembly, const ResponseOption
   };
   if (options.force_terms && std::any_of(assembly.contacts.begin(), assembly.contacts.end(), turns))
     throw InvalidArgument("force_terms: not implemented for contacts that resist rolling or twisting");
-  if ((options.force_terms || options.prestress) && !assembly.body.empty())
-    throw InvalidArgument(std::string(options.prestress ? "prestress" : "force_terms") +
-                          ": not implemented for grains that are parts of rigid bodies");
+  if (options.force_terms && !assembly.body.empty())
+    throw InvalidArgument("force_terms: not implemented for grains that are parts of rigid bodies");
 
   const Spread k = spread_of_stiffness(assembly);
   return k.largest > widest_spread * k.least ? response_of_wide_spread(assembly, k.largest, options)

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include <granum/contact/grains.hpp>
@@ -43,6 +45,23 @@ ContactStress contact_stress(const Assembly& assembly) {
   const double size = frobenius(stress.symmetric);
   if (size > 0)
     stress.asymmetry = frobenius(antisymmetric) / size;
+  return stress;
+}
+
+std::vector<Mat3> grain_stresses(const Assembly& assembly) {
+  require_valid(assembly);
+  std::vector<Mat3> stress(assembly.grain_count());
+  for (const Contact& c : assembly.contacts) {
+    const double radii = assembly.radius[c.i] + assembly.radius[c.j];
+    for (const std::uint32_t grain : {c.i, c.j})
+      stress[grain] += outer(force(c), (assembly.radius[grain] / radii) * c.branch);
+  }
+  for (const Contact& c : assembly.wall_contacts)
+    stress[c.i] += outer(force(c), c.branch);
+  for (std::size_t g = 0; g < stress.size(); ++g) {
+    const double r = assembly.radius[g];
+    stress[g] = (3 / (4 * std::numbers::pi * r * r * r)) * stress[g];
+  }
   return stress;
 }
 

@@ -17,6 +17,29 @@
 using namespace granum;
 using namespace granum::analysis;
 
+TEST_CASE("strong and weak contacts have their own fabric") {
+  // Six vertical contacts of force 3 and six horizontal ones of force 1, along x and y alike.
+  packing::Assembly a{.cell = Mat3::diagonal(10, 10, 10), .position = {}, .radius = {}, .contacts = {}};
+  for (std::uint32_t k = 0; k < 12; ++k) {
+    const double x = 0.5 + 2 * (k % 4), y = 0.5 + 2 * (k / 4);
+    Vec3 branch{};
+    branch[k < 6 ? 2 : static_cast<int>(k % 2)] = 0.99;
+    a.position.push_back({x, y, 1});
+    a.position.push_back(Vec3{x, y, 1} + branch);
+    a.radius.insert(a.radius.end(), 2, 0.5);
+    a.contacts.push_back({.i = 2 * k, .j = 2 * k + 1, .branch = branch, .normal_force = k < 6 ? 3.0 : 1.0});
+  }
+  const Forces forces = measure_forces(a, {}, 8);
+  REQUIRE(forces.strong);
+  REQUIRE(forces.weak);
+  CHECK(forces.strong->F33 == 1);
+  CHECK(forces.strong->contacts == 6);
+  CHECK(forces.weak->F33 == 0);
+  CHECK(forces.weak->contacts == 6);
+  CHECK(forces.strong->anisotropy > 0);
+  CHECK(forces.weak->anisotropy < 0);
+}
+
 namespace {
 
 constexpr double R = 0.5e-3, edge = 2 * R - 1e-6, k_n = 2e5, k_t = 1e5, f_n = 0.1;

@@ -146,6 +146,13 @@ granum_cli_test("analyse: json of the matrices" EXIT 0 STDERR "E\\(gamma; a\\) d
     "network/relaxed/distance_from_isotropy=^0\\.[0-9]" "network/relaxed/wave_speeds/along_3/fastest=^[0-9]"
     "bulk_density=^138"
   ARGS analyse ${lattice} --grain-density 2650kg/m3 --json)
+# A lattice with tangential springs: 27 grains, three modes of the least frequency on each axis.
+granum_cli_test("analyse: modes of the lattice" EXIT 0 STDERR "E\\(gamma; a\\) does not describe"
+  STDOUT "lowest modes of the network\n +f \\[Hz\\] participation\n +142[0-9]+ +0\\.[0-9]+\n +142[0-9]+ +0\\.[0-9]+\n"
+  ARGS analyse ${lattice} --frames last --grain-shear-modulus 30GPa --grain-density 2650kg/m3 --modes 2)
+granum_cli_test("analyse: json of the modes" EXIT 0 STDERR "E\\(gamma; a\\) does not describe" BELOW "frames/2/modes/" JSON
+    "0/frequency=^142[0-9][0-9][0-9]\\." "4/participation_ratio=^0\\.[0-9]"
+  ARGS analyse ${lattice} --grain-shear-modulus 30GPa --grain-density 2650kg/m3 --modes 5 --no-network --json)
 granum_cli_test("analyse: every second frame" EXIT 0 STDERR "E\\(gamma; a\\) does not describe" JSON "frames/1/step=^2$"
   ARGS analyse ${lattice} --frames 0::2 --no-network --json)
 
@@ -204,6 +211,12 @@ granum_analyse_refuses("a file of stresses without a frame's step" 3 "analyse_st
 granum_analyse_refuses("a file of stresses for other frames" 3 "analyse_stress_frames.csv: expected one row of stresses for each of 1 frames, found 2"
   ${io}/lammps_chain.atoms ${io}/lammps_chain.contacts --frames 0 --stress analyse_stress_frames.csv)
 granum_analyse_refuses("a missing file of stresses" 3 "none: cannot be read" ${chain} --stress none)
+granum_analyse_refuses("modes without masses" 2 "--modes goes with --grain-density, for the masses" ${chain} --modes 3)
+granum_analyse_refuses("no modes" 2 "--modes = 0 is outside" ${chain} --modes 0 --grain-density 2650kg/m3)
+granum_analyse_refuses("a matrix of contacts alone" 2 "--hessian needs grains" analyse_chain_contacts.csv --hessian never.mtx)
+granum_analyse_refuses("a matrix without stiffness" 2 "the contacts have no stiffness, and it does not follow"
+  ${io}/lammps_chain.data --hessian never.mtx)
+granum_analyse_refuses("a file for OVITO without a folder" 2 "--xyz goes with --out" ${chain} --xyz)
 granum_analyse_refuses("a box without volume" 2 "--box = 0 m is outside" analyse_chain_grains.csv --box 0mm,1mm,1mm)
 granum_analyse_refuses("a column map of nonsense" 2 ".*" ${chain} --column-map nonsense)
 granum_analyse_refuses("a column that is not there" 3 "[^\n]*expected a column" ${chain} --column-map id1=a,id2=b)

@@ -46,6 +46,14 @@ Matrix6 matrix6(const Dense& m) {
   return out;
 }
 
+Unknowns unknowns(const Dense& m) {
+  Unknowns out(static_cast<int>(m.rows()), static_cast<int>(m.columns()));
+  for (std::size_t r = 0; r < m.rows(); ++r)
+    for (std::size_t c = 0; c < m.columns(); ++c)
+      out(static_cast<int>(r), static_cast<int>(c)) = m(r, c);
+  return out;
+}
+
 Dense transposed(const Dense& m) {
   Dense out(m.columns(), m.rows());
   for (std::size_t r = 0; r < m.rows(); ++r)
@@ -216,7 +224,9 @@ Response response(const packing::Assembly& a, bool prestress) {
               forces = k * (e + b * (a.body.empty() ? q : rigid.motion * q));
   Response out{.affine = matrix6(energy) / a.volume(),
                .relaxed = matrix6(energy + transposed(w) * q) / a.volume(),
-               .contact_forces = std::vector<Strain>(m)};
+               .contact_forces = std::vector<Strain>(m),
+               .stiffness = unknowns(h),
+               .motions = unknowns(q)};
   for (std::size_t row = 0; row < 3 * m; ++row)
     for (std::size_t c = 0; c < 6; ++c)
       out.contact_forces[row / 3](static_cast<int>(row % 3), static_cast<int>(c)) = forces(row, c);

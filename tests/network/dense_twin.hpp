@@ -13,10 +13,14 @@ namespace granum::twin {
 using elastic::Matrix6;
 using Strain = Eigen::Matrix<double, 3, 6>;
 
+/// Rows are the unknowns of the grains, 3 of u [m] and 3 of w each; of the bodies where there are some.
+using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;
+
 struct Response {
   Matrix6 affine; ///< over all contacts, rattlers' too; of bodies where their first grains are moved
   Matrix6 relaxed;
   std::vector<Strain> contact_forces; ///< under the six unit strains, without the prestress term
+  Unknowns stiffness, motions;        ///< H, and q = -H^+ W in its columns
 };
 
 /// Contacts inside of bodies cost nothing in any case.

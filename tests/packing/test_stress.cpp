@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/forces.hpp>
 
+#include <algorithm>
+#include <numbers>
+
 #include <doctest/doctest.h>
 
 #include "sample_packings.hpp"
@@ -68,4 +71,33 @@ TEST_CASE("nothing to balance") {
   const packing::Assembly idle = samples::lattice(samples::simple_cubic, {});
   CHECK(unbalance(idle).force_ratio == 0);
   CHECK(unbalance(idle).moment_ratio == 0);
+}
+
+TEST_CASE("stresses of the grains, by their volumes, are the stress of the packing") {
+  packing::Assembly a = samples::random_network({.seed = 3});
+  a.wall_contacts = {{.i = 2,
+                      .j = 1,
+                      .branch = {0, 0, -a.radius[2]},
+                      .normal_force = 2,
+                      .tangential_force = {0.3, -0.1, 0}}};
+  const std::vector<Mat3> stress = packing::grain_stresses(a);
+  REQUIRE(stress.size() == a.grain_count());
+  const Mat3 whole = contact_stress(a).tensor;
+  Mat3 sum;
+  double size = 0;
+  for (std::size_t g = 0; g < stress.size(); ++g) {
+    const double r = a.radius[g];
+    sum += (4 * std::numbers::pi * r * r * r / (3 * a.volume())) * stress[g];
+    size = std::max(size, std::abs(whole(static_cast<int>(g % 3), static_cast<int>(g / 3 % 3))));
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      CHECK(std::abs(sum(i, j) - whole(i, j)) < 1e-12 * size);
+  // of a grain alone: forces times the way to its contact points
+  const packing::Assembly chain = samples::sphere_chain();
+  const double volume = 4 * std::numbers::pi / 3 * std::pow(chain.radius[0], 3);
+  CHECK(packing::grain_stresses(chain)[0](0, 0) ==
+        doctest::Approx(samples::chain_force_ab * 0.9999e-3 / 2 / volume).epsilon(1e-13));
+  CHECK(packing::grain_stresses(
+            {.cell = Mat3::identity(), .position = {{}}, .radius = {1}, .contacts = {}})[0] == Mat3{});
 }

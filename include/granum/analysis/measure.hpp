@@ -77,6 +77,12 @@ struct Wanted {
 [[nodiscard]] Measurement measure(const packing::Assembly& assembly, const Given& given = {},
                                   const Wanted& wanted = {});
 
+/// The assembly whose contact network measure() solves, for network::stiffness_matrix and lowest_modes.
+/// \return   with k_n and k_t of its contacts as the files have them, else those of the law or of the forces
+/// \throws   InvalidArgument as measure, and if the stiffnesses follow from nothing given
+/// Checked by tests/analysis/test_measure.cpp
+[[nodiscard]] packing::Assembly stiffened(const packing::Assembly& assembly, const Given& given = {});
+
 /// Directions of contact normals alone, where that is all there is.
 /// \param    normals   at least 2 unit vectors
 /// \throws   InvalidArgument as fabric::rose and fabric::estimate_anisotropy

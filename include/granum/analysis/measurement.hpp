@@ -71,6 +71,9 @@ struct Forces {
   /// Q, effective::Unevenness, which rung 3 takes into account; where the contact law is known.
   std::optional<double> unevenness = {};
   std::optional<double> mean_tangential_over_normal = {}; ///< mean f_t over mean f_n, pressing contacts
+  /// a of the pressing contacts whose normal force is above the mean, and of the others; from 2 contacts on.
+  /// Strong ones carry the deviator of a sheared packing, weak ones may lean the other way.    [Radjai1998]
+  std::optional<fabric::AnisotropyEstimate> strong = {}, weak = {};
   std::optional<packing::FrictionEstimate> friction = {};
   std::optional<double> sliding_fraction = {};      ///< at the coefficient given, or else estimated
   std::optional<packing::Unbalance> unbalance = {}; ///< where the tangential forces are known

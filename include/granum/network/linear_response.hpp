@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <granum/core/stop.hpp>
 #include <granum/elastic/stiffness.hpp>
@@ -24,6 +27,7 @@ struct ResponseOptions {
   /// grains with two frictional contacts come out unstable. force_terms includes it.
   bool prestress = false;
   bool force_terms = false;        ///< compute Response::force_terms; not for assemblies between walls
+  bool motions = false;            ///< keep Response::motions
   double tolerance = 1e-10;        ///< in (0, 1): Report::residual at most
   int iteration_limit = 20000;     ///< >= 1
   std::size_t threads = 1;         ///< >= 1, including the calling one; same bits for any number
@@ -50,6 +54,15 @@ struct ForceTerms {
   elastic::VoigtStiffness shedding;
 };
 
+/// Motion of one grain: the unknowns of a network, both of the dimension of a length.
+struct GrainMotion {
+  Vec3 displacement; ///< u, of the centre [m]
+  Vec3 turn;         ///< R w, radius times rotation; of a body the radius of packing::bodies [m]
+};
+/// Motions under the six unit strains, in the order 11 22 33 23 13 12 with engineering shear strains; in each
+/// one element a grain, or a body if grains form bodies.
+using StrainMotions = std::array<std::vector<GrainMotion>, 6>;
+
 /// Affine and relaxed stiffness of a contact network, with a report of the solution. Compression positive.
 class [[nodiscard]] Response {
  public:
@@ -72,8 +85,10 @@ class [[nodiscard]] Response {
   };
 
   Response(const elastic::VoigtStiffness& affine, const elastic::VoigtStiffness& relaxed,
-           const Report& report, const std::optional<ForceTerms>& force_terms = {})
-      : affine_(affine), relaxed_(relaxed), force_terms_(force_terms), report_(report) {}
+           const Report& report, const std::optional<ForceTerms>& force_terms = {},
+           StrainMotions motions = {})
+      : affine_(affine), relaxed_(relaxed), force_terms_(force_terms), motions_(std::move(motions)),
+        report_(report) {}
 
   [[nodiscard]] const Report& report() const { return report_; }
   [[nodiscard]] bool converged() const { return report_.status == Status::converged; }
@@ -88,6 +103,14 @@ class [[nodiscard]] Response {
   ///           rms, 0.8 % at worst.
   /// Checked by tests/network/test_force_terms.cpp, tests/studies/test_study.cpp
   [[nodiscard]] const std::optional<ForceTerms>& force_terms() const { return force_terms_; }
+  /// What the grains of relaxed() do beside the uniform strain, for a unit of each strain [m]: q = -H^+ W, but
+  /// for motions without stiffness, of which they may have any part. Their mean displacement is zero unless
+  /// walls hold the network; zero for grains that carry no load. Empty unless options.motions.
+  /// \throws   as relaxed()
+  /// Checked by tests/network/test_stiffness_matrix.cpp
+  [[nodiscard]] const StrainMotions& motions() const;
+  /// The same of the last iterate, converged or not, moved out: motions() is empty afterwards.
+  [[nodiscard]] StrainMotions take_motions() { return std::exchange(motions_, {}); }
   /// The last iterate of relaxed(), converged or not [Pa].
   [[nodiscard]] const elastic::VoigtStiffness& last_iterate() const { return relaxed_; }
 
@@ -95,6 +118,7 @@ class [[nodiscard]] Response {
   elastic::VoigtStiffness affine_;
   elastic::VoigtStiffness relaxed_;
   std::optional<ForceTerms> force_terms_;
+  StrainMotions motions_;
   Report report_;
 };
 

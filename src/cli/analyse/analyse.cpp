@@ -15,6 +15,7 @@
 #include "cli/frame/help.hpp"
 #include "cli/frame/messages.hpp"
 #include "studies/analyse/axis.hpp"
+#include "studies/analyse/grain_fields.hpp"
 #include "studies/analyse/overlaps.hpp"
 
 namespace granum::cli {
@@ -23,26 +24,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Frames for ParaView: grains and contacts of each, and an index file with their times.
-struct ParaviewFrames {
+/// Frames for ParaView, grains and contacts of each, and an index file with their times; for OVITO grains.
+struct DrawnFrames {
   fs::path folder;
   io::Existing existing;
+  bool paraview, xyz;
   std::vector<io::SeriesEntry> grains = {}, contacts = {};
 
-  void add(const io::ImportedPacking& packing, std::size_t number) {
+  void add(const io::ImportedPacking& packing, FrameAnswer& frame) {
+    if (!paraview && !xyz)
+      return;
+    auto& network = frame.measured.packing.network;
+    const std::vector<io::GrainField> fields =
+        studies::grain_fields(packing, network ? network->response.take_motions() : network::StrainMotions());
+    if (xyz)
+      write(fmt::format("grains-{}.xyz", frame.number),
+            io::grains_xyz(packing.assembly, packing.periodic, fields, packing.id, packing.time));
+    if (!paraview)
+      return;
     const double time = packing.time.value_or(static_cast<double>(packing.step));
-    write(grains.emplace_back(io::SeriesEntry{time, fmt::format("grains-{}.vtu", number)}).file,
-          io::grains_vtu(packing.assembly, packing.id, packing.time));
-    write(contacts.emplace_back(io::SeriesEntry{time, fmt::format("contacts-{}.vtp", number)}).file,
-          io::contacts_vtp(packing.assembly, packing.id, known_forces(packing)));
-  }
-  /// Unknown forces are not written: as zeros they would count as known.
-  static io::KnownForces known_forces(const io::ImportedPacking& packing) {
-    if (packing.has(io::Finding::forces_unknown))
-      return io::KnownForces::none;
-    return packing.has(io::Finding::tangential_unknown) ? io::KnownForces::normal : io::KnownForces::all;
+    write(grains.emplace_back(io::SeriesEntry{time, fmt::format("grains-{}.vtu", frame.number)}).file,
+          io::grains_vtu(packing.assembly, packing.id, packing.time, fields));
+    write(contacts.emplace_back(io::SeriesEntry{time, fmt::format("contacts-{}.vtp", frame.number)}).file,
+          io::contacts_vtp(packing.assembly, packing.id, studies::known_forces(packing)));
   }
   void finish() const {
+    if (!paraview)
+      return;
     write("grains.pvd", io::pvd(grains));
     write("contacts.pvd", io::pvd(contacts));
   }
@@ -54,7 +62,7 @@ struct ParaviewFrames {
 /// Largest number of frames of one run; all results are in memory until they are written.
 constexpr std::size_t most_frames = 10'000;
 
-/// `seen` is called with each selected frame and its number.
+/// `seen` is called with each selected frame and its answer.
 template <class Seen>
 std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoice& choice,
                                         const studies::MeasureOptions& options, studies::Axis axis,
@@ -68,7 +76,7 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
     out.push_back(studies::answer_frame(packing, options));
     out.back().number = at;
     out.back().file = files.path().string();
-    seen(packing, at);
+    seen(packing, out.back());
   };
   std::optional<io::ImportedPacking> kept;
   std::size_t number = 0;
@@ -123,22 +131,29 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
   }
   const io::FileKind& first = out.kinds.front();
   if (given.size() == 1 && first.holds == io::Holds::contacts && first.format->read_contacts != nullptr) {
-    if (o.paraview || options.profile)
-      throw InvalidArgument(std::string(o.paraview ? "--paraview" : "--profile") +
-                            " needs grains: this file has contacts alone");
+    for (const auto& [name, asked] : {std::pair{"--paraview", o.paraview},
+                                      {"--profile", options.profile.has_value()},
+                                      {"--xyz", o.xyz},
+                                      {"--hessian", !o.hessian.empty()},
+                                      {"--modes", o.modes.has_value()}})
+      if (asked)
+        throw InvalidArgument(std::string(name) + " needs grains: this file has contacts alone");
     out.frames.push_back(analyse_contacts(given.front(), options, of_files));
     return out;
   }
   io::PackingFiles files(std::move(given), of_files);
-  ParaviewFrames pictures{o.out, existing(o.force)};
-  out.frames = analyse_frames(files, choice, options, axis, [&](const auto& packing, std::size_t number) {
+  DrawnFrames drawn{o.out, existing(o.force), o.paraview, o.xyz};
+  std::optional<io::ImportedPacking> last;
+  out.frames = analyse_frames(files, choice, options, axis, [&](const auto& packing, FrameAnswer& frame) {
     if (!o.out.empty())
       out.chains = studies::force_chains(packing.assembly);
-    if (o.paraview)
-      pictures.add(packing, number);
+    drawn.add(packing, frame);
+    if (!o.hessian.empty())
+      last = packing;
   });
-  if (o.paraview)
-    pictures.finish();
+  drawn.finish();
+  if (last)
+    io::write_file(o.hessian, stiffness_file(*last, options), existing(o.force));
   out.series =
       studies::series_of(out.frames, o.series == "all" ? studies::SeriesBy::all : studies::SeriesBy::name);
   out.skipped = files.skipped();
@@ -199,6 +214,7 @@ ExitCode code_of_networks(const std::vector<FrameAnswer>& frames) {
 ExitCode run(const AnalyseOptions& o) {
   if (!o.out.empty())
     prepare_folder(o.out, analysis_files, o.force);
+  require_free({.json = false, .strict = false, .force = o.force, .out = o.hessian}, "");
   AnalyseAnswer answer = answer_all(o);
   take_code_stress(o.stress, answer.frames);
   take_probes(o.probes, answer.frames);

@@ -56,13 +56,18 @@ struct AnalyseAnswer {
 [[nodiscard]] std::string megapascal(double pascal);
 
 /// Names of the files that write_analysis writes.
-inline constexpr const char* analysis_files[] = {"frames.csv",  "stiffness.csv", "rose.csv",     "forces.csv",
-                                                 "profile.csv", "rose.svg",      "forces.svg",   "chains.svg",
-                                                 "states.svg",  "report.html",   "analysis.json"};
+inline constexpr const char* analysis_files[] = {
+    "frames.csv", "stiffness.csv", "rose.csv",   "forces.csv", "profile.csv", "rose.svg",
+    "forces.svg", "chains.svg",    "states.svg", "modes.csv",  "report.html", "analysis.json"};
 /// Writes tables of all frames, and a report and pictures of the last one.
 /// \throws   FileError if a file cannot be written, or exists and is to be kept
 void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer,
                     const Document& document, io::Existing existing);
+
+/// The stiffness matrix of a packing's network in MatrixMarket format; comments have the ids of its grains.
+/// \throws   InvalidArgument as studies::stiffened
+[[nodiscard]] std::string stiffness_file(const io::ImportedPacking& packing,
+                                         const studies::MeasureOptions& options);
 
 /// Whether a note of a reader reports missing data, as opposed to a problem in the data.
 [[nodiscard]] bool says_what_is_missing(io::Finding finding);

@@ -235,6 +235,11 @@ const io::Columns<ContactStress>& stress_fields() {
 
 const io::Columns<Forces>& force_fields() {
   const auto of = [](auto member) { return [=](const Forces& f) { return f.distribution.*member; }; };
+  const auto anisotropy_of = [](auto part) {
+    return of_part(part, [](const fabric::AnisotropyEstimate& a) {
+      return Measured{a.anisotropy, a.standard_error};
+    });
+  };
   using packing::ForceDistribution;
   using packing::Unbalance;
   static const io::Columns<Forces> fields = {
@@ -248,6 +253,10 @@ const io::Columns<Forces>& force_fields() {
       {"", "Z_5_3", &Forces::Z_5_3, item("Z(5/3)", 4, "<f_n^(5/3)>/<f_n>^(5/3)")},
       {"unevenness", "unevenness", &Forces::unevenness,
        item("unevenness Q", 4, "ln of K under uniform strain over that of equal forces")},
+      {"a_strong", "strong_anisotropy", anisotropy_of(&Forces::strong),
+       item("a, strong contacts", 3, "f_n above the mean")},
+      {"a_weak", "weak_anisotropy", anisotropy_of(&Forces::weak),
+       item("a, weak contacts", 3, "f_n up to the mean")},
       {"", "mean_tangential_over_normal", io::or_null(&Forces::mean_tangential_over_normal),
        item("mean f_t/mean f_n")},
       {"", "friction_coefficient",
@@ -389,6 +398,15 @@ const io::Columns<NamedMatrix>& matrix_fields() {
           ShownColumn{.heading = name, .width = 9, .unit = MPa});
     return list;
   }();
+  return fields;
+}
+
+const io::Columns<network::Mode>& mode_fields() {
+  static const io::Columns<network::Mode> fields = {
+      {"frequency_Hz", "frequency", &network::Mode::frequency,
+       ShownColumn{.heading = "f [Hz]", .width = 14, .digits = 6}},
+      {"participation_ratio", "participation_ratio", &network::Mode::participation_ratio,
+       column("participation", 14, 4)}};
   return fields;
 }
 

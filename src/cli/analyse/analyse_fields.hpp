@@ -41,6 +41,7 @@ inline constexpr const char* voigt_names[] = {"11", "22", "33", "23", "13", "12"
 /// The profile of a frame, if it has one, as a table and as charts.
 void add_profile(Document& to, const FrameAnswer& frame);
 void add_profile_charts(Document& to, const FrameAnswer& frame);
+[[nodiscard]] const io::Columns<network::Mode>& mode_fields();
 
 /// Exponents of a rung over a series: s, then m and n.
 [[nodiscard]] const io::Columns<RungSeries>& sum_fields();

@@ -254,6 +254,11 @@ studies::MeasureOptions measure_options(const AnalyseOptions& o) {
       parse_window(o.window == "auto" || o.window == "none" ? "" : o.window, o.depth)};
   options.choose_window = o.window != "none";
   options.profile = parse_profile(o.profile);
+  if (o.modes)
+    require_positive("--modes", static_cast<double>(*o.modes));
+  options.modes = o.modes.value_or(0);
+  if (options.wanted.network)
+    options.wanted.network->motions = o.paraview || o.xyz;
   return options;
 }
 
@@ -368,6 +373,12 @@ void add_measuring_options(Command& command, AnalyseOptions& o) {
         .value = flag(o.no_network),
         .meaning =
             "Leave out the contact network (rung 4) and its 6x6 stiffness, which take most of the time"},
+       {.name = "--modes",
+        .value = count(o.modes),
+        .meaning = "So many of the lowest frequencies of the network's free oscillations, with the share of "
+                   "grains that take part",
+        .needs = {{"--grain-density", "--grain-density, for the masses"}},
+        .synonyms = {{"eigenmodes frequencies vibrations"}}},
        {.name = "--threads",
         .value = count(o.threads),
         .meaning =
@@ -398,10 +409,26 @@ void add_analyse_options(Command& command, AnalyseOptions& o) {
   add_output_place(command, o.out, o.force, "DIR",
                    "Folder for CSV (frames, stiffness, rose, forces, profile), JSON and pictures",
                    "existing results");
-  command.add(output_group, {{.name = "--paraview",
-                              .value = flag(o.paraview),
-                              .meaning = "Also write grains and force chains for ParaView",
-                              .needs = {{"--out"}}}});
+  OptionRow& force = command.row("--force");
+  force.needs = {{"--out --hessian", "--out or --hessian"}};
+  force.meaning = "Let --out and --hessian replace existing files";
+  command.add(
+      output_group,
+      {{.name = "--paraview",
+        .value = flag(o.paraview),
+        .meaning = "Also write grains and force chains for ParaView; stress and non-affine "
+                   "displacements are point data",
+        .needs = {{"--out"}}},
+       {.name = "--xyz",
+        .value = flag(o.xyz),
+        .meaning = "Also write grains with the same data as extended XYZ, for OVITO",
+        .needs = {{"--out"}},
+        .synonyms = {{"ovito extxyz"}}},
+       {.name = "--hessian",
+        .value = path(o.hessian, "FILE.mtx"),
+        .meaning = "Write the stiffness matrix of the network of the last frame, of displacements and "
+                   "spins [N/m], to this file in MatrixMarket format",
+        .synonyms = {{"dynamicalmatrix stiffnessmatrix mtx matrixmarket"}}}});
 }
 
 } // namespace granum::cli

@@ -43,7 +43,10 @@ struct AnalyseOptions {
   bool strict = false;
   bool force = false;
   bool paraview = false;
-  std::string out; ///< folder; empty for none
+  bool xyz = false;
+  std::optional<std::size_t> modes;
+  std::string hessian; ///< file; empty for none
+  std::string out;     ///< folder; empty for none
 };
 
 void add_analyse_options(Command& command, AnalyseOptions& options);

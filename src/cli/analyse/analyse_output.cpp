@@ -4,8 +4,11 @@
 #include <numbers>
 #include <utility>
 
+#include <fmt/core.h>
 #include <granum/core/version.hpp>
 #include <granum/io/csv/table.hpp>
+#include <granum/io/matrix_market.hpp>
+#include <granum/network/stiffness_matrix.hpp>
 #include <granum/plot/chart.hpp>
 
 #include "analyse_fields.hpp"
@@ -110,6 +113,26 @@ std::string stiffness_csv(const AnalyseAnswer& answer) {
 
 } // namespace
 
+std::string stiffness_file(const io::ImportedPacking& packing, const studies::MeasureOptions& options) {
+  constexpr std::size_t in_a_line = 20;
+  analysis::Given given = options.given;
+  given.materials = studies::materials_of(packing, options.materials);
+  const network::StiffnessMatrix h = network::stiffness_matrix(studies::stiffened(packing, given));
+  const bool bodies = !packing.assembly.body.empty();
+  std::vector<std::string> comments{
+      "granum " + std::string(version()) + ": stiffness matrix of a contact network [N/m]",
+      fmt::format("rows of a {}: displacement u [m]{}; {}, in this order:", bodies ? "body" : "grain",
+                  h.unknowns_per_grain == 6 ? ", then radius times rotation, R w [m]" : "",
+                  bodies ? "numbers of bodies, from 0" : "ids of grains")};
+  for (std::size_t k = 0; k < h.grain.size(); ++k) {
+    if (k % in_a_line == 0)
+      comments.emplace_back();
+    comments.back() += fmt::format(" {}", bodies || packing.id.empty() ? static_cast<long>(h.grain[k])
+                                                                       : packing.id[h.grain[k]]);
+  }
+  return io::matrix_market(h.matrix, comments);
+}
+
 void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer,
                     const Document& document, io::Existing existing) {
   std::vector<std::pair<const char*, std::string>> files; // all composed before the first is written
@@ -130,6 +153,9 @@ void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& an
   if (!last.profile.empty())
     add("profile.csv",
         csv_of_frames(answer, profile_fields(), [](const FrameAnswer& frame) { return frame.profile; }));
+  if (!last.modes.empty())
+    add("modes.csv",
+        csv_of_frames(answer, mode_fields(), [](const FrameAnswer& frame) { return frame.modes; }));
   if (answer.chains)
     add("chains.svg", answer.chains->svg);
   std::vector<plot::Chart> states;

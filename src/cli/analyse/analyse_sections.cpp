@@ -220,6 +220,12 @@ void add_frame(Document& to, const FrameAnswer& frame) {
     add_stiffness(to, frame);
   }
   add_profile(to, frame);
+  if (!frame.modes.empty()) {
+    Table modes = table_of("", "lowest modes of the network", mode_fields(), frame.modes);
+    modes.remark = "free oscillations without damping; participation: 1 if all grains that carry load have "
+                   "the same kinetic energy, 1/N if one of N has all";
+    to.add(Seen::always, std::move(modes));
+  }
   Prose notes;
   for (const std::string& note : a.notes)
     notes.lines.push_back("- " + note);
@@ -293,6 +299,8 @@ ordered_json frame_json(const FrameAnswer& frame, const io::Columns<FrameAnswer>
   json["contact_means"] = frame.measured.contacts_known ? json_of(a.sizes.contacts) : ordered_json();
   if (!frame.profile.empty())
     json["profile"] = members_of_all(profile_fields(), frame.profile);
+  if (!frame.modes.empty())
+    json["modes"] = members_of_all(mode_fields(), frame.modes);
   for (const char* part : {"stress", "forces"})
     if (!a.forces && !json.contains(part))
       json[part] = nullptr;

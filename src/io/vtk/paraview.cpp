@@ -2,12 +2,11 @@
 #include <granum/io/vtk/paraview.hpp>
 
 #include <charconv>
-#include <numbers>
 
-#include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
-#include <granum/packing/coordination.hpp>
 #include <granum/plot/svg_text.hpp>
+
+#include "io/grain_numbers.hpp"
 
 namespace granum::io {
 
@@ -54,23 +53,8 @@ class VtkText {
 /// The k-th number of vectors in a row.
 double component(const Vec3& v, std::size_t k) { return v[static_cast<int>(k % 3)]; }
 
-void require_ids(const packing::Assembly& assembly, std::span<const long> id) {
-  require_valid(assembly);
-  if (!id.empty() && id.size() != assembly.grain_count())
-    throw InvalidArgument("id has " + std::to_string(id.size()) + " numbers for " +
-                          std::to_string(assembly.grain_count()) + " grains");
-}
-
-long id_of(std::span<const long> id, std::size_t grain) {
-  return id.empty() ? static_cast<long>(grain) : id[grain];
-}
-
 std::string counted(const char* name, std::size_t count) {
   return std::string(name) + "=\"" + std::to_string(count) + '"';
-}
-
-void add_scalars(VtkText& text, const char* name, const std::vector<double>& values) {
-  text.array("Float64", name, values.size(), 1, [&](std::size_t k) { return values[k]; });
 }
 
 /// The three edges of the cell, one after the other, and the time.
@@ -90,29 +74,6 @@ void add_points(VtkText& text, const std::vector<Vec3>& points) {
   text.close("Points");
 }
 
-/// Contacts and pressure of each grain.
-struct GrainLoads {
-  std::vector<long> contacts;
-  std::vector<double> pressure; ///< [Pa]
-};
-
-GrainLoads grain_loads(const packing::Assembly& assembly) {
-  const std::size_t count = assembly.grain_count();
-  GrainLoads loads{std::vector<long>(count), std::vector<double>(count)};
-  for (const packing::Contact& c : assembly.contacts)
-    for (const std::size_t grain : {c.i, c.j}) {
-      const double other = assembly.radius[c.i] + assembly.radius[c.j];
-      const double arm = norm(c.branch) * (assembly.radius[grain] / other); // to the contact point
-      ++loads.contacts[grain];
-      loads.pressure[grain] += c.normal_force * arm;
-    }
-  for (const packing::Contact& c : assembly.wall_contacts)
-    loads.pressure[c.i] += c.normal_force * norm(c.branch);
-  for (std::size_t g = 0; g < count; ++g)
-    loads.pressure[g] /= 4 * std::numbers::pi * assembly.radius[g] * assembly.radius[g] * assembly.radius[g];
-  return loads;
-}
-
 /// Whether the line from i to j meets another image of j than the one in the cell.
 bool through_face(const packing::Assembly& assembly, const packing::Contact& c) {
   const Vec3 direct = assembly.position[c.j] - assembly.position[c.i];
@@ -122,22 +83,22 @@ bool through_face(const packing::Assembly& assembly, const packing::Contact& c) 
 } // namespace
 
 std::string grains_vtu(const packing::Assembly& assembly, std::span<const long> id,
-                       std::optional<double> time) {
-  require_ids(assembly, id);
+                       std::optional<double> time, std::span<const GrainField> fields) {
+  require_numbers(assembly, id, fields);
   const std::size_t count = assembly.grain_count();
-  const GrainLoads loads = grain_loads(assembly);
-  const auto rattler = mechanical_coordination(assembly, packing::ContactKind::frictional).rattler;
-
   VtkText text("UnstructuredGrid");
   add_field_data(text, assembly.cell, time);
   text.open("Piece " + counted("NumberOfPoints", count) + ' ' + counted("NumberOfCells", count));
   add_points(text, assembly.position);
   text.open("PointData Scalars=\"radius\"");
-  add_scalars(text, "radius", assembly.radius);
   text.array("Int64", "id", count, 1, [&](std::size_t k) { return id_of(id, k); });
-  text.array("Int64", "contacts", count, 1, [&](std::size_t k) { return loads.contacts[k]; });
-  text.array("UInt8", "rattler", count, 1, [&](std::size_t k) { return rattler[k] ? 1 : 0; });
-  add_scalars(text, "pressure", loads.pressure);
+  for (const GrainField& field : fields)
+    if (field.whole)
+      text.array("Int64", field.name, count, field.components,
+                 [&](std::size_t k) { return static_cast<long>(field.values[k]); });
+    else
+      text.array("Float64", field.name, count, field.components,
+                 [&](std::size_t k) { return field.values[k]; });
   text.close("PointData");
   text.open("Cells");
   text.array("Int64", "connectivity", count, 1, [](std::size_t k) { return k; });
@@ -148,8 +109,13 @@ std::string grains_vtu(const packing::Assembly& assembly, std::span<const long> 
   return text.finish();
 }
 
+std::string grains_vtu(const packing::Assembly& assembly, std::span<const long> id,
+                       std::optional<double> time) {
+  return grains_vtu(assembly, id, time, grain_fields(assembly));
+}
+
 std::string contacts_vtp(const packing::Assembly& assembly, std::span<const long> id, KnownForces known) {
-  require_ids(assembly, id);
+  require_numbers(assembly, id);
   const std::size_t between = assembly.contacts.size();
   std::vector<packing::Contact> contacts = assembly.contacts;
   contacts.insert(contacts.end(), assembly.wall_contacts.begin(), assembly.wall_contacts.end());

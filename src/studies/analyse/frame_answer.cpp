@@ -122,6 +122,11 @@ FrameAnswer answer_frame(const io::ImportedPacking& packing, const MeasureOption
   add_closed_forms(frame);
   add_network(frame);
   set_ratios(frame);
+  if (options.modes > 0)
+    frame.modes =
+        network::lowest_modes(stiffened(packing, given), given.grain_density.value(), options.modes);
+  for (network::Mode& mode : frame.modes)
+    mode.motion = {}; // of many frames they would be much
   frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return frame;
 }

@@ -13,6 +13,7 @@
 #include <granum/effective/rungs.hpp>
 #include <granum/elastic/stiffness.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
+#include <granum/network/lowest_modes.hpp>
 
 /// One frame with all rungs of the ladder beside each other.
 /// Checked by tests/studies/test_frame_answer.cpp
@@ -70,7 +71,8 @@ struct FrameAnswer {
   MeasuredFrame measured = {};
   std::vector<RungResult> rungs = {}; ///< rungs 0 to 3, uniform stress, affine network, network
   std::optional<PrintedStress> code_stress = std::nullopt;
-  std::vector<ProbedModulus> probes = {};                ///< by the code itself
+  std::vector<ProbedModulus> probes = {}; ///< by the code itself
+  std::vector<network::Mode> modes = {};  ///< of the network, from the lowest frequency on, if requested
   std::optional<analysis::Window> window = std::nullopt; ///< of measured.packing.interior
   std::vector<analysis::Slice> profile = {};             ///< where one is asked for
   int profile_axis = 2;
@@ -91,6 +93,7 @@ struct MeasureOptions {
   MaterialsByType materials = {};
   std::optional<WindowChoice> window = {};
   std::optional<ProfileChoice> profile = {}; ///< of the window that is given, or of the whole packing
+  std::size_t modes = 0;                     ///< lowest modes of the network; they need given.grain_density
   bool choose_window = true;                 ///< use interior_window, if there is one and no other is given
 };
 

@@ -49,10 +49,8 @@ bool assumes_tangential_ratio(const packing::Assembly& assembly, const analysis:
          power != nullptr && std::isinf(power->alpha()) && std::ranges::none_of(assembly.contacts, stiff);
 }
 
-} // namespace
-
-MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given given,
-                            const analysis::Wanted& wanted) {
+/// With what the reader found.
+analysis::Given completed(analysis::Given given, const io::ImportedPacking& packing) {
   using io::Finding;
   given.normal_forces = !packing.has(Finding::forces_unknown);
   given.tangential_forces = !packing.has(Finding::tangential_unknown);
@@ -60,6 +58,19 @@ MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given 
   given.force_rounding = unbalance_by_rounding(packing);
   given.overlap_rounding = packing.rounding.overlap;
   given.type = packing.type;
+  return given;
+}
+
+} // namespace
+
+packing::Assembly stiffened(const io::ImportedPacking& packing, const analysis::Given& given) {
+  return analysis::stiffened(packing.assembly, completed(given, packing));
+}
+
+MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given given,
+                            const analysis::Wanted& wanted) {
+  using io::Finding;
+  given = completed(std::move(given), packing);
   const bool by_overlaps = packing.has(Finding::contacts_from_overlaps);
   analysis::Wanted measured = wanted;
   measured.law_check = wanted.law_check && !by_overlaps; // forces by the law would agree with it

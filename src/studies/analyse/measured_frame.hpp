@@ -35,4 +35,8 @@ struct MeasuredFrame {
 [[nodiscard]] MeasuredFrame measure_frame(const io::ContactTable& table, analysis::Given given = {},
                                           const analysis::Wanted& wanted = analysis::everything());
 
+/// The assembly whose network measure_frame solves.
+/// \throws   InvalidArgument as analysis::stiffened
+[[nodiscard]] packing::Assembly stiffened(const io::ImportedPacking& packing, const analysis::Given& given);
+
 } // namespace granum::studies

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <granum/io/grain_fields.hpp>
 #include <granum/packing/assembly.hpp>
 
 /// Packings as VTK's XML files, for ParaView and every other reader of them. Text in ASCII,
@@ -13,19 +14,17 @@
 /// Checked by tests/io/vtk/test_paraview.cpp
 namespace granum::io {
 
-/// Grains as an unstructured grid (.vtu) of one vertex each. Point data: radius [m]; id, the index or the
-/// value of `id`; contacts with other grains [1]; rattler, 1 for a grain that carries no load according to
-/// mechanical_coordination with friction; pressure [Pa], a third of the trace of the sum of f (x) its part of
-/// the line of centres over the grain's volume, walls included, compression positive. Field data: cell, its
-/// three edges one after the other [m]; TimeValue. Show them as spheres by a glyph scaled with the radius.
+/// Grains as an unstructured grid (.vtu) of one vertex each. Point data: id, the index or the value of `id`,
+/// and the fields. Field data: cell, its three edges one after the other [m]; TimeValue. Show them as spheres
+/// by a glyph scaled with the radius.
 /// \param    id   empty, or one number for each grain
 /// \param    time   of the state, if it is known [s]
-/// \throws   InvalidArgument as require_valid(Assembly), or for another number of ids
+/// \param    fields   without them grain_fields() of known forces
+/// \throws   InvalidArgument as require_valid(Assembly), and for another number of ids or values of a field
+[[nodiscard]] std::string grains_vtu(const packing::Assembly& assembly, std::span<const long> id,
+                                     std::optional<double> time, std::span<const GrainField> fields);
 [[nodiscard]] std::string grains_vtu(const packing::Assembly& assembly, std::span<const long> id = {},
                                      std::optional<double> time = {});
-
-/// Forces of contacts that are known.
-enum class KnownForces { none, normal, all };
 
 /// Contacts as lines (.vtp) from the centre of one grain to that of the other, its nearest periodic image,
 /// and behind them those with walls, from the centre to the wall. Cell data: normal_force and

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/analyse/grain_fields.hpp"
+
+#include <sstream>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+#include <granum/packing/forces.hpp>
+
+#include "packing/sample_packings.hpp"
+
+using namespace granum;
+
+namespace {
+
+const io::GrainField& field(const std::vector<io::GrainField>& all, const std::string& name) {
+  for (const io::GrainField& one : all)
+    if (one.name == name)
+      return one;
+  throw InvalidArgument("no field " + name);
+}
+
+} // namespace
+
+TEST_CASE("fields of grains: those of known forces, and displacements of grains or of their bodies") {
+  io::ImportedPacking packing;
+  packing.assembly = samples::random_network({.seed = 1, .repeats = 2});
+  const std::size_t grains = packing.assembly.grain_count();
+  const network::StrainMotions motions =
+      network::linear_response(packing.assembly, {.motions = true}).motions();
+  const auto all = studies::grain_fields(packing, motions);
+  CHECK(all.size() == 5 + 6);
+  const std::vector<Mat3> stress = grain_stresses(packing.assembly);
+  for (std::size_t g = 0; g < grains; ++g) {
+    CHECK(field(all, "grain_stress").values[9 * g + 5] == stress[g](1, 2));
+    CHECK(field(all, "pressure").values[g] == trace(stress[g]) / 3);
+    CHECK(field(all, "nonaffine_23").values[3 * g + 1] == motions[3][g].displacement.y);
+  }
+  packing.notes.push_back({io::Finding::tangential_unknown, ""});
+  CHECK(studies::grain_fields(packing, {}).size() == 4); // no stress
+  packing.notes.push_back({io::Finding::forces_unknown, ""});
+  CHECK(studies::grain_fields(packing, {}).size() == 3); // no pressure
+  for (std::uint32_t g = 0; g < grains; ++g)
+    packing.assembly.body.push_back(g == 0 ? 0 : g - 1);
+  const auto of_bodies =
+      studies::grain_fields(packing, network::linear_response(packing.assembly, {.motions = true}).motions());
+  CHECK(field(of_bodies, "nonaffine_11").values[0] == field(of_bodies, "nonaffine_11").values[3]);
+  CHECK(field(of_bodies, "nonaffine_11").values[0] != field(of_bodies, "nonaffine_11").values[6]);
+}
+
+TEST_CASE("extended XYZ: cell, faces, columns and grains") {
+  const packing::Assembly a{.cell = {{{4, 1, 0}, {0, 5, 0}, {0, 0, 6}}},
+                            .position = {{1.0 / 3, 2, 3}, {4, 5, 6}},
+                            .radius = {0.5, 0.25},
+                            .contacts = {}};
+  const std::vector<long> id{7, 9};
+  const std::vector<io::GrainField> fields{{.name = "radius", .values = a.radius},
+                                           {.name = "push", .components = 2, .values = {1, 2, 3, 4}},
+                                           {.name = "kind", .values = {0, 1}, .whole = true}};
+  CHECK(io::grains_xyz(a, {true, true, false}, fields, id, 0.5) ==
+        "2\nLattice=\"4 0 0 1 5 0 0 0 6\" pbc=\"T T F\" "
+        "Properties=id:I:1:pos:R:3:radius:R:1:push:R:2:kind:I:1 Time=0.5\n"
+        "7 0.3333333333333333 2 3 0.5 1 2 0\n9 4 5 6 0.25 3 4 1\n");
+  CHECK_THROWS_AS(static_cast<void>(io::grains_xyz(a, {}, fields, std::vector<long>{1})), InvalidArgument);
+  CHECK_THROWS_AS(static_cast<void>(io::grains_xyz(a, {}, std::vector<io::GrainField>{{.name = "short"}})),
+                  InvalidArgument);
+}
