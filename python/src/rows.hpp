@@ -114,8 +114,8 @@ class Notes {
   /// The element that the next notes are on.
   void go_to(std::size_t element) { element_ = element; }
   void add(const Validity& validity);
-  /// The first note of each kind, and for arrays on how many elements there is one, and the first and the last
-  /// of them.
+  /// The first note of each kind, and for arrays on how many elements there is one, with the first and the
+  /// last of them.
   [[nodiscard]] std::vector<std::string> take(std::size_t elements, bool scalar) const;
 
  private:

@@ -30,8 +30,8 @@ struct Slice {
 /// \param    whole    what was measured of the packing, for rung 3: without a state there is none
 /// \param    axis     0, 1 or 2
 /// \param    slices   >= 1
-/// \throws   InvalidArgument for another axis, for no slice, for a window that is wider than the cell, and for
-///           an assembly that require_valid rejects
+/// \throws   InvalidArgument for another axis, for no slice, for a window that is wider than the cell, and
+///           for an assembly that require_valid rejects
 /// Accuracy  sums over the slices agree with the whole to 1e-12.  Checked by tests/analysis/test_profile.cpp
 [[nodiscard]] std::vector<Slice> profile(const packing::Assembly& assembly, const Measurement& whole,
                                          const Window& window, int axis, std::size_t slices);
