@@ -60,12 +60,12 @@ PackingFrames frames_of(Reader reader) {
 PackingFrames one_frame(ImportedPacking packing);
 
 extern const PackingFormat lammps_dump_format, yade_vtk_format, vtk_xml_format, yade_text_format,
-    mercury_format, lammps_data_format, csv_format;
+    mercury_format, extended_xyz_format, lammps_data_format, csv_format;
 
 /// All formats, in the order in which a file is compared with them.
 inline constexpr const PackingFormat* packing_formats[] = {
-    &lammps_dump_format, &yade_vtk_format,    &vtk_xml_format, &yade_text_format,
-    &mercury_format,     &lammps_data_format, &csv_format};
+    &lammps_dump_format, &yade_vtk_format,     &vtk_xml_format,     &yade_text_format,
+    &mercury_format,     &extended_xyz_format, &lammps_data_format, &csv_format};
 
 /// \file
 /// Packings from files of any format that granum reads, recognised by content.

@@ -16,6 +16,9 @@ namespace granum::io {
 /// The significant digits that a number is written with: 3 for -0.00120e-7.
 [[nodiscard]] int significant_digits(std::string_view number);
 
+/// The parts of a text between separators, empty ones too.
+[[nodiscard]] std::vector<std::string> split_at(std::string_view text, char separator);
+
 /// The fields of the line that a source is at, separated by blanks. Valid until the source moves.
 class TextRow {
  public:

@@ -296,6 +296,17 @@ int significant_digits(std::string_view number) {
   return digits;
 }
 
+std::vector<std::string> split_at(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.emplace_back(text.substr(0, end));
+    if (end == std::string_view::npos)
+      return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
 void TextRow::split() {
   fields_.clear();
   const std::string_view line = source_->line();

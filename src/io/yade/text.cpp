@@ -16,17 +16,6 @@ namespace granum::io {
 
 namespace {
 
-std::vector<std::string> split_at(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.emplace_back(text.substr(0, end));
-    if (end == std::string_view::npos)
-      return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 std::size_t needed(const TextSource& source, const std::vector<std::string>& columns, const char* name) {
   const auto column = find_column(columns, name);
   if (!column)
