@@ -218,6 +218,18 @@ def _reduce(self):
     return Record, (vars(record)["_kind"], vars(record)["_values"])
 
 
+# What infer() made again gives the same numbers, and its predictions too.
+_MADE_BY_A_CALL = ("Inference", "SandInference")
+
+
+def _called_again(call):
+    return _granum.infer(**call)
+
+
+def _reduce_call(self):
+    return _called_again, (self._call,)
+
+
 def _reduce_state(self):
     return copyreg.__newobj__, (type(self),), self.__getstate__()
 
@@ -330,6 +342,8 @@ def _attach():
         # pybind11 ends the process in object.__reduce__, as protocols 0 and 1 call it: no class may inherit it.
         if type_.__name__ in _MADE_OF:
             type_.__reduce__ = _reduce_input
+        elif type_.__name__ in _MADE_BY_A_CALL:
+            type_.__reduce__ = _reduce_call
         elif "__getstate__" in own:
             type_.__reduce__ = _reduce_state
         else:

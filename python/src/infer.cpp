@@ -252,14 +252,28 @@ py::object infer_sand(const Arguments& a, const InputValues& values,
                                                : inverse::SandGrowth::measured);
 }
 
+/// The arguments that were given, by their names, to make the result again from a pickle; arrays as they are
+/// now.
+py::dict call_of(const Arguments& a) {
+  py::dict call;
+  for (std::size_t k = 0; k < a.function().keywords.size(); ++k)
+    if (a.given(k))
+      call[a.name(k)] = py::isinstance<py::array>(a[k]) ? py::object(a[k].attr("copy")())
+                                                        : py::reinterpret_borrow<py::object>(a[k]);
+  return call;
+}
+
 py::object infer(const Arguments& a) {
   const auto& law = a.as<const contact::NormalLaw&>(Given::law, "a contact law");
   const MeasuredColumns measured = columns_of(a, law);
   const std::vector<inverse::Observation> measurements = measurements_of(a, law, measured);
   try {
     const InputValues values = values_of(a, measurements.front());
-    return known_shape(values) == estimate::GrainShape::sand ? infer_sand(a, values, measurements)
-                                                             : infer_spheres(a, values, measurements);
+    py::object found = known_shape(values) == estimate::GrainShape::sand
+                           ? infer_sand(a, values, measurements)
+                           : infer_spheres(a, values, measurements);
+    found.attr("_call") = call_of(a);
+    return found;
   } catch (const InvalidArgument& error) {
     std::vector<Argument> typed = measured.arguments;
     if (a.given(Given::pressure))

@@ -103,7 +103,8 @@ void bind_answer(py::module_& module) {
   ResultClass<Answer> type(module, "Inference", R"(What measurements say of the contacts of a packing.
 
 Its numbers raise NotConverged where no coordination number explains what was measured: `explained` is
-False.)");
+False.)",
+                           py::dynamic_attr());
   type.show("explained", "Whether any coordination number explains what was measured.",
             [](const Answer& a) { return a.found.together.has_value(); })
       .show("pressure", "Mean stress that the contacts belong to: that of the first measurement [Pa].",

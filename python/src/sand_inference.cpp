@@ -97,7 +97,8 @@ py::object sand_inference(const std::vector<inverse::Observation>& measurements,
 void bind_sand_inference(py::module_& module) {
   py::class_<Sand> type(
       module, "SandInference",
-      "What measurements say of a sand: its level, how it grows with stress, Poisson's ratio.");
+      "What measurements say of a sand: its level, how it grows with stress, Poisson's ratio.",
+      py::dynamic_attr());
   bind_numbers(type);
   define_method(
       type, "predict", predict_keywords("that of the first measurement"),

@@ -79,7 +79,7 @@ def test_patterns_and_paths(source, packing):
     pattern = source / "examples" / "data" / "lammps_loose_p50.*.gz"
     assert granum.read(str(pattern)) == packing
     assert [frame == packing for frame in granum.frames(pattern)] == [True]
-    assert len(granum.formats()) == 7
+    assert len(granum.formats()) == 8
 
 
 def test_a_file_error_has_path_and_line(tmp_path):
