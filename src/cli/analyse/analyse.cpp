@@ -142,6 +142,7 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
       studies::series_of(out.frames, o.series == "all" ? studies::SeriesBy::all : studies::SeriesBy::name);
   out.skipped = files.skipped();
   out.cut = files.cut();
+  out.replaced = files.replaced();
   return out;
 }
 
@@ -177,6 +178,8 @@ Validity warnings_of(const AnalyseAnswer& answer) {
   }
   for (const auto& [note, frames] : found)
     out.add(answer.frames.size() > 1 ? frames_text(frames, answer.frames.size()) + note : note);
+  for (const std::string& text : answer.replaced)
+    out.add(text);
   if (!answer.cut.empty())
     out.add("the last frame is cut off and was left out: " + answer.cut);
   return out;
