@@ -13,6 +13,7 @@
 #include <granum/packing/assembly.hpp>
 #include <granum/packing/coordination.hpp>
 #include <granum/packing/forces.hpp>
+#include <granum/packing/one_layer.hpp>
 
 #include "materials.hpp"
 
@@ -493,6 +494,7 @@ Wanted everything() {
 }
 
 Measurement measure(const packing::Assembly& assembly, const Given& given, const Wanted& wanted) {
+  packing::require_space(assembly);
   return Measuring(assembly, given, wanted).run();
 }
 
