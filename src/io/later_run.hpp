@@ -19,7 +19,8 @@ namespace granum::io {
 
 inline constexpr double no_moment = std::numeric_limits<double>::infinity();
 
-/// The step or time of a frame that ends early: a little later, so that a run which writes it again goes back.
+/// The step or time of a frame that ends early: a little later, so that a run that writes it again goes
+/// back.
 inline double ends_early(double moment) { return std::nextafter(moment, no_moment); }
 
 /// Frames that a later run wrote again. A run begins with a frame whose step, or time, is less than that of

@@ -177,7 +177,11 @@ ImportedPacking packing(const TextSource& data, DataFrame grains, const TextSour
   PackingBuilder builder(data.name(), fstat ? fstat->name() : "", options);
   builder.set_cell(Mat3::diagonal(grains.edges.x, grains.edges.y, grains.edges.z), {true, true, true},
                    grains.line);
+  std::vector<std::string> unused{"velocities", "angles", "spins"};
+  if (std::ranges::any_of(grains.grains, [](const GrainRow& grain) { return !grain.type; }))
+    unused.emplace_back("info");
   builder.set_grains(std::move(grains.grains));
+  builder.note_unused(unused, "columns of the grains");
   builder.note_digits(grains.digits, "coordinates");
   builder.note(Finding::boundary_unknown,
                "MercuryDPM's files do not state which faces are periodic: all are assumed");
@@ -188,6 +192,7 @@ ImportedPacking packing(const TextSource& data, DataFrame grains, const TextSour
     return builder.finish(grains.number, grains.time);
   }
   builder.expect_both_sides();
+  builder.note_unused({"deltat"}, "columns of the contacts");
   builder.note_overlap_digits(stat->digits, "overlaps");
   builder.note_force_digits(stat->force_digits);
   builder.note(Finding::stiffness_unknown, "stiffnesses are not in the files");
