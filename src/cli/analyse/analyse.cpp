@@ -96,10 +96,19 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
 }
 
 /// For a table of contacts without grains: directions and forces.
+/// \throws   InvalidArgument for options that need grains
 FrameAnswer analyse_contacts(io::PackingFile& file, const studies::MeasureOptions& options,
-                             const io::PackingFileOptions& of_files) {
-  if (of_files.box)
-    throw InvalidArgument("--box needs grains: " + file.path().string() + " has contacts alone");
+                             const io::PackingFileOptions& of_files, const AnalyseOptions& o) {
+  for (const auto& [given, option] : {std::pair(of_files.box.has_value(), "--box"),
+                                      {o.axis != "z", "--axis"},
+                                      {options.window && !options.window->depth, "--window"},
+                                      {options.window && options.window->depth, "--depth"},
+                                      {o.paraview, "--paraview"}})
+    if (given)
+      throw InvalidArgument(std::string(option) + " needs grains: " + file.path().string() +
+                            " has contacts alone");
+  if (const FrameChoice choice = parse_frames(o.frames); !choice.only_last && !choice.takes(0))
+    throw InvalidArgument("--frames " + o.frames + " selects none of the 1 frames of the files");
   if (!of_files.columns.empty())
     throw InvalidArgument("--column-map is for dumps, and " + file.path().string() + " is none");
   const io::ContactTable table = file.kind().format->read_contacts(file.open(), of_files);
@@ -123,9 +132,7 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
   }
   const io::FileKind& first = out.kinds.front();
   if (given.size() == 1 && first.holds == io::Holds::contacts && first.format->read_contacts != nullptr) {
-    if (o.paraview)
-      throw InvalidArgument("--paraview needs grains: this file has contacts alone");
-    out.frames.push_back(analyse_contacts(given.front(), options, of_files));
+    out.frames.push_back(analyse_contacts(given.front(), options, of_files, o));
     return out;
   }
   io::PackingFiles files(std::move(given), of_files);
