@@ -27,7 +27,8 @@ def frames(*files, box=None, columns=None, units=None):
     ----------
     *files : path_like
         Files of grains and, if available, of contacts, of one format, in any order. The kind of a file is
-        recognised by its content. Patterns such as "dump.*.gz" are replaced by all matching files.
+        recognised by its content. Patterns such as "dump.*.gz" are replaced by all matching files. States come
+        in the order of the numbers in the names, those of an index file (.pvd, .vtu.series) in that of its times.
     box : (3,) array_like, optional
         Edges of the periodic box [m], for files that do not contain it (CSV, VTK); others must agree with it.
     columns : dict, optional
@@ -39,7 +40,8 @@ def frames(*files, box=None, columns=None, units=None):
     Returns
     -------
     Frames
-        An iterator of Packing.
+        An iterator of Packing. Where steps go back, as those of a restarted job do, the later run answers, and
+        earlier frames from there on are left out with a UserWarning.
 
     Raises
     ------

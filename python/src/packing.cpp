@@ -323,10 +323,10 @@ class Frames {
       packing = files_->next();
     }
     skipped_ = files_->skipped();
-    if (!packing && !files_->cut().empty() &&
-        PyErr_WarnEx(PyExc_UserWarning,
-                     ("the last frame is cut off and was left out: " + files_->cut()).c_str(), 1) != 0)
-      throw py::error_already_set();
+    for (; said_ < files_->replaced().size(); ++said_)
+      warn(files_->replaced()[said_]);
+    if (!packing && !files_->cut().empty())
+      warn("the last frame is cut off and was left out: " + files_->cut());
     if (!packing)
       throw py::stop_iteration();
     return std::make_shared<Packing>(std::move(*packing));
@@ -334,8 +334,14 @@ class Frames {
   [[nodiscard]] std::size_t skipped() const { return skipped_; }
 
  private:
+  static void warn(const std::string& text) {
+    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0)
+      throw py::error_already_set();
+  }
+
   std::unique_ptr<io::PackingFiles> files_;
   std::size_t skipped_ = 0; ///< before the step that may be running
+  std::size_t said_ = 0;    ///< of the frames that were left out
   bool running_ = false;
 };
 
@@ -350,7 +356,7 @@ Frames open(const std::vector<std::filesystem::path>& files, const py::object& b
     options.box = io::CsvBox{.cell = Mat3::diagonal(edges.x, edges.y, edges.z)};
   }
   const Unlocked unlocked;
-  return Frames(std::make_unique<io::PackingFiles>(files, std::move(options)));
+  return Frames(std::make_unique<io::PackingFiles>(io::files_of_series(files), std::move(options)));
 }
 
 // ---- out of LAMMPS' memory

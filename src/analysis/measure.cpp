@@ -8,10 +8,12 @@
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
+#include <granum/effective/relaxation.hpp>
 #include <granum/elastic/waves.hpp>
 #include <granum/packing/assembly.hpp>
 #include <granum/packing/coordination.hpp>
 #include <granum/packing/forces.hpp>
+#include <granum/packing/one_layer.hpp>
 
 #include "counts.hpp"
 #include "materials.hpp"
@@ -72,6 +74,7 @@ class Measuring {
     make_state();
     if (wanted_.closed_forms && out_.state) {
       out_.closed_forms = closed_forms(*out_.state);
+      widen_errors();
       withhold_closed_forms();
     }
     if (wanted_.network && out_.counts.mechanical.contact_count > 0 && find_stiffness())
@@ -134,6 +137,34 @@ class Measuring {
           "not evaluated: " + out_.moments +
           (bodies_ ? "; closed forms are for single spheres"
                    : "; the calibration is for single spheres, without moments but of rolling resistance");
+    }
+  }
+
+  /// The network is that of all grains, the state of rung 3 that of the interior. A part of n grains has
+  /// another z* than the whole, by 1.5/sqrt(n), and another density and stress (validation/interior).
+  void widen_errors() {
+    if (!out_.interior)
+      return;
+    constexpr double of_contacts = 1.5, of_moduli = 0.8, step = 1e-3;
+    const double of_part = 1 / static_cast<double>(out_.interior->grains),
+                 of_whole = 1 / static_cast<double>(assembly_.grain_count());
+    const double error = std::sqrt(std::max(0.0, of_part - of_whole));
+    const double z = *out_.state->mechanical_coordination_number;
+    effective::State more = *out_.state;
+    more.coordination_number = *more.coordination_number * (z + step) / z;
+    for (ClosedForm& form : out_.closed_forms) {
+      if (form.rung->name != effective::RungName::relaxed || !form.answer || !form.answer->relative_error)
+        continue;
+      const elastic::TransverselyIsotropic next = effective::relaxed(more, z + step).stiffness,
+                                           &here = form.answer->stiffness;
+      const auto add = [&](double& to, double from, double towards) {
+        if (from > 0)
+          to = std::hypot(to, of_moduli * error, of_contacts * error / step * std::log(towards / from));
+      };
+      effective::ModulusErrors& errors = *form.answer->relative_error;
+      add(errors.bulk_modulus, here.bulk_modulus(), next.bulk_modulus());
+      add(errors.G_hh, here.G_hh(), next.G_hh());
+      add(errors.G_vh, here.G_vh(), next.G_vh());
     }
   }
 
@@ -450,6 +481,7 @@ packing::Assembly stiffened(const packing::Assembly& assembly, const Given& give
 }
 
 Measurement measure(const packing::Assembly& assembly, const Given& given, const Wanted& wanted) {
+  packing::require_space(assembly);
   return Measuring(assembly, given, wanted).run();
 }
 

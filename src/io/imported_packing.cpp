@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <tuple>
+#include <utility>
+
+#include <granum/core/units.hpp>
 
 namespace granum::io {
 
@@ -132,6 +136,85 @@ ImportedPacking without_own_images(ImportedPacking packing) {
   packing.notes.push_back({Finding::own_image, "a grain touches its own image: the packing is repeated " +
                                                    std::to_string(packing.assembly.grain_count() / grains) +
                                                    " times"});
+  return packing;
+}
+
+namespace {
+
+/// The thickest slab across an edge of the cell without any grain, in parts of the edge.
+struct EmptySlab {
+  double begin = 0; ///< where grains begin behind it; those from there on come before the others
+  double length = 0;
+};
+
+EmptySlab empty_slab(const ImportedPacking& packing, const Mat3& to_parts, int axis) {
+  const packing::Assembly& assembly = packing.assembly;
+  const bool periodic = packing.periodic[static_cast<std::size_t>(axis)];
+  const double width = packing::cell_widths(assembly.cell)[axis];
+  std::vector<std::pair<double, double>> grains; // from, to
+  for (std::size_t g = 0; g < assembly.grain_count(); ++g) {
+    const double part = (to_parts * assembly.position[g])[axis], radius = assembly.radius[g] / width;
+    const double place = periodic ? part - std::floor(part) : part;
+    grains.emplace_back(place - radius, place + radius);
+  }
+  std::ranges::sort(grains);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double first = infinity, end = infinity;
+  EmptySlab out;
+  for (const auto& [from, to] : grains) {
+    first = std::min(first, from);
+    if (periodic && from - end > out.length)
+      out = {.begin = from, .length = from - end};
+    end = end < infinity ? std::max(end, to) : to;
+  }
+  if (const double around = 1 + first - end; around > out.length)
+    out = {.begin = first, .length = around};
+  return out;
+}
+
+} // namespace
+
+ImportedPacking without_air(ImportedPacking packing) {
+  constexpr std::size_t fewest = 100;
+  constexpr double thick = 2, gas = 0.1; // mean diameters; solid fraction
+  packing::Assembly& assembly = packing.assembly;
+  if (assembly.grain_count() < fewest)
+    return packing;
+  double squares = 0, cubes = 0;
+  for (const double r : assembly.radius) {
+    squares += r * r;
+    cubes += r * r * r;
+  }
+  const Mat3 to_parts = inverse_of(assembly.cell);
+  const Vec3 widths = packing::cell_widths(assembly.cell);
+  std::array<EmptySlab, 3> slabs;
+  double left = assembly.volume();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int axis = static_cast<int>(k);
+    slabs[k] = empty_slab(packing, to_parts, axis);
+    if (slabs[k].length * widths[axis] <= thick * 2 * cubes / squares)
+      slabs[k].length = 0;
+    left *= 1 - slabs[k].length;
+  }
+  if (4 * std::numbers::pi / 3 * cubes < gas * left)
+    return packing;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& [begin, length] = slabs[k];
+    if (length == 0)
+      continue;
+    const int axis = static_cast<int>(k);
+    const Vec3 edge = column(assembly.cell, axis);
+    for (Vec3& x : assembly.position)
+      if (const double turns = std::floor((to_parts * x)[axis] - begin); packing.periodic[k] && turns != 0)
+        x -= turns * edge;
+    for (int row = 0; row < 3; ++row)
+      assembly.cell(row, axis) *= 1 - length;
+    packing.periodic[k] = false;
+    packing.notes.push_back({Finding::air_left_out,
+                             pretty(length * widths[axis], Dimension::length) + " of the box along " +
+                                 "xyz"[axis] + " are empty, of " + pretty(widths[axis], Dimension::length) +
+                                 ": the box ends where the grains do, without a periodic face there"});
+  }
   return packing;
 }
 

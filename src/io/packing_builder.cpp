@@ -412,6 +412,7 @@ ImportedPacking PackingBuilder::finish(long step, std::optional<double> time) {
     contacts.insert(contacts.end(), own_images_.begin(), own_images_.end());
     packing_ = without_own_images(std::move(packing_));
   }
+  packing_ = without_air(std::move(packing_));
   packing_.step = step;
   packing_.time = time;
   if (!overlaps_stated_)

@@ -14,6 +14,7 @@
 #include <granum/io/text/source.hpp>
 #include <granum/io/vtk/xml.hpp>
 
+#include "io/later_run.hpp"
 #include "io/text/row.hpp"
 
 namespace granum::io {
@@ -85,6 +86,8 @@ std::vector<NamedFile> files_of(const fs::path& name) {
                    .place = out.size(),
                    .time = entry.time});
     out.back().file.set_time(entry.time);
+    if (entry.replaced > 0)
+      out.back().file.set_replaced(replaced_text(name.string(), entry.replaced, entry.time));
   }
   return out;
 }
@@ -99,11 +102,11 @@ bool has_decimals(const std::string& name) {
 }
 
 /// The first time step of a dump; empty for other files.
-std::optional<double> first_step(const NamedFile& file) {
+std::optional<double> first_step(const PackingFile& file) {
   std::error_code unknown;
-  if (file.file.kind().format != &lammps_dump_format || !fs::is_regular_file(file.file.path(), unknown))
+  if (file.kind().format != &lammps_dump_format || !fs::is_regular_file(file.path(), unknown))
     return std::nullopt;
-  TextSource source(file.file.path());
+  TextSource source(file.path());
   for (int k = 0; k < lines_looked_at && source.next(); ++k)
     if (source.line().starts_with("ITEM: TIMESTEP"))
       return source.next() ? parse_number(std::string(trimmed(source.line()))) : std::nullopt;
@@ -121,7 +124,7 @@ std::vector<double> steps_of(const std::vector<NamedFile>& files) {
       std::adjacent_find(series.begin(), series.end(), std::not_equal_to<>()) != series.end())
     return {};
   for (const NamedFile& file : files) {
-    const auto step = first_step(file);
+    const auto step = first_step(file.file);
     if (!step)
       return {};
     steps.push_back(*step);
@@ -236,6 +239,39 @@ PackingFrames PackingFiles::open_next() {
   return grains_[at].kind().format->read(grains_[at].open(), std::move(contacts), options_);
 }
 
+void PackingFiles::look_ahead() {
+  const PackingFile& file = grains_[opened_ - 1];
+  if (!file.replaced().empty())
+    replaced_.push_back(file.replaced());
+  const auto say = [&](std::size_t frames, double begin) {
+    if (frames > 0)
+      replaced_.push_back(replaced_text(file.path().string(), frames, begin));
+  };
+  const std::vector<bool> again = io::replaced(frames_->moments);
+  std::vector<double> moments; // of the frames that are answered
+  double begin = no_moment;
+  for (std::size_t k = 0; k < again.size(); ++k) {
+    if (!again[k])
+      moments.push_back(frames_->moments[k]);
+    if (k > 0 && frames_->moments[k] < frames_->moments[k - 1])
+      begin = std::min(begin, frames_->moments[k]);
+  }
+  say(again.size() - moments.size(), begin);
+  if (moments.size() < 2)
+    return;
+  std::vector<std::string> names;
+  for (std::size_t k = opened_ - 1; k < grains_.size(); ++k)
+    names.push_back(grains_[k].path().string());
+  const std::vector<std::string> series = series_by_name(names);
+  for (std::size_t k = 1; k < names.size(); ++k)
+    if (const auto step = first_step(grains_[opened_ - 1 + k]);
+        step && series[k] == series[0] && moments.front() < *step && *step < moments.back())
+      until_ = std::min(until_, *step);
+  if (until_ < no_moment)
+    say(static_cast<std::size_t>(std::ranges::count_if(moments, [&](double m) { return m >= until_; })),
+        until_);
+}
+
 std::optional<ImportedPacking> PackingFiles::next_of_file() {
   auto packing = frames_->next();
   const std::optional<double>& place = grains_[opened_ - 1].time();
@@ -247,10 +283,13 @@ std::optional<ImportedPacking> PackingFiles::next_of_file() {
 }
 
 std::optional<ImportedPacking> PackingFiles::next() {
-  try {
-    while (true) {
+  while (true) {
+    try {
       if (frames_) {
-        if (auto packing = next_of_file()) {
+        auto packing = next_of_file();
+        if (packing && static_cast<double>(packing->step) >= until_)
+          continue;
+        if (packing) {
           begun_ = true;
           return packing;
         }
@@ -259,15 +298,18 @@ std::optional<ImportedPacking> PackingFiles::next() {
       }
       if (opened_ == grains_.size())
         return std::nullopt;
+      until_ = no_moment;
       frames_ = open_next();
+      look_ahead();
+    } catch (const CutFile& error) {
+      const bool answered_later = until_ < no_moment;
+      if (!answered_later && (!begun_ || opened_ != grains_.size()))
+        throw;
+      skipped_ = skipped();
+      frames_.reset();
+      if (!answered_later)
+        cut_ = error.what();
     }
-  } catch (const CutFile& error) {
-    if (!begun_ || opened_ != grains_.size())
-      throw;
-    skipped_ = skipped();
-    frames_.reset();
-    cut_ = error.what();
-    return std::nullopt;
   }
 }
 

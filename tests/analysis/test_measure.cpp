@@ -272,3 +272,30 @@ TEST_CASE("missing parts raise an error") {
   CHECK_THROWS_AS((void)measure(cubic(), own, {.rose_bins = 0}), InvalidArgument);
   CHECK_THROWS_AS((void)measure(cubic(), own, {.interior_layer = 2 * edge}), InvalidArgument);
 }
+
+TEST_CASE("measure: the errors of rung 3 grow as those of z* do, the fewer grains an interior has") {
+  packing::Assembly many = cubic(); // z* = 6, in each part too
+  const Given given{.law = law};
+  const auto errors = [&](double from, double to) {
+    Wanted wanted{.closed_forms = true};
+    if (to > 0)
+      wanted.window = Window{.low = {from, from, from}, .high = {to, to, to}};
+    const Measurement found = measure(many, given, wanted);
+    return std::tuple(found.interior ? found.interior->grains : 27,
+                      found.closed_form(effective::RungName::relaxed)->relative_error.value(), *found.state);
+  };
+  const auto [all, of_all, state] = errors(0, 0);
+  const auto [whole, of_whole, same] = errors(-0.5 * edge, 2.5 * edge);
+  const auto [few, of_few, part] = errors(-0.5 * edge, 1.5 * edge);
+  REQUIRE((all == 27 && whole == 27 && few == 8));
+  CHECK(of_whole.G_vh == relative(of_all.G_vh, 1e-9));
+  const auto G_vh = [&](double z) {
+    effective::State other = state;
+    other.coordination_number = z;
+    return effective::relaxed(other, z).stiffness.G_vh();
+  };
+  const double slope = (std::log(G_vh(6.01)) - std::log(G_vh(5.99))) / 0.02;
+  CHECK(std::pow(of_few.G_vh, 2) - std::pow(of_all.G_vh, 2) ==
+        relative((std::pow(1.5 * slope, 2) + 0.64) * (1.0 / 8 - 1.0 / 27), 0.01));
+  CHECK(of_few.bulk_modulus > of_all.bulk_modulus);
+}

@@ -153,6 +153,12 @@ granum_cli_test("analyse: modes of the lattice" EXIT 0 STDERR "E\\(gamma; a\\) d
 granum_cli_test("analyse: json of the modes" EXIT 0 STDERR "E\\(gamma; a\\) does not describe" BELOW "frames/2/modes/" JSON
     "0/frequency=^142[0-9][0-9][0-9]\\." "4/participation_ratio=^0\\.[0-9]"
   ARGS analyse ${lattice} --grain-shear-modulus 30GPa --grain-density 2650kg/m3 --modes 5 --no-network --json)
+# A stress that is not symmetric about z: K and G of the nearest isotropic stiffness and the 6x6, no moduli of one axis.
+set(along_x analyse_lattice.grains analyse_along_x.contacts --grain-shear-modulus 30GPa)
+granum_cli_test("analyse: no moduli of one axis under a stress of another" EXIT 0 STDERR "stress is not symmetric about z"
+  STDOUT "rung 4, network +[0-9.]+ +[0-9.]+ +- +- +- +- .*moduli of one axis have no meaning.*relaxed +11 " ARGS analyse ${along_x})
+granum_cli_test("analyse: about its own axis there are" EXIT 0 STDERR "granum: warning" JSON "frames/0/moduli/rung4/G_vh=^[0-9]"
+  ARGS analyse ${along_x} --axis x --json)
 granum_cli_test("analyse: every second frame" EXIT 0 STDERR "E\\(gamma; a\\) does not describe" JSON "frames/1/step=^2$"
   ARGS analyse ${lattice} --frames 0::2 --no-network --json)
 
@@ -217,6 +223,7 @@ granum_analyse_refuses("a matrix of contacts alone" 2 "--hessian needs grains" a
 granum_analyse_refuses("a matrix without stiffness" 2 "the contacts have no stiffness, and it does not follow"
   ${io}/lammps_chain.data --hessian never.mtx)
 granum_analyse_refuses("a file for OVITO without a folder" 2 "--xyz goes with --out" ${chain} --xyz)
+granum_analyse_refuses("a packing in two dimensions" 2 "all 16 grains lie in one plane, z = 2 mm" analyse_discs.csv --grain-shear-modulus 1GPa)
 granum_analyse_refuses("a box without volume" 2 "--box = 0 m is outside" analyse_chain_grains.csv --box 0mm,1mm,1mm)
 granum_analyse_refuses("a column map of nonsense" 2 ".*" ${chain} --column-map nonsense)
 granum_analyse_refuses("a column that is not there" 3 "[^\n]*expected a column" ${chain} --column-map id1=a,id2=b)
@@ -245,6 +252,9 @@ set_tests_properties("cli: analyse: series" PROPERTIES LABELS cli)
 add_test(NAME "cli: analyse: files" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DIO=${io}"
   "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/analysis" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_analysis_files.cmake")
 set_tests_properties("cli: analyse: files" PROPERTIES LABELS cli)
+add_test(NAME "cli: analyse: every option of the readers with every format" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
+  "-DIO=${io}" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/reader_options" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_reader_options.cmake")
+set_tests_properties("cli: analyse: every option of the readers with every format" PROPERTIES LABELS cli)
 add_test(NAME "cli: hostile files" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
   "-DDATA=${CMAKE_CURRENT_SOURCE_DIR}/data" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/hostile_files"
   -P "${CMAKE_CURRENT_SOURCE_DIR}/check_hostile_files.cmake")

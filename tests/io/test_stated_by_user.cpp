@@ -6,6 +6,7 @@
 #include <map>
 
 #include <granum/io/lammps/files.hpp>
+#include <granum/io/mercury/output.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/io/vtk/xml.hpp>
 #include <granum/io/yade/files.hpp>
@@ -100,6 +101,36 @@ TEST_CASE("stated by the user: columns that are not used are listed, shapes by t
       CHECK_FALSE(read(sample, shape, {.columns = {{"shape", "none"}}}).has(Finding::shapes));
     }
   }
+}
+
+TEST_CASE("not used: formats of fixed columns, and files of contacts, list them too") {
+  const auto unused = [](const ImportedPacking& packing, const std::string& names) {
+    return notes(packing, Finding::not_used, names);
+  };
+  const auto of_mercury = [](const std::string& info) {
+    return MercuryOutput(text_source("m", with(mercury, "0 0 0 0\n", "0 0 0 " + info + "\n"))).next().value();
+  };
+  CHECK(unused(of_mercury("3"), "grains that were not used: velocities, angles, spins"));
+  CHECK_FALSE(unused(of_mercury("3"), "info"));
+  CHECK(unused(of_mercury("0.5"), "info"));
+  CHECK(unused(
+      MercuryOutput(data_source("mercury_chain.data"), data_source("mercury_chain.fstat")).next().value(),
+      "contacts that were not used: deltat"));
+  CHECK(unused(read_lammps_data(data_source("lammps_chain.data")), "density, section Velocities"));
+  const std::string grains = with(formats[2].text, "EXTRA", "c1");
+  const auto yade = [&](const std::string& names, const std::string& values) {
+    return read_yade(text_source("g", grains),
+                     text_source("c", "# id1 id2 nx ny nz pd fnx fny fnz fsx fsy fsz" + names +
+                                          "\n1 2 1 0 0 1e-4 4 0 0 0 0 0" + values + "\n"));
+  };
+  CHECK(unused(yade(" wear kn", " 1 2"), "contacts that were not used: wear, kn")); // k_n without k_t
+  CHECK_FALSE(unused(yade(" kn ks", " 2 2"), "contacts"));
+  const std::string lines =
+      with(with(formats[3].text, "POINT_DATA",
+                "LINES 1 3\n2 0 1\nCELL_DATA 1\nSCALARS wear double 1\nLOOKUP_TABLE default\n7\nPOINT_DATA"),
+           "EXTRA", "c1");
+  CHECK(unused(read_yade_vtk(text_source("g", with(formats[3].text, "EXTRA", "c1")), text_source("c", lines)),
+               "contacts that were not used: c1, radius, wear"));
 }
 
 TEST_CASE("stated by the user: rigid bodies, named or denied") {

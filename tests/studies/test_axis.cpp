@@ -81,6 +81,8 @@ TEST_CASE("axis: a stress that is not symmetric about z is warned of, with its d
   const io::ImportedPacking upright = through_dump(pressed());
   CHECK_FALSE(warns(upright, "stress is not symmetric"));
   const io::ImportedPacking lying = about_axis(upright, Axis::x);
+  CHECK(studies::measure_frame(lying, {}, {}).triaxial);
+  CHECK_FALSE(studies::measure_frame(upright, {}, {}).triaxial);
   CHECK(warns(lying, "stress is not symmetric about z"));
   CHECK_FALSE(warns(about_axis(lying, Axis::principal), "stress is not symmetric"));
   CHECK_FALSE(warns(through_dump(specimen()), "stress is not symmetric"));

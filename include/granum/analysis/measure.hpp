@@ -71,8 +71,8 @@ struct Wanted {
 /// Assumes   axis 3 is vertical, the axis of symmetry of the closed forms; contacts transmit friction.
 /// \return   the network has the stiffnesses of the contacts if any contact has one (and given.stiffness_from
 ///           does not say otherwise), else those of the law
-/// \throws   InvalidArgument for an assembly that is not valid or has no grains, or for values given
-///           or wanted that are out of their ranges
+/// \throws   InvalidArgument for an assembly that is not valid, has no grains or lies in one plane (a packing
+///           in two dimensions), or for values given or wanted that are out of their ranges
 /// Accuracy  as the functions for each part.
 [[nodiscard]] Measurement measure(const packing::Assembly& assembly, const Given& given = {},
                                   const Wanted& wanted = {});

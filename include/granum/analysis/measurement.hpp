@@ -145,7 +145,8 @@ struct Measurement {
   std::optional<contact::NormalLaw> law = {};       ///< of contacts of grains of the equivalent radius
   /// Input of the closed forms: C_n, e and a, of the interior between walls, stress and contact law.
   std::optional<effective::State> state = {};
-  /// As effective::closed_forms(); empty without a state. K of rung 3 is within the bounds of the network.
+  /// As effective::closed_forms(); empty without a state. K of rung 3 is within the bounds of the network. Of
+  /// an interior of few grains, the errors of rung 3 are those of the whole packing's moduli, and larger.
   std::vector<ClosedForm> closed_forms = {};
   std::optional<Network> network = {}; ///< empty if no grain carries load
   std::vector<std::string> notes = {}; ///< assumptions and missing data, a sentence each

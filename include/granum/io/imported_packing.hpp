@@ -48,6 +48,7 @@ enum class Finding {
   shapes,                 ///< columns of shapes: grains are taken as spheres all the same
   not_used,               ///< columns or arrays that were not used
   empty_rows,             ///< rows of contacts that hold zeros alone; left out
+  air_left_out,           ///< the box has an empty slab: it ends where the grains do
   axes_turned,            ///< the axes of the packing are others than those of the files
 };
 
@@ -118,5 +119,12 @@ struct ImportedPacking {
 /// so large that it would be, with a note if it was. Unchanged if that needs more than 64 copies.
 /// Checked by tests/io/test_own_image.cpp
 [[nodiscard]] ImportedPacking without_own_images(ImportedPacking packing);
+
+/// The packing in the part of its box that the grains fill, so that volume, void ratio, stress and stiffness
+/// do not depend on the size of the box. Across each edge of the cell: where a slab without any grain is
+/// thicker than two mean diameters, the cell ends at the grains, with faces that are not periodic, and a
+/// note. Nothing is left out of fewer than 100 grains, nor of a gas, where less than a tenth is solid.
+/// Checked by tests/io/test_air.cpp
+[[nodiscard]] ImportedPacking without_air(ImportedPacking packing);
 
 } // namespace granum::io

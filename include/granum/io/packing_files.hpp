@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -28,6 +30,9 @@ struct PackingFrames {
   std::function<std::optional<ImportedPacking>()> next; ///< empty at the end
   /// Frames passed over so far because the companion has none of that time.
   std::function<std::size_t()> skipped = [] { return std::size_t{0}; };
+  /// Steps, or times, of all frames of the grains in the order of the file; those that a later run of the
+  /// job wrote again are passed over by next(). None for a file of one frame, and for a pipe.
+  std::vector<double> moments = {};
 };
 
 struct PackingFormat {
@@ -53,7 +58,9 @@ inline constexpr int lines_looked_at = 40;
 template <class Reader>
 PackingFrames frames_of(Reader reader) {
   const auto shared = std::make_shared<Reader>(std::move(reader));
-  return {.next = [shared] { return shared->next(); }, .skipped = [shared] { return shared->skipped(); }};
+  return {.next = [shared] { return shared->next(); },
+          .skipped = [shared] { return shared->skipped(); },
+          .moments = shared->moments()};
 }
 
 /// The single frame of files with one state.
@@ -99,6 +106,9 @@ class PackingFile {
   /// Its place in a series, in the units of the index file.
   [[nodiscard]] const std::optional<double>& time() const { return time_; }
   void set_time(std::optional<double> time) { time_ = time; }
+  /// Files of its series that were left out because a restarted job wrote their times again; said once.
+  [[nodiscard]] const std::string& replaced() const { return replaced_; }
+  void set_replaced(std::string text) { replaced_ = std::move(text); }
   /// The file from its beginning; once.
   /// \throws   FileError if it cannot be opened
   [[nodiscard]] TextSource open();
@@ -107,6 +117,7 @@ class PackingFile {
   std::filesystem::path path_;
   FileKind kind_;
   std::optional<double> time_;
+  std::string replaced_;
   std::optional<TextSource> source_; ///< of a pipe
 };
 
@@ -121,6 +132,9 @@ class PackingFile {
 /// All states of a packing in some files, one after the other; one at a time in memory. Files of grains and
 /// of contacts may be mixed: the first file of grains belongs to the first of contacts, the second with the
 /// second.
+/// Where steps go back, as those of a restarted job do, the later run answers: earlier frames from the step
+/// on at which it begins are left out, within a file and, for dumps, among those whose names differ in
+/// numbers alone. A dump that begins no later than the one ahead of it is another simulation.
 class PackingFiles {
  public:
   /// \param    files   at least one; as many of contacts as of grains, or none of contacts; all of one format
@@ -143,9 +157,13 @@ class PackingFiles {
   [[nodiscard]] std::size_t skipped() const;
   /// Why the last frame is missing, if the last file ends within it, as those of a killed job do; else empty.
   [[nodiscard]] const std::string& cut() const { return cut_; }
+  /// What was left out so far for a later run of a restarted job, a line for each file; mostly none.
+  [[nodiscard]] const std::vector<std::string>& replaced() const { return replaced_; }
 
  private:
   PackingFrames open_next();
+  /// Finds what later files write again of the one that is open.
+  void look_ahead();
   /// The next state of the file that is open, with its place in the series; empty at the end of the file.
   std::optional<ImportedPacking> next_of_file();
 
@@ -153,9 +171,11 @@ class PackingFiles {
   std::vector<PackingFile> grains_, contacts_;
   std::size_t opened_ = 0, skipped_ = 0; ///< skipped in files that have been read to their end
   std::optional<PackingFrames> frames_;
-  bool steps_ = false; ///< places in the series are steps
-  bool begun_ = false; ///< a state has been returned
+  bool steps_ = false;                                     ///< places in the series are steps
+  bool begun_ = false;                                     ///< a state has been returned
+  double until_ = std::numeric_limits<double>::infinity(); ///< step at which a later file begins
   std::string cut_;
+  std::vector<std::string> replaced_;
 };
 
 } // namespace granum::io

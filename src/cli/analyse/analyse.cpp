@@ -104,10 +104,23 @@ std::vector<FrameAnswer> analyse_frames(io::PackingFiles& files, const FrameChoi
 }
 
 /// For a table of contacts without grains: directions and forces.
+/// \throws   InvalidArgument for options that need grains
 FrameAnswer analyse_contacts(io::PackingFile& file, const studies::MeasureOptions& options,
-                             const io::PackingFileOptions& of_files) {
-  if (of_files.box)
-    throw InvalidArgument("--box needs grains: " + file.path().string() + " has contacts alone");
+                             const io::PackingFileOptions& of_files, const AnalyseOptions& o) {
+  for (const auto& [given, option] : {std::pair(of_files.box.has_value(), "--box"),
+                                      {o.axis != "z", "--axis"},
+                                      {options.window && !options.window->depth, "--window"},
+                                      {options.window && options.window->depth, "--depth"},
+                                      {options.profile.has_value(), "--profile"},
+                                      {o.paraview, "--paraview"},
+                                      {o.xyz, "--xyz"},
+                                      {!o.hessian.empty(), "--hessian"},
+                                      {o.modes.has_value(), "--modes"}})
+    if (given)
+      throw InvalidArgument(std::string(option) + " needs grains: " + file.path().string() +
+                            " has contacts alone");
+  if (const FrameChoice choice = parse_frames(o.frames); !choice.only_last && !choice.takes(0))
+    throw InvalidArgument("--frames " + o.frames + " selects none of the 1 frames of the files");
   if (!of_files.columns.empty())
     throw InvalidArgument("--column-map is for dumps, and " + file.path().string() + " is none");
   const io::ContactTable table = file.kind().format->read_contacts(file.open(), of_files);
@@ -131,14 +144,7 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
   }
   const io::FileKind& first = out.kinds.front();
   if (given.size() == 1 && first.holds == io::Holds::contacts && first.format->read_contacts != nullptr) {
-    for (const auto& [name, asked] : {std::pair{"--paraview", o.paraview},
-                                      {"--profile", options.profile.has_value()},
-                                      {"--xyz", o.xyz},
-                                      {"--hessian", !o.hessian.empty()},
-                                      {"--modes", o.modes.has_value()}})
-      if (asked)
-        throw InvalidArgument(std::string(name) + " needs grains: this file has contacts alone");
-    out.frames.push_back(analyse_contacts(given.front(), options, of_files));
+    out.frames.push_back(analyse_contacts(given.front(), options, of_files, o));
     return out;
   }
   io::PackingFiles files(std::move(given), of_files);
@@ -158,6 +164,7 @@ AnalyseAnswer answer_all(const AnalyseOptions& o) {
       studies::series_of(out.frames, o.series == "all" ? studies::SeriesBy::all : studies::SeriesBy::name);
   out.skipped = files.skipped();
   out.cut = files.cut();
+  out.replaced = files.replaced();
   return out;
 }
 
@@ -193,6 +200,8 @@ Validity warnings_of(const AnalyseAnswer& answer) {
   }
   for (const auto& [note, frames] : found)
     out.add(answer.frames.size() > 1 ? frames_text(frames, answer.frames.size()) + note : note);
+  for (const std::string& text : answer.replaced)
+    out.add(text);
   if (!answer.cut.empty())
     out.add("the last frame is cut off and was left out: " + answer.cut);
   return out;

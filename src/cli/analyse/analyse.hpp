@@ -29,9 +29,10 @@ struct AnalyseAnswer {
   std::vector<std::string> files;
   std::vector<io::FileKind> kinds;
   std::vector<FrameAnswer> frames;
-  std::vector<StateSeries> series;                           ///< for more than one frame
-  std::size_t skipped = 0;                                   ///< frames in one file only
-  std::string cut = {};                                      ///< why the last frame is missing, if it is
+  std::vector<StateSeries> series;        ///< for more than one frame
+  std::size_t skipped = 0;                ///< frames in one file only
+  std::string cut = {};                   ///< why the last frame is missing, if it is
+  std::vector<std::string> replaced = {}; ///< left out for the later run of a restarted job
   std::optional<studies::ForceChains> chains = std::nullopt; ///< of the last frame, if files are written
 };
 

@@ -310,13 +310,18 @@ const io::Columns<RungResult>& rung_fields() {
     io::Columns<RungResult> list = {
         {"", "error", refusal}, {"", "", &RungResult::title, ShownColumn{.heading = "[MPa]", .width = -16}}};
     const auto modulus = [&](const std::string& heading, const std::string& name, double Moduli::*of,
-                             int width = 7) {
-      list.emplace_back(heading, name, of_part(&RungResult::moduli, of),
-                        ShownColumn{.heading = name, .width = width, .unit = MPa});
+                             int width = 7, bool isotropic = false) {
+      list.emplace_back(
+          heading, name,
+          [=](const RungResult& r) {
+            return r.moduli && (isotropic || r.one_axis) ? std::optional((*r.moduli).*of) : std::nullopt;
+          },
+          ShownColumn{.heading = name, .width = width, .unit = MPa, .absent = "-"});
     };
-    for (const auto& [name, of] :
-         {std::pair{"K", &Moduli::K}, {"G", &Moduli::G}, {"G_hh", &Moduli::G_hh}, {"G_vh", &Moduli::G_vh}})
-      modulus(name, name, of);
+    modulus("K", "K", &Moduli::K, 7, true);
+    modulus("G", "G", &Moduli::G, 7, true);
+    modulus("G_hh", "G_hh", &Moduli::G_hh);
+    modulus("G_vh", "G_vh", &Moduli::G_vh);
     modulus("", "C11", &Moduli::C11);
     modulus("", "C33", &Moduli::C33);
     modulus("", "C12", &Moduli::C12, 0);
@@ -326,6 +331,7 @@ const io::Columns<RungResult>& rung_fields() {
     };
     const auto error = [](double ModulusErrors::*of) { return of_part(&RungResult::relative_error, of); };
     add("relative_error/K", error(&ModulusErrors::bulk_modulus));
+    add("relative_error/G", error(&ModulusErrors::G_vh)); // as that of vertical planes
     add("relative_error/G_hh", error(&ModulusErrors::G_hh));
     for (const auto& [key, heading, of] :
          {std::tuple{"measured_over_this/K", "net/K", &RungResult::network_over_K},

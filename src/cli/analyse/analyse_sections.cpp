@@ -129,6 +129,9 @@ void add_moduli(Document& to, const FrameAnswer& frame) {
       "grain moves with the mean strain; rung 3: grains relax, by a calibrated formula; rung 4: the forces "
       "on "
       "every grain balance";
+  if (frame.measured.triaxial)
+    table.remark +=
+        "; -: the stress is not symmetric about z, and moduli of one axis have no meaning: use the 6x6";
   to.add(Seen::always, std::move(table));
   Prose reasons;
   for (const auto& [titles, reason] : refused)

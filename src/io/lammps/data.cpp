@@ -36,6 +36,7 @@ class DataFile {
     builder.set_cell(cell(), {true, true, true}, 0);
     builder.set_grains(read_atoms());
     builder.note_digits(digits_, "coordinates");
+    builder.note_unused(unused_, "columns and sections of the grains");
     builder.note(Finding::contacts_unknown, "a data file contains no contacts");
     builder.note(Finding::boundary_unknown,
                  "a data file does not state which faces are periodic: all are assumed");
@@ -123,6 +124,9 @@ class DataFile {
     }
     if (grains.size() != *count_)
       source_.fail("expected " + std::to_string(*count_) + " atoms, found " + std::to_string(grains.size()));
+    for (bool more = !row_.empty() && at_section(); more; more = next_row())
+      if (at_section())
+        unused_.push_back("section " + std::string(row_[0]));
     return grains;
   }
 
@@ -133,6 +137,7 @@ class DataFile {
   std::array<std::optional<Bounds>, 3> bounds_;
   Vec3 tilt_{}; ///< xy, xz, yz
   DigitWatch digits_;
+  std::vector<std::string> unused_{"density"};
 };
 
 } // namespace

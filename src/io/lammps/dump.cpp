@@ -272,33 +272,33 @@ ImportedPacking packing(const DumpFile& atom_file, AtomFrame atoms, const DumpFi
   return builder.finish(*atoms.frame.step, time);
 }
 
-/// Steps of one file never go back.
+/// Steps never go back, but in a file of a restarted job, where LaterRun leaves out what was written twice.
 void require_forward(const DumpFile& file, std::optional<long>& last, const DumpFrame& frame) {
   if (last && *frame.step < *last)
     file.source().fail("time step " + std::to_string(*frame.step) + " follows " + std::to_string(*last) +
-                       ": expected steps that do not decrease");
+                       ": expected steps that do not decrease (a pipe cannot be read twice: give the file)");
   last = frame.step;
 }
 
 } // namespace
 
 struct LammpsDump::Impl {
-  DumpFile atoms;
-  std::optional<DumpFile> contacts;
+  LaterRun<DumpFile> atoms;
+  std::optional<LaterRun<DumpFile>> contacts;
   PackingFileOptions options;
   std::optional<long> atom_step, contact_step;
   std::size_t skipped = 0, matched = 0;
 
   std::optional<AtomFrame> next_atoms() {
-    auto frame = read_atoms(atoms, options);
+    auto frame = read_atoms(atoms.next(), options);
     if (frame)
-      require_forward(atoms, atom_step, frame->frame);
+      require_forward(atoms.file(), atom_step, frame->frame);
     return frame;
   }
   std::optional<LocalFrame> next_locals() {
-    auto frame = read_locals(*contacts, options.columns);
+    auto frame = read_locals(contacts->next(), options.columns);
     if (frame)
-      require_forward(*contacts, contact_step, frame->frame);
+      require_forward(contacts->file(), contact_step, frame->frame);
     return frame;
   }
 
@@ -315,18 +315,18 @@ struct LammpsDump::Impl {
     }
     if (grains && pairs) {
       ++matched;
-      return packing(atoms, std::move(*grains), &*contacts, &*pairs, options);
+      return packing(atoms.file(), std::move(*grains), &contacts->file(), &*pairs, options);
     }
     if (grains || pairs)
       ++skipped;
     if (matched == 0)
-      contacts->source().fail("contains no time step of " + atoms.source().name());
+      contacts->file().source().fail("contains no time step of " + atoms.file().source().name());
     return std::nullopt;
   }
 };
 
 LammpsDump::LammpsDump(TextSource atoms, std::optional<TextSource> contacts, PackingFileOptions options)
-    : impl_(new Impl{DumpFile(std::move(atoms)), std::nullopt, std::move(options), {}, {}, 0, 0}) {
+    : impl_(new Impl{LaterRun<DumpFile>(std::move(atoms)), std::nullopt, std::move(options), {}, {}, 0, 0}) {
   if (contacts)
     impl_->contacts.emplace(std::move(*contacts));
 }
@@ -341,14 +341,15 @@ std::optional<ImportedPacking> LammpsDump::next() {
   auto grains = impl_->next_atoms();
   if (!grains) {
     if (impl_->matched == 0)
-      impl_->atoms.source().fail("contains no frame; expected ITEM: TIMESTEP");
+      impl_->atoms.file().source().fail("contains no frame; expected ITEM: TIMESTEP");
     return std::nullopt;
   }
   ++impl_->matched;
-  return packing(impl_->atoms, std::move(*grains), nullptr, nullptr, impl_->options);
+  return packing(impl_->atoms.file(), std::move(*grains), nullptr, nullptr, impl_->options);
 }
 
 std::size_t LammpsDump::skipped() const { return impl_->skipped; }
+const std::vector<double>& LammpsDump::moments() const { return impl_->atoms.moments(); }
 
 const PackingFormat lammps_dump_format{
     .name = "LAMMPS or LIGGGHTS dumps",

@@ -2,6 +2,7 @@
 #include "dump_file.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <granum/core/text.hpp>
 
@@ -143,6 +144,43 @@ void DumpFile::skip_section() {
   while (source_.next())
     if (at_item())
       return source_.hold();
+}
+
+std::optional<double> DumpFile::skip() {
+  std::optional<double> step;
+  std::size_t wanted = 0, rows = 0;
+  std::string label;
+  bool begun = false, in_table = false;
+  while (source_.next()) {
+    if (!at_item()) {
+      rows += in_table ? 1 : 0;
+      continue;
+    }
+    TextRow row(source_);
+    row.split();
+    const std::string name(row.fields().size() > 1 ? row.fields()[1] : "");
+    if (in_table || (step && name == "TIMESTEP")) {
+      source_.hold();
+      break;
+    }
+    begun = true;
+    if (name == "UNITS") {
+      read_units();
+    } else if (name == "TIMESTEP" && source_.next()) {
+      step = parse_number(std::string(trimmed(source_.line())));
+    } else if (name == "NUMBER" && row.fields().size() == 4) {
+      label = row.fields()[3];
+      read_value("a number of rows", row);
+      wanted = row.count(0, "rows");
+    } else {
+      in_table = is_table(name, label);
+    }
+  }
+  if (!begun)
+    return std::nullopt;
+  if (!step)
+    return std::numeric_limits<double>::quiet_NaN();
+  return in_table && rows >= wanted ? *step : ends_early(*step);
 }
 
 std::optional<DumpFrame> DumpFile::next(const TableSink& sink) {

@@ -10,6 +10,7 @@
 #include <granum/core/vec3.hpp>
 #include <granum/io/text/source.hpp>
 
+#include "io/later_run.hpp"
 #include "io/text/row.hpp"
 
 namespace granum::io {
@@ -59,6 +60,9 @@ class DumpFile {
   /// \throws   FileError for a file that is not a dump, a truncated frame, or a table of another number of
   ///           rows than stated
   [[nodiscard]] std::optional<DumpFrame> next(const TableSink& sink);
+  /// Passes over a frame, complete or not.
+  /// \return   its step, as LaterRun asks for it; nothing at the end of the file
+  [[nodiscard]] std::optional<double> skip();
 
   [[nodiscard]] const DumpUnits& units() const { return units_; }
   [[nodiscard]] const TextSource& source() const { return source_; }

@@ -7,6 +7,7 @@
 #include <granum/core/text.hpp>
 #include <granum/io/packing_files.hpp>
 
+#include "io/later_run.hpp"
 #include "io/packing_builder.hpp"
 #include "io/text/row.hpp"
 
@@ -176,7 +177,11 @@ ImportedPacking packing(const TextSource& data, DataFrame grains, const TextSour
   PackingBuilder builder(data.name(), fstat ? fstat->name() : "", options);
   builder.set_cell(Mat3::diagonal(grains.edges.x, grains.edges.y, grains.edges.z), {true, true, true},
                    grains.line);
+  std::vector<std::string> unused{"velocities", "angles", "spins"};
+  if (std::ranges::any_of(grains.grains, [](const GrainRow& grain) { return !grain.type; }))
+    unused.emplace_back("info");
   builder.set_grains(std::move(grains.grains));
+  builder.note_unused(unused, "columns of the grains");
   builder.note_digits(grains.digits, "coordinates");
   builder.note(Finding::boundary_unknown,
                "MercuryDPM's files do not state which faces are periodic: all are assumed");
@@ -187,6 +192,7 @@ ImportedPacking packing(const TextSource& data, DataFrame grains, const TextSour
     return builder.finish(grains.number, grains.time);
   }
   builder.expect_both_sides();
+  builder.note_unused({"deltat"}, "columns of the contacts");
   builder.note_overlap_digits(stat->digits, "overlaps");
   builder.note_force_digits(stat->force_digits);
   builder.note(Finding::stiffness_unknown, "stiffnesses are not in the files");
@@ -218,17 +224,59 @@ bool equal_times(double a, double b) {
 } // namespace
 
 struct MercuryOutput::Impl {
-  TextSource data;
-  std::optional<TextSource> fstat;
+  /// A .data file. skip() returns the time of the frame.
+  struct DataFile {
+    TextSource text;
+    explicit DataFile(TextSource file) : text(std::move(file)) {}
+    [[nodiscard]] const TextSource& source() const { return text; }
+    std::optional<double> skip() {
+      TextRow row(text);
+      if (!next_row(text, row))
+        return std::nullopt;
+      const std::size_t count = row.count(0, "grains");
+      const double time = row.number(1, "time");
+      for (std::size_t k = 0; k < count; ++k)
+        if (!next_row(text, row))
+          return ends_early(time);
+      return time;
+    }
+  };
+
+  /// A .fstat file, in which a frame ends where the next begins.
+  struct StatFile {
+    TextSource text;
+    explicit StatFile(TextSource file) : text(std::move(file)) {}
+    [[nodiscard]] const TextSource& source() const { return text; }
+    std::optional<double> skip() {
+      TextRow row(text);
+      if (!next_row(text, row))
+        return std::nullopt;
+      const double time = row.number(1, "time");
+      for (int k = 1; next_row(text, row); ++k)
+        if (k > 2 && row[0].starts_with('#')) {
+          text.hold();
+          break;
+        }
+      return time;
+    }
+  };
+
+  LaterRun<DataFile> data;
+  std::optional<LaterRun<StatFile>> fstat;
   PackingFileOptions options;
-  long frames = 0;
   std::size_t skipped = 0, matched = 0;
 
-  std::optional<DataFrame> next_data() { return read_data(data, frames++); }
+  std::optional<DataFrame> next_data() {
+    TextSource& source = data.next().text;
+    return read_data(source, data.number());
+  }
 };
 
 MercuryOutput::MercuryOutput(TextSource data, std::optional<TextSource> fstat, PackingFileOptions options)
-    : impl_(new Impl{std::move(data), std::move(fstat), std::move(options), 0, 0, 0}) {}
+    : impl_(new Impl{LaterRun<Impl::DataFile>(std::move(data)), std::nullopt, std::move(options)}) {
+  if (fstat)
+    impl_->fstat.emplace(std::move(*fstat));
+}
 MercuryOutput::MercuryOutput(MercuryOutput&&) noexcept = default;
 MercuryOutput& MercuryOutput::operator=(MercuryOutput&&) noexcept = default;
 MercuryOutput::~MercuryOutput() = default;
@@ -237,32 +285,34 @@ std::optional<ImportedPacking> MercuryOutput::next() {
   auto grains = impl_->next_data();
   if (!impl_->fstat) {
     if (!grains && impl_->matched == 0)
-      impl_->data.fail("contains no frame; expected N time xmin ymin zmin xmax ymax zmax");
+      impl_->data.file().text.fail("contains no frame; expected N time xmin ymin zmin xmax ymax zmax");
     ++impl_->matched;
     if (!grains)
       return std::nullopt;
-    return packing(impl_->data, std::move(*grains), nullptr, nullptr, impl_->options);
+    return packing(impl_->data.file().text, std::move(*grains), nullptr, nullptr, impl_->options);
   }
-  auto stat = read_stat(*impl_->fstat);
+  auto stat = read_stat(impl_->fstat->next().text);
   while (grains && stat && !equal_times(grains->time, stat->time)) {
     ++impl_->skipped;
     if (grains->time < stat->time)
       grains = impl_->next_data();
     else
-      stat = read_stat(*impl_->fstat);
+      stat = read_stat(impl_->fstat->next().text);
   }
   if (grains && stat) {
     ++impl_->matched;
-    return packing(impl_->data, std::move(*grains), &*impl_->fstat, &*stat, impl_->options);
+    return packing(impl_->data.file().text, std::move(*grains), &impl_->fstat->file().text, &*stat,
+                   impl_->options);
   }
   if (impl_->matched == 0)
-    impl_->fstat->fail("contains no time of " + impl_->data.name());
+    impl_->fstat->file().text.fail("contains no time of " + impl_->data.file().text.name());
   if (grains || stat)
     ++impl_->skipped;
   return std::nullopt;
 }
 
 std::size_t MercuryOutput::skipped() const { return impl_->skipped; }
+const std::vector<double>& MercuryOutput::moments() const { return impl_->data.moments(); }
 
 const PackingFormat mercury_format{
     .name = "MercuryDPM's .data and .fstat",

@@ -156,6 +156,12 @@ void TextSource::back_to_start() {
   held_ = false;
 }
 
+std::optional<TextSource> TextSource::again() const {
+  if (!stream_)
+    return of_text(name_, {buffer_.data(), end_});
+  return stream_->seekable ? std::optional(TextSource(std::filesystem::path(name_))) : std::nullopt;
+}
+
 std::string_view TextSource::next_bytes() {
   if (begin_ == end_ && !fill())
     return {};

@@ -5,6 +5,7 @@
 #include <memory>
 #include <new>
 #include <string_view>
+#include <utility>
 
 #include <expat.h>
 
@@ -14,15 +15,39 @@
 #include <granum/io/vtk/xml.hpp>
 
 #include "document.hpp"
+#include "io/later_run.hpp"
 #include "io/text/row.hpp"
 
 namespace granum::io {
 
 namespace {
 
+/// Leaves out what a restarted job wrote again. A list that is not in the order of its times, but has each
+/// once, is of one run.
+void keep_later_run(std::vector<SeriesEntry>& entries) {
+  std::vector<double> times;
+  for (const SeriesEntry& entry : entries)
+    times.push_back(entry.time);
+  const std::vector<bool> again = replaced(times);
+  std::ranges::sort(times);
+  if (std::ranges::adjacent_find(times) == times.end())
+    return;
+  std::vector<SeriesEntry> kept;
+  std::size_t left_out = 0;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    left_out += again[k] ? 1U : 0U;
+    if (!again[k]) {
+      kept.push_back(std::move(entries[k]));
+      kept.back().replaced = std::exchange(left_out, 0);
+    }
+  }
+  entries = std::move(kept);
+}
+
 /// The states in the order of their times.
 /// \throws   FileError for two of one time
 std::vector<SeriesEntry> in_order(std::vector<SeriesEntry> entries, const std::string& name) {
+  keep_later_run(entries);
   std::stable_sort(entries.begin(), entries.end(),
                    [](const SeriesEntry& a, const SeriesEntry& b) { return a.time < b.time; });
   for (std::size_t k = 1; k < entries.size(); ++k)

@@ -160,6 +160,15 @@ class ContactFile {
     }
     if (columns_.empty())
       source_.fail("contains no contacts; expected a heading '# id1 id2 ...'");
+    std::vector<std::string> unused = columns_;
+    constexpr std::string_view used[] = {"id1", "id2", "nx",        "ny",        "nz",       "pd",
+                                         "fnx", "fny", "fnz",       "fsx",       "fsy",      "fsz",
+                                         "kr",  "ktw", "cellDistX", "cellDistY", "cellDistZ"};
+    std::erase_if(unused, [&](const std::string& name) {
+      return std::ranges::find(used, name) != std::end(used) ||
+             (stiffness_ && (name == "kn" || name == "ks"));
+    });
+    builder_.note_unused(unused, "columns of the contacts");
     builder_.note_overlap_digits(digits_, "overlaps");
     builder_.note_force_digits(force_digits_);
     if (left_out_ > 0)

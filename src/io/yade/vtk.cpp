@@ -305,6 +305,11 @@ ImportedPacking read_yade_vtk(TextSource spheres, std::optional<TextSource> inte
   } else if (!shear) {
     builder.note(Finding::tangential_unknown, "no vectors ft");
   }
+  std::vector<std::string> unused = pairs.names();
+  std::erase_if(unused, [&](const std::string& name) {
+    return ((normal || sizes) && name == "fn") || (normal && shear && name == "ft");
+  });
+  builder.note_unused(unused, "arrays of the contacts");
   const CentreIndex centres(grains.points());
   for (std::size_t k = 0; k < count; ++k) {
     PairRow pair;

@@ -56,6 +56,8 @@ void add_network(FrameAnswer& frame) {
 void set_ratios(FrameAnswer& frame) {
   const RungResult* network = find_rung(frame, network_name());
   for (RungResult& rung : frame.rungs)
+    rung.one_axis = !frame.measured.triaxial;
+  for (RungResult& rung : frame.rungs)
     if (network != nullptr && rung.moduli && rung.moduli->K > 0 && rung.moduli->G > 0) {
       rung.network_over_K = network->moduli->K / rung.moduli->K;
       rung.network_over_G = network->moduli->G / rung.moduli->G;

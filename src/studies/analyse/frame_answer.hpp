@@ -47,6 +47,9 @@ struct RungResult {
   std::string name;  ///< in JSON and headings
   std::string title; ///< in tables
   std::optional<Moduli> moduli = std::nullopt;
+  /// Moduli of one axis have a meaning; not under a stress that is not symmetric about it, where K and G of
+  /// the nearest isotropic stiffness and the 6x6 of the network are what there is.
+  bool one_axis = true;
   std::optional<effective::ModulusErrors> relative_error = std::nullopt;
   std::string error = {};
   std::optional<double> network_over_K = std::nullopt; ///< K of the network over that of the rung

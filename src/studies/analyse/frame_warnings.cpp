@@ -168,14 +168,15 @@ void judge_forces(const io::ImportedPacking& packing, const analysis::Forces& fo
 
 /// The principal stress whose direction is nearest to z, and those across it, that are not those of a state
 /// symmetric about z.
-void judge_stress_axes(const Mat3& stress, std::size_t contacts, std::vector<std::string>& out) {
+/// \return   whether there are such
+bool judge_stress_axes(const Mat3& stress, std::size_t contacts, std::vector<std::string>& out) {
   constexpr double least = 0.1, scatter = 4; // of the mean stress; of that of one contact
   const double matters = std::max(least, scatter / std::sqrt(static_cast<double>(contacts)));
   const double mean = trace(stress) / 3;
   const auto& s = stress;
   const double across = std::hypot(s(0, 0) - s(1, 1), 2 * s(0, 1)), tilted = 2 * std::hypot(s(0, 2), s(1, 2));
   if (!(mean > 0) || std::max(across, tilted) <= matters * mean)
-    return;
+    return false;
   Eigen::Matrix3d matrix;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
@@ -189,6 +190,7 @@ void judge_stress_axes(const Mat3& stress, std::size_t contacts, std::vector<std
       "the stress is not symmetric about z, which the closed forms and the moduli of one axis assume: "
       "principal stresses " +
       list + "; use the 6x6 stiffness, and --axis if the axis of the test is another");
+  return true;
 }
 
 /// Moments that no force explains: the network without them is not this material's.
@@ -351,8 +353,9 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
     judge_forces(packing, *measured.forces, out);
   constexpr std::size_t enough = 20; // contacts
   if (measured.stress && measured.counts.contacts >= enough && !packing.has(Finding::forces_unknown))
-    judge_stress_axes(measured.interior ? measured.interior->stress : measured.stress->symmetric,
-                      measured.counts.contacts, out);
+    frame.triaxial =
+        judge_stress_axes(measured.interior ? measured.interior->stress : measured.stress->symmetric,
+                          measured.counts.contacts, out);
   judge_moments(measured, out);
   if (measured.law_check)
     judge_law(*measured.law_check, analysis::rounded_share(packing.assembly, packing.rounding.overlap),

@@ -18,6 +18,7 @@ struct MeasuredFrame {
   std::optional<double> time = {}; ///< [s]
   bool materials_given = false;    ///< of each grain
   bool contacts_known = true;      ///< otherwise C_n, z* and rattlers of `packing` are invalid
+  bool triaxial = false;           ///< the stress is not symmetric about axis 3
   analysis::Measurement packing = {};
   std::vector<std::string> warnings = {}; ///< one sentence each
 };

@@ -11,6 +11,7 @@
 #include <granum/core/stop.hpp>
 #include <granum/dem/neighbours.hpp>
 #include <granum/io/imported_packing.hpp>
+#include <granum/packing/one_layer.hpp>
 
 namespace granum::studies {
 
@@ -152,6 +153,7 @@ io::ImportedPacking with_overlap_contacts(io::ImportedPacking packing, const ana
   using io::Finding;
   if (!packing.has(Finding::contacts_unknown))
     return packing;
+  packing::require_space(packing.assembly);
   packing = io::without_own_images(std::move(packing));
   auto found = overlapping_pairs(packing.assembly, packing.periodic);
   if (found.empty())

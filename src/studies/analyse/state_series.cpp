@@ -24,7 +24,7 @@ RungSeries rung_series(const Frames& frames, const std::vector<std::size_t>& mem
     const double e = frame.measured.packing.interior_void_ratio();
     if (its->moduli->G > 0)
       mean.push_back({its->moduli->G, {*p, *p, e}});
-    if (const auto& state = frame.measured.packing.state; state && its->moduli->G_vh > 0)
+    if (const auto& state = frame.measured.packing.state; state && its->one_axis && its->moduli->G_vh > 0)
       by_direction.push_back({its->moduli->G_vh, {state->stress_v, state->stress_h, e}});
   }
   SeriesFit separate = fit_series(by_direction);

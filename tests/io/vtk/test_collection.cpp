@@ -59,7 +59,7 @@ TEST_CASE("VTK series: damaged files are refused with their line") {
         std::string::npos);
   CHECK(collection_refused(with(good, " file=\"c.vtu\"", "")).find("s.pvd:6: expected the name of a file") !=
         std::string::npos);
-  CHECK(collection_refused(with(good, "3.25", "20")).find("several of timestep 20") != std::string::npos);
+  CHECK(collection_refused(with(good, "3.25", "-0.5")).find("several of timestep -0.5") != std::string::npos);
   CHECK(collection_refused(pvd({})).find("expected elements DataSet, found none") != std::string::npos);
   CHECK(collection_refused(with(good, "Collection\"", "PolyData\""))
             .find("s.pvd:2: expected an element VTKFile") != std::string::npos);

@@ -17,7 +17,7 @@ const std::string spheres =
     "VECTORS v double\n0 0 1\n0 0 2\n0 0 3\n";
 const std::string pairs = data_text("yade_chain.vtk");
 
-std::string refused_as_vtk(const std::string& sphere_text, const std::string& pair_text = pairs) {
+std::string refusal_of_vtk(const std::string& sphere_text, const std::string& pair_text = pairs) {
   return refusal([&] { (void)read_yade_vtk(text_source("s", sphere_text), text_source("i", pair_text)); });
 }
 
@@ -50,12 +50,12 @@ TEST_CASE("YADE VTK: numbers may be spread over lines as they like, and forces m
 
 TEST_CASE("YADE VTK: each field that is wrong is refused with path and line") {
   const auto sphere = [](const std::string& from, const std::string& to) {
-    return refused_as_vtk(with(spheres, from, to));
+    return refusal_of_vtk(with(spheres, from, to));
   };
   const auto pair = [](const std::string& from, const std::string& to) {
-    return refused_as_vtk(spheres, with(pairs, from, to));
+    return refusal_of_vtk(spheres, with(pairs, from, to));
   };
-  CHECK(refused_as_vtk("").find("expected a first line '# vtk DataFile") != std::string::npos);
+  CHECK(refusal_of_vtk("").find("expected a first line '# vtk DataFile") != std::string::npos);
   CHECK(sphere("ASCII", "BINARY") == "s:3: expected a third line 'ASCII'");
   CHECK(sphere("POLYDATA", "STRUCTURED_GRID") == "s:5: expected DATASET POLYDATA or UNSTRUCTURED_GRID");
   CHECK(sphere("POINTS 3", "POINTS 4") == "s:11: expected a finite number as coordinate, found 'POINT_DATA'");
@@ -79,7 +79,7 @@ TEST_CASE("YADE VTK: each field that is wrong is refused with path and line") {
   CHECK(pair("2 2 3", "2 2 2") == "i:13: the grain 1 is in contact with itself");
   CHECK(pair("0.0233028", "inf") == "i:18: expected a finite number as value, found 'inf'");
   CHECK(pair("CELL_DATA 2", "CELL_DATA 3").starts_with("i:15: expected as many values"));
-  CHECK(refused_as_vtk(with(spheres, "0.0019999 0.002 0.002\n", "0.001 0.002 0.002\n"))
+  CHECK(refusal_of_vtk(with(spheres, "0.0019999 0.002 0.002\n", "0.001 0.002 0.002\n"))
             .find("where two spheres") != std::string::npos);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <granum/io/imported_packing.hpp>
 #include <granum/io/lammps/arrays.hpp>
@@ -50,11 +51,14 @@ class LammpsDump {
   ///           numbers, a frame cut off, a row of other length than the heading, ids that are missing or
   ///           occur twice, a radius that is not positive, a grain in contact with itself, one pair with
   ///           two forces, files of different states, columns that no layout or several fit, time steps
-  ///           that go back, and for files without one time step in common
+  ///           of a pipe that go back, and for files without one time step in common
   [[nodiscard]] std::optional<ImportedPacking> next();
 
   /// Frames passed over so far because the other file has none of that time step.
   [[nodiscard]] std::size_t skipped() const;
+  /// Steps of all frames of grains, in the order of the file; none for a pipe. Frames that a later run of a
+  /// restarted job wrote again are left out by next().
+  [[nodiscard]] const std::vector<double>& moments() const;
 
  private:
   struct Impl;

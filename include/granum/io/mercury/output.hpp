@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <granum/io/imported_packing.hpp>
 #include <granum/io/text/source.hpp>
@@ -40,6 +41,8 @@ class MercuryOutput {
 
   /// Frames passed over so far because the other file has none of that time.
   [[nodiscard]] std::size_t skipped() const;
+  /// Times of all frames of grains, as LammpsDump::moments().
+  [[nodiscard]] const std::vector<double>& moments() const;
 
  private:
   struct Impl;

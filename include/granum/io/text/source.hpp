@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,9 @@ class TextSource {
   /// Before the first line again, from behind keep_from_start().
   /// \throws   FileError if the file cannot be read a second time
   void back_to_start();
+  /// The file once more, from its first line, whatever was read here; empty for a pipe.
+  /// \throws   FileError as the constructor
+  [[nodiscard]] std::optional<TextSource> again() const;
   /// Text read from here on is not kept.
   void stop_keeping() { keeping_ = false; }
 

@@ -42,6 +42,8 @@ namespace granum::io {
 struct SeriesEntry {
   double time = 0; ///< or whatever orders the files
   std::string file;
+  /// Files ahead of it that were left out, because a restarted job wrote their times again.
+  std::size_t replaced = 0;
 };
 
 /// Files of a series (.pvd), which ParaView opens as one animated source.

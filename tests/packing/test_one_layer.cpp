@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Packings in two dimensions are refused, layers of lattices in space are not.
+#include <granum/packing/one_layer.hpp>
+
+#include <doctest/doctest.h>
+#include <granum/core/error.hpp>
+
+using namespace granum;
+using packing::Assembly;
+
+namespace {
+
+/// A square lattice of discs at z = 0.3, in a cell of some thickness.
+Assembly discs(int edge, double thickness) {
+  Assembly out{.cell = Mat3::diagonal(1.0 * edge, 1.0 * edge, thickness),
+               .position = {},
+               .radius = {},
+               .contacts = {}};
+  for (int i = 0; i < edge; ++i)
+    for (int j = 0; j < edge; ++j) {
+      out.position.push_back({1.0 * i, 1.0 * j, 0.3});
+      out.radius.push_back(0.5);
+    }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("one layer: discs in a plane are refused along any axis") {
+  for (const double thickness : {0.1, 0.7, 1.0, 30.0}) {
+    CHECK_THROWS_WITH_AS(require_space(discs(4, thickness)), doctest::Contains("z = 300 mm"),
+                         InvalidArgument);
+    CHECK_NOTHROW(require_space(discs(3, thickness))); // a chain or a few grains are nobody's disc
+  }
+  Assembly turned = discs(4, 9);
+  for (Vec3& x : turned.position)
+    x = {x.z, x.x, x.y};
+  CHECK_THROWS_WITH_AS(require_space(turned), doctest::Contains("x = 300 mm"), InvalidArgument);
+}
+
+TEST_CASE("one layer: a grain or a contact beside the plane makes it a packing in space") {
+  Assembly packing = discs(4, 9);
+  packing.contacts = {{.i = 0, .j = 1, .branch = {0, 1, 0}}};
+  CHECK_THROWS_AS(require_space(packing), InvalidArgument);
+  packing.contacts.push_back({.i = 0, .j = 1, .branch = {0, 0, 1}}); // with an image
+  CHECK_NOTHROW(require_space(packing));
+  packing.contacts.clear();
+  packing.wall_contacts = {{.i = 3, .j = 0, .branch = {0, 0, -0.5}}}; // between plates
+  CHECK_NOTHROW(require_space(packing));
+  packing = discs(4, 9);
+  packing.position[7].z += 1e-3;
+  CHECK_NOTHROW(require_space(packing));
+  CHECK_NOTHROW(require_space(discs(4, 0.99))); // a simple cubic lattice: images touch
+}
