@@ -2,12 +2,14 @@
 // Grains out of extended XYZ, as OVITO, ASE and io::grains_xyz write it.
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <map>
 #include <optional>
 
 #include <granum/core/text.hpp>
 #include <granum/io/packing_files.hpp>
 
+#include "io/later_run.hpp"
 #include "io/packing_builder.hpp"
 #include "io/text/row.hpp"
 
@@ -115,46 +117,84 @@ std::array<bool, 3> periodic_of(const Keys& keys) {
   return periodic;
 }
 
-/// Frame by frame.
-class ExtendedXyz {
+/// The beginning of a frame.
+struct FrameHead {
+  std::size_t grains = 0;
+  Keys keys;
+
+  [[nodiscard]] std::optional<double> time() const {
+    const auto found = keys.find("time");
+    return found == keys.end() ? std::nullopt : parse_number(found->second);
+  }
+};
+
+/// A file as LaterRun asks for it.
+class XyzFile {
  public:
-  ExtendedXyz(TextSource source, PackingFileOptions options)
-      : source_(std::move(source)), options_(std::move(options)) {}
+  explicit XyzFile(TextSource source) : source_(std::move(source)) {}
+  [[nodiscard]] TextSource& source() { return source_; }
+  [[nodiscard]] const TextSource& source() const { return source_; }
 
-  [[nodiscard]] static std::size_t skipped() { return 0; }
-
-  /// \throws   FileError for text that is no extended XYZ, a frame that is cut off, fields that are no
-  ///           numbers, a radius that is not positive, or an id that occurs twice
-  [[nodiscard]] std::optional<ImportedPacking> next() {
+  /// The next frame up to its rows; nothing at the end.
+  std::optional<FrameHead> head() {
     TextRow row(source_);
     do {
-      if (!source_.next()) {
-        if (frames_ == 0)
-          source_.fail("contains no frame; expected the number of grains");
+      if (!source_.next())
         return std::nullopt;
-      }
       row.split();
     } while (row.empty());
     row.require_size(1, "number: that of the grains");
     const std::size_t count = row.count(0, "grains");
     if (!source_.next())
       source_.fail("the file ends behind the number of grains");
-    return frame(count, keys_of(source_.line()));
+    return FrameHead{count, keys_of(source_.line())};
+  }
+  /// Passes over a frame; its time, NaN where it has none.
+  std::optional<double> skip() {
+    const auto frame = head();
+    if (!frame)
+      return std::nullopt;
+    const double time = frame->time().value_or(std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t k = 0; k < frame->grains; ++k)
+      if (!source_.next())
+        return ends_early(time);
+    return time;
   }
 
  private:
-  ImportedPacking frame(std::size_t count, const Keys& keys) {
-    const auto properties = keys.find("properties");
-    if (properties == keys.end())
-      source_.fail("expected Properties=...:pos:R:3:radius:R:1");
-    const GrainColumns columns = columns_of(source_, properties->second);
-    PackingBuilder builder(source_.name(), "", options_);
-    if (const auto cell = cell_of(source_, keys))
-      builder.set_cell(*cell, periodic_of(keys), source_.line_number());
-    const auto time = keys.find("time");
-    const auto seconds = time == keys.end() ? std::nullopt : parse_number(time->second);
+  TextSource source_;
+};
+
+/// Frame by frame.
+class ExtendedXyz {
+ public:
+  ExtendedXyz(TextSource source, PackingFileOptions options)
+      : run_(std::move(source)), options_(std::move(options)) {}
+
+  [[nodiscard]] static std::size_t skipped() { return 0; }
+  [[nodiscard]] const std::vector<double>& moments() const { return run_.moments(); }
+
+  /// \throws   FileError for text that is no extended XYZ, a frame that is cut off, fields that are no
+  ///           numbers, a radius that is not positive, or an id that occurs twice
+  [[nodiscard]] std::optional<ImportedPacking> next() {
+    XyzFile& file = run_.next();
+    const auto head = file.head();
+    if (!head && run_.number() == 0)
+      file.source().fail("contains no frame; expected the number of grains");
+    return head ? std::optional(frame(file.source(), *head)) : std::nullopt;
+  }
+
+ private:
+  ImportedPacking frame(TextSource& source, const FrameHead& head) {
+    const auto properties = head.keys.find("properties");
+    if (properties == head.keys.end())
+      source.fail("expected Properties=...:pos:R:3:radius:R:1");
+    const GrainColumns columns = columns_of(source, properties->second);
+    PackingBuilder builder(source.name(), "", options_);
+    if (const auto cell = cell_of(source, head.keys))
+      builder.set_cell(*cell, periodic_of(head.keys), source.line_number());
     DigitWatch digits;
-    builder.set_grains(grains(count, columns, digits));
+    builder.set_grains(grains_of(source, head.grains, columns, digits));
     builder.note_digits(digits, "coordinates");
     if (!columns.id)
       builder.note(Finding::ids_assumed, "no ids in the file: grains are numbered from 1");
@@ -162,15 +202,16 @@ class ExtendedXyz {
     builder.note(Finding::law_unknown, "contact law and grain material are not in the file");
     builder.note(Finding::contacts_unknown, "extended XYZ holds grains alone");
     builder.note_unused(columns.unused, "columns of the grains");
-    return builder.finish(frames_++, seconds);
+    return builder.finish(run_.number(), head.time());
   }
 
-  std::vector<GrainRow> grains(std::size_t count, const GrainColumns& columns, DigitWatch& digits) {
+  static std::vector<GrainRow> grains_of(TextSource& source, std::size_t count, const GrainColumns& columns,
+                                         DigitWatch& digits) {
     std::vector<GrainRow> rows;
-    TextRow row(source_);
+    TextRow row(source);
     for (std::size_t k = 0; k < count; ++k) {
-      if (!source_.next())
-        source_.fail("expected " + many(count, "grains") + ", found " + std::to_string(k));
+      if (!source.next())
+        source.fail("expected " + many(count, "grains") + ", found " + std::to_string(k));
       row.split();
       row.require_size(columns.count, "columns, as Properties lists them");
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -178,16 +219,15 @@ class ExtendedXyz {
       rows.push_back({.id = columns.id ? row.integer(*columns.id, "id") : static_cast<long>(k + 1),
                       .position = row.vector(*columns.position, "position"),
                       .radius = row.number(*columns.radius, "radius"),
-                      .line = source_.line_number()});
+                      .line = source.line_number()});
       if (columns.type)
         rows.back().type = row.integer(*columns.type, "type");
     }
     return rows;
   }
 
-  TextSource source_;
+  LaterRun<XyzFile> run_;
   PackingFileOptions options_;
-  long frames_ = 0;
 };
 
 } // namespace
