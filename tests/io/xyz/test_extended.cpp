@@ -10,26 +10,27 @@ using namespace granum::samples;
 
 namespace {
 
-PackingFrames frames(const std::string& text, const PackingFileOptions& options = {}) {
+PackingFrames xyz_frames(const std::string& text, const PackingFileOptions& options = {}) {
   return extended_xyz_format.read(text_source("grains.xyz", text), std::nullopt, options);
 }
 
-ImportedPacking read(const std::string& text) { return frames(text).next().value(); }
+ImportedPacking read_xyz(const std::string& text) { return xyz_frames(text).next().value(); }
 
-std::string refused(const std::string& text) {
-  return refusal([&] { (void)frames(text).next(); });
+std::string xyz_refused(const std::string& text) {
+  return refusal([&] { (void)xyz_frames(text).next(); });
 }
 
-const std::string by_hand = "2\n"
-                            "Lattice=\"4 0 0  0.5 5 0  0 0 6\" Time=1.5 pbc='T F T' "
-                            "Properties=species:S:1:id:I:1:Radius:R:1:pos:R:3:velo:R:3:particle_type:I:1\n"
-                            "Si 7 0.5 1 2 3 0 0 0 2\n"
-                            "Si 3 0.25 1.5 2.5 3.5 0 0 0 1\n";
+const std::string xyz_by_hand =
+    "2\n"
+    "Lattice=\"4 0 0  0.5 5 0  0 0 6\" Time=1.5 pbc='T F T' "
+    "Properties=species:S:1:id:I:1:Radius:R:1:pos:R:3:velo:R:3:particle_type:I:1\n"
+    "Si 7 0.5 1 2 3 0 0 0 2\n"
+    "Si 3 0.25 1.5 2.5 3.5 0 0 0 1\n";
 
 } // namespace
 
 TEST_CASE("extended XYZ: columns in any order, cell, faces and time are read, what is left is named") {
-  const ImportedPacking packing = read(by_hand);
+  const ImportedPacking packing = read_xyz(xyz_by_hand);
   const packing::Assembly& a = packing.assembly;
   CHECK(packing.id == std::vector<long>{3, 7});
   CHECK(packing.type == std::vector<long>{1, 2});
@@ -51,7 +52,7 @@ TEST_CASE("extended XYZ: what granum writes for OVITO it reads again, to the bit
   const std::vector<long> id{4, 9};
   const std::string text =
       grains_xyz(grains, {true, true, true}, grain_fields(grains, KnownForces::none), id, 0.25);
-  const PackingFrames all = frames(text + text);
+  const PackingFrames all = xyz_frames(text + text);
   for (int k = 0; k < 2; ++k) {
     const auto packing = all.next();
     REQUIRE(packing);
@@ -67,20 +68,20 @@ TEST_CASE("extended XYZ: what granum writes for OVITO it reads again, to the bit
 
 TEST_CASE("extended XYZ: without a lattice the box is that of the user, or around the grains") {
   const std::string bare = "1\nProperties=pos:R:3:radius:R:1\n1 2 3 0.5\n";
-  CHECK(read(bare).has(Finding::cell_unknown));
-  CHECK(read(bare).has(Finding::ids_assumed));
-  const auto boxed = frames(bare, {.box = CsvBox{.cell = Mat3::diagonal(2, 3, 4)}}).next();
+  CHECK(read_xyz(bare).has(Finding::cell_unknown));
+  CHECK(read_xyz(bare).has(Finding::ids_assumed));
+  const auto boxed = xyz_frames(bare, {.box = CsvBox{.cell = Mat3::diagonal(2, 3, 4)}}).next();
   REQUIRE(boxed);
   CHECK(boxed->assembly.volume() == 24);
-  TextSource source = text_source("a file", by_hand);
+  TextSource source = text_source("a file", xyz_by_hand);
   CHECK(recognise(source).format == &extended_xyz_format);
 }
 
 TEST_CASE("extended XYZ: of a restarted job the later run answers") {
   std::string text;
   for (const char* time : {"1", "2", "3", "2", "3.5"})
-    text += with(by_hand, "Time=1.5", std::string("Time=") + time);
-  const PackingFrames all = frames(text);
+    text += with(xyz_by_hand, "Time=1.5", std::string("Time=") + time);
+  const PackingFrames all = xyz_frames(text);
   std::vector<double> times;
   while (const auto packing = all.next())
     times.push_back(packing->time.value());
@@ -89,17 +90,18 @@ TEST_CASE("extended XYZ: of a restarted job the later run answers") {
 }
 
 TEST_CASE("extended XYZ: files that are none, or are cut, are refused with the line") {
-  CHECK(refused("").find("contains no frame") != std::string::npos);
-  CHECK(refused("2\n").find("ends behind the number") != std::string::npos);
-  CHECK(refused(by_hand.substr(0, by_hand.size() - 40)).find("grains.xyz:") == 0);
-  CHECK(refused(with(by_hand, "2\nLattice", "3\nLattice"))
+  CHECK(xyz_refused("").find("contains no frame") != std::string::npos);
+  CHECK(xyz_refused("2\n").find("ends behind the number") != std::string::npos);
+  CHECK(xyz_refused(xyz_by_hand.substr(0, xyz_by_hand.size() - 40)).find("grains.xyz:") == 0);
+  CHECK(xyz_refused(with(xyz_by_hand, "2\nLattice", "3\nLattice"))
             .starts_with("grains.xyz:4: expected 3 grains, found 2"));
-  CHECK(refused(with(by_hand, "Radius", "size")).find("radius:R:1") != std::string::npos);
-  CHECK(refused(with(by_hand, "pos:R:3", "pos:R:2")).find("pos:R:3") != std::string::npos);
-  CHECK(refused(with(by_hand, "velo:R:3", "velo:R:x")).find("velo") != std::string::npos);
-  CHECK(refused(with(by_hand, "Properties", "Props")).find("expected Properties") != std::string::npos);
-  CHECK(refused(with(by_hand, "4 0 0  0.5", "4 0  0.5")).find("nine numbers") != std::string::npos);
-  CHECK(refused(with(by_hand, "0.25", "-0.25")).starts_with("grains.xyz:4"));
-  CHECK(refused(with(by_hand, "Si 3", "Si 7")).starts_with("grains.xyz:4"));
-  CHECK(refused(with(by_hand, "1.5 2.5", "1.5 nan")).starts_with("grains.xyz:4"));
+  CHECK(xyz_refused(with(xyz_by_hand, "Radius", "size")).find("radius:R:1") != std::string::npos);
+  CHECK(xyz_refused(with(xyz_by_hand, "pos:R:3", "pos:R:2")).find("pos:R:3") != std::string::npos);
+  CHECK(xyz_refused(with(xyz_by_hand, "velo:R:3", "velo:R:x")).find("velo") != std::string::npos);
+  CHECK(xyz_refused(with(xyz_by_hand, "Properties", "Props")).find("expected Properties") !=
+        std::string::npos);
+  CHECK(xyz_refused(with(xyz_by_hand, "4 0 0  0.5", "4 0  0.5")).find("nine numbers") != std::string::npos);
+  CHECK(xyz_refused(with(xyz_by_hand, "0.25", "-0.25")).starts_with("grains.xyz:4"));
+  CHECK(xyz_refused(with(xyz_by_hand, "Si 3", "Si 7")).starts_with("grains.xyz:4"));
+  CHECK(xyz_refused(with(xyz_by_hand, "1.5 2.5", "1.5 nan")).starts_with("grains.xyz:4"));
 }
