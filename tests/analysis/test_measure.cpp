@@ -249,3 +249,21 @@ TEST_CASE("missing parts raise an error") {
   CHECK_THROWS_AS((void)measure(cubic(), own, {.rose_bins = 0}), InvalidArgument);
   CHECK_THROWS_AS((void)measure(cubic(), own, {.interior_layer = 2 * edge}), InvalidArgument);
 }
+
+TEST_CASE("the network of a measurement is that of the assembly with stiffnesses") {
+  packing::Assembly bare = cubic(); // stiffnesses by the law
+  for (packing::Contact& c : bare.contacts)
+    c.normal_stiffness = c.tangential_stiffness = 0;
+  const Given of_law{.law_family = contact::PowerLaw::sphere, .grain_shear_modulus = 30e9};
+  for (const auto& [assembly, given] : {std::pair{cubic(), Given{}}, {bare, of_law}}) {
+    const Measurement measured = measure(assembly, given, {.network = network::ResponseOptions{}});
+    CHECK(network::linear_response(stiffened(assembly, given)).relaxed().matrix ==
+          measured.network->response.relaxed().matrix);
+  }
+  CHECK(stiffened(bare, of_law).contacts[0].normal_stiffness > 0);
+  bare.contacts.resize(2);
+  CHECK_THROWS_AS(static_cast<void>(stiffened(bare, {})), InvalidArgument);
+  packing::Assembly empty;
+  empty.cell = Mat3::identity();
+  CHECK_THROWS_AS(static_cast<void>(stiffened(empty, {})), InvalidArgument);
+}
