@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Block Lanczos iterations [GolubUnderwood1977] on (K + s)^-1 K (K + s)^-1 with a direct factor of K + s, K the
-// stiffness over the masses: of all eigenvalues x of K those next above s have the largest x/(x + s)^2, and
-// motions without stiffness 0, however many there are. A block as wide as the number of wanted modes finds
-// modes of one frequency as often as they occur.
+// Block Lanczos iterations [GolubUnderwood1977] on (K + s)^-1 K (K + s)^-1 with a direct factor of K + s, K
+// the stiffness over the masses: of all eigenvalues x of K those next above s have the largest x/(x + s)^2,
+// and motions without stiffness 0, however many there are. A block as wide as the number of wanted modes
+// finds modes of one frequency as often as they occur.
 #include <granum/network/lowest_modes.hpp>
 
 #include <algorithm>

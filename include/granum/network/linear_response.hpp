@@ -103,9 +103,9 @@ class [[nodiscard]] Response {
   ///           rms, 0.8 % at worst.
   /// Checked by tests/network/test_force_terms.cpp, tests/studies/test_study.cpp
   [[nodiscard]] const std::optional<ForceTerms>& force_terms() const { return force_terms_; }
-  /// What the grains of relaxed() do beside the uniform strain, for a unit of each strain [m]: q = -H^+ W, but
-  /// for motions without stiffness, of which they may have any part. Their mean displacement is zero unless
-  /// walls hold the network; zero for grains that carry no load. Empty unless options.motions.
+  /// What the grains of relaxed() do beside the uniform strain, for a unit of each strain [m]: q = -H^+ W,
+  /// but for motions without stiffness, of which they may have any part. Their mean displacement is zero
+  /// unless walls hold the network; zero for grains that carry no load. Empty unless options.motions.
   /// \throws   as relaxed()
   /// Checked by tests/network/test_stiffness_matrix.cpp
   [[nodiscard]] const StrainMotions& motions() const;

@@ -30,10 +30,10 @@ struct ContactStress {
 /// Accuracy  rounding.  Checked by tests/packing/test_stress.cpp
 [[nodiscard]] ContactStress contact_stress(const Assembly& assembly);
 
-/// Mean stress in each grain, (1/V_g) sum over its contacts, walls included, of f_i r_j, with V_g the volume of
-/// the solid grain, not that of a cell of space around it, and r from its centre to the contact point. Contact
-/// points divide branches as the radii do: the sum over the grains of V_g times the stress is the volume of
-/// the packing times ContactStress::tensor.
+/// Mean stress in each grain, (1/V_g) sum over its contacts, walls included, of f_i r_j, with V_g the volume
+/// of the solid grain, not that of a cell of space around it, and r from its centre to the contact point.
+/// Contact points divide branches as the radii do: the sum over the grains of V_g times the stress is the
+/// volume of the packing times ContactStress::tensor.
 /// Assumes   as contact_stress; the stress is symmetric in grains whose moments balance.
 /// \return   one for each grain, zero for grains without contacts [Pa]
 /// \throws   InvalidArgument for an assembly that require_valid rejects

@@ -64,7 +64,8 @@ inline constexpr const char* analysis_files[] = {"frames.csv", "stiffness.csv", 
 void write_analysis(const std::filesystem::path& folder, const AnalyseAnswer& answer,
                     const Document& document, io::Existing existing);
 
-/// The stiffness matrix of a packing's network in MatrixMarket format, with the ids of its grains as comments.
+/// The stiffness matrix of a packing's network in MatrixMarket format, with the ids of its grains as
+/// comments.
 /// \throws   InvalidArgument as studies::stiffened
 [[nodiscard]] std::string stiffness_file(const io::ImportedPacking& packing,
                                          const studies::MeasureOptions& options);
