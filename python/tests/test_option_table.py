@@ -115,6 +115,8 @@ ARGUMENTS = {
     "no-network": "measure.network",
     "strict": "packing_answer.strict",
     "series": "fit.shear_modulus",
+    "modes": "lowest_modes.count",
+    "hessian": "stiffness_matrix",
 }
 
 _WORDS = "another word for the void ratio, a line of arithmetic"
@@ -133,6 +135,7 @@ EXCEPTIONS = {
     "picture": "results have plot(), or matplotlib draws their arrays",
     "picture-of": "results have plot(), or matplotlib draws their arrays",
     "paraview": "ParaView's files are written by the program alone",
+    "xyz": "OVITO's files are written by the program alone",
     "table": _ARRAYS,
     "layers": _ARRAYS,
     "for": "packing_answer at a strain; numpy makes the curve, and pystrata takes its arrays",

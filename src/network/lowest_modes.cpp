@@ -143,13 +143,16 @@ std::vector<Mode> lowest_modes(const packing::Assembly& assembly, double grain_d
   const double shift = without_stiffness * h.matrix.diagonal().mean() / masses.maxCoeff() /
                        std::pow(static_cast<double>(h.grain.size()), 2.0 / 3);
   h.matrix = per_root_mass.asDiagonal() * h.matrix * per_root_mass.asDiagonal();
-  const MatrixXd vectors =
-      softest(Softness(h.matrix, shift), std::min<Index>(static_cast<Index>(count), h.matrix.rows()),
-              options.stop_requested);
+  const Softness softness(h.matrix, shift);
   std::vector<Mode> modes;
-  for (Index k = 0; k < vectors.cols(); ++k)
-    if (const double eigenvalue = vectors.col(k).dot(h.matrix * vectors.col(k)); eigenvalue > shift)
-      modes.push_back(mode_of(vectors.col(k), eigenvalue, masses, h, assembly.grain_count()));
+  for (Index wanted = 0; modes.size() < count && wanted < h.matrix.rows();) { // some may be left out
+    wanted = std::min<Index>(wanted + static_cast<Index>(count - modes.size()), h.matrix.rows());
+    modes.clear();
+    const MatrixXd vectors = softest(softness, wanted, options.stop_requested);
+    for (Index k = 0; k < vectors.cols(); ++k)
+      if (const double eigenvalue = vectors.col(k).dot(h.matrix * vectors.col(k)); eigenvalue > shift)
+        modes.push_back(mode_of(vectors.col(k), eigenvalue, masses, h, assembly.grain_count()));
+  }
   std::stable_sort(modes.begin(), modes.end(),
                    [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });
   return modes;

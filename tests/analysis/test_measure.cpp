@@ -299,3 +299,21 @@ TEST_CASE("measure: the errors of rung 3 grow as those of z* do, the fewer grain
         relative((std::pow(1.5 * slope, 2) + 0.64) * (1.0 / 8 - 1.0 / 27), 0.01));
   CHECK(of_few.bulk_modulus > of_all.bulk_modulus);
 }
+
+TEST_CASE("the network of a measurement is that of the assembly with stiffnesses") {
+  packing::Assembly bare = cubic(); // stiffnesses by the law
+  for (packing::Contact& c : bare.contacts)
+    c.normal_stiffness = c.tangential_stiffness = 0;
+  const Given of_law{.law_family = contact::PowerLaw::sphere, .grain_shear_modulus = 30e9};
+  for (const auto& [assembly, given] : {std::pair{cubic(), Given{}}, {bare, of_law}}) {
+    const Measurement measured = measure(assembly, given, {.network = network::ResponseOptions{}});
+    CHECK(network::linear_response(stiffened(assembly, given)).relaxed().matrix ==
+          measured.network->response.relaxed().matrix);
+  }
+  CHECK(stiffened(bare, of_law).contacts[0].normal_stiffness > 0);
+  bare.contacts.resize(2);
+  CHECK_THROWS_AS(static_cast<void>(stiffened(bare, {})), InvalidArgument);
+  packing::Assembly empty;
+  empty.cell = Mat3::identity();
+  CHECK_THROWS_AS(static_cast<void>(stiffened(empty, {})), InvalidArgument);
+}

@@ -222,7 +222,7 @@ granum_analyse_refuses("no modes" 2 "--modes = 0 is outside" ${chain} --modes 0 
 granum_analyse_refuses("a matrix of contacts alone" 2 "--hessian needs grains" analyse_chain_contacts.csv --hessian never.mtx)
 granum_analyse_refuses("a matrix without stiffness" 2 "the contacts have no stiffness, and it does not follow"
   ${io}/lammps_chain.data --hessian never.mtx)
-granum_analyse_refuses("a file for OVITO without a folder" 2 "--xyz goes with --out" ${chain} --xyz)
+granum_analyse_refuses("a file for OVITO without a folder" 2 "--xyz requires --out" ${chain} --xyz)
 granum_analyse_refuses("a packing in two dimensions" 2 "all 16 grains lie in one plane, z = 2 mm" analyse_discs.csv --grain-shear-modulus 1GPa)
 granum_analyse_refuses("a box without volume" 2 "--box = 0 m is outside" analyse_chain_grains.csv --box 0mm,1mm,1mm)
 granum_analyse_refuses("a column map of nonsense" 2 ".*" ${chain} --column-map nonsense)

@@ -52,7 +52,7 @@ fit isotropic_by_hand.csv
 fit fit_speeds.csv
 fit hv_dense_cone.csv
 fit hv_dense_cone.csv --sum-only --void-ratio-function none --weights absolute
-analyse analyse_lattice.grains analyse_lattice.contacts --grain-density 2650kg/m3 --probes analyse_probes.csv
+analyse analyse_lattice.grains analyse_lattice.contacts --grain-density 2650kg/m3 --modes 2 --probes analyse_probes.csv
 analyse analyse_lattice.grains analyse_lattice.contacts --no-network
 analyse analyse_apart.csv --box 4mm,4mm,4mm
 analyse analyse_chain_contacts.csv

@@ -91,3 +91,17 @@ TEST_CASE("modes solve their equation and share nothing; their participation is 
     other.body.push_back(g == 0 ? 0 : g - 1);
   CHECK_THROWS_AS(static_cast<void>(network::lowest_modes(other, density, 1)), InvalidArgument);
 }
+
+TEST_CASE(
+    "a grain that hardly anything holds is left out, and the wanted number of modes is found beside it") {
+  packing::Assembly held = samples::random_network({.seed = 10, .repeats = 3}), gone = held;
+  for (packing::Contact& c : held.contacts)
+    if (c.i == 0 || c.j == 0)
+      c.normal_stiffness *= 1e-7, c.tangential_stiffness *= 1e-7;
+  std::erase_if(gone.contacts, [](const packing::Contact& c) { return c.i == 0 || c.j == 0; });
+  const std::vector<network::Mode> beside = network::lowest_modes(held, density, 8),
+                                   without = network::lowest_modes(gone, density, 8);
+  REQUIRE(beside.size() == 8);
+  for (std::size_t k = 0; k < 8; ++k)
+    CHECK(beside[k].frequency == doctest::Approx(without[k].frequency).epsilon(1e-5));
+}

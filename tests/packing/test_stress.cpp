@@ -94,10 +94,12 @@ TEST_CASE("stresses of the grains, by their volumes, are the stress of the packi
     for (int j = 0; j < 3; ++j)
       CHECK(std::abs(sum(i, j) - whole(i, j)) < 1e-12 * size);
   // of a grain alone: forces times the way to its contact points
-  const packing::Assembly chain = samples::sphere_chain();
+  packing::Assembly chain = samples::sphere_chain();
+  chain.radius[0] = 0.3e-3;
+  chain.radius[1] = 0.6e-3;
   const double volume = 4 * std::numbers::pi / 3 * std::pow(chain.radius[0], 3);
   CHECK(packing::grain_stresses(chain)[0](0, 0) ==
-        doctest::Approx(samples::chain_force_ab * 0.9999e-3 / 2 / volume).epsilon(1e-13));
+        doctest::Approx(samples::chain_force_ab * 0.9999e-3 / 3 / volume).epsilon(1e-13));
   CHECK(packing::grain_stresses(
             {.cell = Mat3::identity(), .position = {{}}, .radius = {1}, .contacts = {}})[0] == Mat3{});
 }
