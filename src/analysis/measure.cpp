@@ -8,7 +8,6 @@
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/core/units.hpp>
-#include <granum/effective/relaxation.hpp>
 #include <granum/elastic/waves.hpp>
 #include <granum/packing/assembly.hpp>
 #include <granum/packing/coordination.hpp>
@@ -17,6 +16,7 @@
 
 #include "counts.hpp"
 #include "materials.hpp"
+#include "part_errors.hpp"
 
 namespace granum::analysis {
 
@@ -74,7 +74,7 @@ class Measuring {
     make_state();
     if (wanted_.closed_forms && out_.state) {
       out_.closed_forms = closed_forms(*out_.state);
-      widen_errors();
+      add_errors_of_part(out_, assembly_.grain_count());
       withhold_closed_forms();
     }
     if (wanted_.network && out_.counts.mechanical.contact_count > 0 && find_stiffness())
@@ -125,8 +125,7 @@ class Measuring {
       out_.moments = "contacts carry moments (rolling resistance, bonds, clumps)";
   }
 
-  /// Closed forms are of single spheres; rung 3 is calibrated on spheres whose contacts carry no moments, or
-  /// resist rolling.
+  /// Closed forms are of single spheres; rung 3 is calibrated without moments but those of rolling.
   void withhold_closed_forms() {
     for (ClosedForm& form : out_.closed_forms) {
       const bool known = out_.moments.empty() || out_.state->rolling > 0;
@@ -137,34 +136,6 @@ class Measuring {
           "not evaluated: " + out_.moments +
           (bodies_ ? "; closed forms are for single spheres"
                    : "; the calibration is for single spheres, without moments but of rolling resistance");
-    }
-  }
-
-  /// The network is that of all grains, the state of rung 3 that of the interior. A part of n grains has
-  /// another z* than the whole, by 1.5/sqrt(n), and another density and stress (validation/interior).
-  void widen_errors() {
-    if (!out_.interior)
-      return;
-    constexpr double of_contacts = 1.5, of_moduli = 0.8, step = 1e-3;
-    const double of_part = 1 / static_cast<double>(out_.interior->grains),
-                 of_whole = 1 / static_cast<double>(assembly_.grain_count());
-    const double error = std::sqrt(std::max(0.0, of_part - of_whole));
-    const double z = *out_.state->mechanical_coordination_number;
-    effective::State more = *out_.state;
-    more.coordination_number = *more.coordination_number * (z + step) / z;
-    for (ClosedForm& form : out_.closed_forms) {
-      if (form.rung->name != effective::RungName::relaxed || !form.answer || !form.answer->relative_error)
-        continue;
-      const elastic::TransverselyIsotropic next = effective::relaxed(more, z + step).stiffness,
-                                           &here = form.answer->stiffness;
-      const auto add = [&](double& to, double from, double towards) {
-        if (from > 0)
-          to = std::hypot(to, of_moduli * error, of_contacts * error / step * std::log(towards / from));
-      };
-      effective::ModulusErrors& errors = *form.answer->relative_error;
-      add(errors.bulk_modulus, here.bulk_modulus(), next.bulk_modulus());
-      add(errors.G_hh, here.G_hh(), next.G_hh());
-      add(errors.G_vh, here.G_vh(), next.G_vh());
     }
   }
 
@@ -285,8 +256,7 @@ class Measuring {
     return true;
   }
 
-  /// k_t/k_n of the closed forms: given, or that of the network where the files contain stiffnesses (uniform
-  /// strain adds up k_n and k_t, so the ratio of their sums), or Mindlin's.
+  /// k_t/k_n of the closed forms: given, of the sums in the files (uniform strain adds them), or Mindlin's.
   [[nodiscard]] double tangential_ratio() const {
     if (given_.tangential_ratio)
       return contact::given_stiffness_ratio(*given_.tangential_ratio);
@@ -307,8 +277,7 @@ class Measuring {
                        [](const packing::Contact& c) { return c.normal_force < 0; });
   }
 
-  /// Rolling stiffness over k_n R*^2: the ratio of their sums over the contacts, in which soft contacts count
-  /// little. 0 where it is beyond the calibration of rung 3, or where contacts resist twisting as well.
+  /// Rolling stiffness over k_n R*^2, by sums; 0 beyond the calibration of rung 3, or with twisting.
   [[nodiscard]] double rolling() {
     if (!turning_resisted() || given_.twisting || bodies_ || pulls() || !find_stiffness())
       return 0;
