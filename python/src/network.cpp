@@ -135,7 +135,7 @@ void bind_network_matrix(py::module_& module) {
       module, "lowest_modes", keywords,
       {"The free oscillations of a contact network of the lowest frequencies.\n\nMotions without stiffness, "
        "such as translations, are left out. The time is that of a direct factor: 2 s for 1,000 grains, 5 min "
-       "for 10,000.",
+       "for 10,000; Ctrl-C ends it after the factor.",
        "Modes\n    Fewer than count if the network has no more.",
        "For what stiffness_matrix refuses, and for grains that form bodies.",
        "Spheres: mass m for u, 2/5 m for R w. [GolubUnderwood1977], [BellDean1970]", "network::lowest_modes",

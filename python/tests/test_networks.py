@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact networks by numpy: stiffness matrix, motions, 6 x 6, modes and stresses of 300 grains, all from their contacts."""
+"""Contact networks of 300 grains by numpy, from their contacts: matrix, motions, 6 x 6, modes, stresses of grains."""
 
 import os
 import subprocess
