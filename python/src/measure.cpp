@@ -134,43 +134,6 @@ void bind_forces(py::module_& module) {
       .show("worst_misfit", "[1]", &LawCheck::worst_misfit);
 }
 
-void bind_network(py::module_& module) {
-  using analysis::Network;
-  ResultClass<Network>(module, "Network", "Linear response of the contact network, rung 4.")
-      .show("relaxed", "6 x 6 with every grain in equilibrium [Pa]. Raises NotConverged if not solved.",
-            [](const Network& n) { return n.response.relaxed().matrix; })
-      .show("motions",
-            "What the grains of relaxed do beside a unit of each strain, in Voigt order: u and R w [m], "
-            "(6, N, 6); of bodies if grains form bodies. None unless measure was called with motions=True.",
-            [](const Network& n) -> py::object {
-              const network::StrainMotions& motions = n.response.motions();
-              return motions[0].empty() ? py::object(py::none()) : array_of_motions(motions);
-            })
-      .show("affine", "6 x 6 under uniform strain without spin [Pa].",
-            [](const Network& n) { return n.response.affine().matrix; })
-      .show("converged", "Whether the solver converged.",
-            [](const Network& n) { return n.response.converged(); })
-      .show("iterations", "Iterations of conjugate gradients.",
-            [](const Network& n) { return n.response.report().iterations; })
-      .show("residual", "Residual force over affine force, for the worst load case [1].",
-            [](const Network& n) { return n.response.report().residual; })
-      .show("grains", "Number of grains that carry load.",
-            [](const Network& n) { return n.response.report().grains; })
-      .show("contacts", "Number of contacts between them.",
-            [](const Network& n) { return n.response.report().contacts; })
-      .show("G_hh", "Shear modulus of the horizontal plane [Pa].", &Network::G_hh)
-      .show("G_vh", "Mean shear modulus of both vertical planes [Pa].", &Network::G_vh)
-      .show("bulk_modulus", "K of the nearest isotropic solid [Pa].", &Network::isotropic_relaxed,
-            &elastic::Isotropic::bulk_modulus)
-      .show("shear_modulus", "G of the nearest isotropic solid [Pa].", &Network::isotropic_relaxed,
-            &elastic::Isotropic::shear_modulus)
-      .show("moduli", "Moduli of the relaxed network.", [](const Network& n) { return n.relaxed.moduli; })
-      .show("symmetry", "Symmetry of the relaxed network.",
-            [](const Network& n) { return n.relaxed.symmetry; })
-      .show("bulk_modulus_bounds", "[Pa]",
-            [](const Network& n) { return std::pair(n.bulk_bounds.lower, n.bulk_bounds.upper); });
-}
-
 // ---- the measurement
 
 /// Results of the closed forms by the names of their columns, rung0 to rung3 and uniform_stress.

@@ -18,6 +18,9 @@ namespace granum::python {
 /// The latter, of a call with these keywords.
 [[nodiscard]] analysis::Given given_of(const Arguments& a, const Packing& packing);
 
+/// The class Network of a measurement.
+void bind_network(py::module_& module);
+
 /// Motions of all grains as an array, (number of motions, N, 6).
 [[nodiscard]] inline py::array array_of_motions(std::span<const std::vector<network::GrainMotion>> motions) {
   static_assert(sizeof(network::GrainMotion) == 6 * sizeof(double));

@@ -46,7 +46,7 @@ TEST_CASE("modes of a cubic lattice are those of its chains, as often as they oc
   CHECK(network::lowest_modes(a, density, 1000).size() == 144); // all but the 48 translations of chains
 }
 
-TEST_CASE("modes solve their equation and share nothing; their participation is that of their energies") {
+TEST_CASE("modes solve their equation and share nothing, and their participation is that of their energies") {
   const packing::Assembly a = samples::random_network({.seed = 9, .repeats = 4, .kept = 0.5});
   const std::vector<network::Mode> modes = network::lowest_modes(a, density, 8);
   REQUIRE(modes.size() == 8);
