@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <granum/core/error.hpp>
 #include <granum/core/units.hpp>
@@ -30,12 +31,16 @@ void require_space(const Assembly& assembly) {
   constexpr std::size_t fewest = 10;
   if (assembly.grain_count() < fewest || assembly.radius.size() != assembly.grain_count())
     return;
+  std::vector<int> flat;
   for (int axis = 0; axis < 3; ++axis)
     if (is_flat_along(assembly, axis))
-      throw InvalidArgument("all " + std::to_string(assembly.grain_count()) + " grains lie in one plane, " +
-                            "xyz"[axis] + " = " + pretty(assembly.position[0][axis], Dimension::length) +
-                            ": a packing in two dimensions. granum answers packings of spheres in space; "
-                            "simulate several layers of spheres");
+      flat.push_back(axis);
+  if (flat.size() != 1) // a row of grains is no packing in a plane
+    return;
+  throw InvalidArgument("all " + std::to_string(assembly.grain_count()) + " grains lie in one plane, " +
+                        "xyz"[flat[0]] + " = " + pretty(assembly.position[0][flat[0]], Dimension::length) +
+                        ": a packing in two dimensions. granum answers packings of spheres in space; "
+                        "simulate several layers of spheres");
 }
 
 } // namespace granum::packing

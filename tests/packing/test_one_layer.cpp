@@ -32,6 +32,10 @@ TEST_CASE("one layer: discs in a plane are refused along any axis") {
                          InvalidArgument);
     CHECK_NOTHROW(require_space(discs(3, thickness))); // a chain or a few grains are nobody's disc
   }
+  Assembly row = discs(4, 9);
+  for (std::size_t g = 0; g < row.grain_count(); ++g)
+    row.position[g] = {0.2, 1.0 * static_cast<double>(g), 0.3};
+  CHECK_NOTHROW(require_space(row)); // on a line
   Assembly turned = discs(4, 9);
   for (Vec3& x : turned.position)
     x = {x.z, x.x, x.y};
