@@ -289,8 +289,8 @@ TEST_CASE("measure: the errors of rung 3 grow as those of z* do, the fewer grain
   const auto [few, of_few, part] = errors(-0.5 * edge, 1.5 * edge);
   REQUIRE((all == 27 && whole == 27 && few == 8));
   CHECK(of_whole.G_vh == relative(of_all.G_vh, 1e-9));
-  const auto G_vh = [&](double z) {
-    effective::State other = state;
+  const auto G_vh = [&, whole_state = effective::State(state)](double z) {
+    effective::State other = whole_state;
     other.coordination_number = z;
     return effective::relaxed(other, z).stiffness.G_vh();
   };

@@ -412,7 +412,7 @@ TEST_CASE("inference: each measurement has its own water, which forecasts of oth
   CHECK(answer.alone.back().mechanical_coordination_number->value ==
         relative(without.alone.back().mechanical_coordination_number->value, 1e-9));
   const auto V_s = [&](std::optional<double> saturation) {
-    return answer.together->predict(Quantity::V_s, beads(2e6), AskedPacking::same, saturation).value;
+    return answer.together->predict(Quantity::V_s, beads(2e6), inverse::AskedPacking::same, saturation).value;
   };
   CHECK(V_s({}) == V_s(0));
   CHECK(V_s(0.5) / V_s(0) == relative(std::sqrt(density / (density + e * elastic::water_density / 2)),
