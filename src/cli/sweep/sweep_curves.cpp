@@ -7,6 +7,7 @@
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 
+#include "cli/frame/help.hpp"
 #include "cli/options/answer_rows.hpp"
 #include "cli/options/packing_json.hpp"
 #include "curves.hpp"
