@@ -15,14 +15,15 @@ namespace {
 
 bool is_flat_along(const Assembly& assembly, int axis) {
   constexpr double rounding = 1e-6, least = 0.8; // of the largest radius; of the largest diameter
-  const double largest = std::ranges::max(assembly.radius), width = cell_widths(assembly.cell)[axis];
+  const double largest = *std::max_element(assembly.radius.begin(), assembly.radius.end()),
+               width = cell_widths(assembly.cell)[axis];
   if (assembly.contacts.empty() && width >= least * 2 * largest && width < 2 * largest)
     return false;
   const auto none = [&](double apart) { return std::abs(apart) <= rounding * largest; };
   const auto flat = [&](const Contact& c) { return none(c.branch[axis]); };
-  return std::ranges::all_of(assembly.position,
-                             [&](const Vec3& x) { return none(x[axis] - assembly.position[0][axis]); }) &&
-         std::ranges::all_of(assembly.contacts, flat) && std::ranges::all_of(assembly.wall_contacts, flat);
+  const auto level = [&](const Vec3& x) { return none(x[axis] - assembly.position[0][axis]); };
+  const auto all = [](const auto& list, const auto& is) { return std::all_of(list.begin(), list.end(), is); };
+  return all(assembly.position, level) && all(assembly.contacts, flat) && all(assembly.wall_contacts, flat);
 }
 
 } // namespace
