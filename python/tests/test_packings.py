@@ -193,50 +193,6 @@ def test_numbers_without_units_are_si_where_the_user_says_so(tmp_path):
         granum.read(table, units="mm")
 
 
-def frame_of(step, x):
-    """A frame of a dump of two grains, the first at x."""
-    return (
-        f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n"
-        f"ITEM: ATOMS id radius x y z\n1 0.5 {x} 0 0\n2 0.5 {x} 0.9 0\n"
-    )
-
-
-def test_a_restarted_job_is_answered_by_the_later_run(tmp_path):
-    dump = tmp_path / "run.dump"
-    dump.write_text("".join(frame_of(*at) for at in [(0, 1), (10, 1), (20, 1), (10, 2), (30, 2)]))
-    with pytest.warns(UserWarning, match="later run of the job begins again at 10"):
-        seen = [(frame.step, frame.position[0, 0]) for frame in granum.frames(dump)]
-    assert seen == [(0, 1), (10, 2), (30, 2)]
-
-
-def test_an_index_file_is_a_series_in_the_order_of_its_times(tmp_path):
-    for name, x in (("a", 1), ("b", 2)):
-        (tmp_path / f"{name}.vtu").write_text(
-            '<VTKFile type="UnstructuredGrid" version="1.0"><UnstructuredGrid>\n'
-            '<Piece NumberOfPoints="1" NumberOfCells="0">\n'
-            f'<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{x} 0 0</DataArray></Points>\n'
-            '<PointData><DataArray type="Float64" Name="radius" format="ascii">0.5</DataArray></PointData>\n'
-            "</Piece></UnstructuredGrid></VTKFile>\n"
-        )
-    index = tmp_path / "s.pvd"
-    index.write_text(
-        '<VTKFile type="Collection"><Collection><DataSet timestep="0.5" file="a.vtu"/>\n'
-        '<DataSet timestep="0.25" file="b.vtu"/></Collection></VTKFile>\n'
-    )
-    assert [(state.time, state.position[0, 0]) for state in granum.frames(index)] == [(0.25, 2), (0.5, 1)]
-
-
-def test_numbers_without_units_are_si_where_the_user_says_so(tmp_path):
-    table = tmp_path / "grains.csv"
-    table.write_text("x,y,z,radius\n0,0,0,1\n2,0,0,1\n")
-    with pytest.raises(granum.FileError):
-        granum.read(table)
-    packing = granum.read(table, units="si")
-    assert packing.radius.tolist() == [1, 1] and not any("unit" in note for note in packing.notes)
-    with pytest.raises(granum.InvalidArgument, match="units must be 'si'"):
-        granum.read(table, units="mm")
-
-
 TRIPLE = {
     "position": [[0, 0, 0], [0.9, 0, 0], [0.45, 0.8, 0]],
     "radius": 0.5,

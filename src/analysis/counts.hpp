@@ -11,7 +11,7 @@ namespace granum::analysis {
 [[nodiscard]] Sizes sizes_of(const packing::Assembly& assembly);
 
 /// \param    assembly   of bodies
-/// \param    grains   of which these consist
+/// \param    grains   that form them
 [[nodiscard]] Counts counts_of(const packing::Assembly& assembly, std::size_t grains);
 
 } // namespace granum::analysis

@@ -104,7 +104,7 @@ class [[nodiscard]] Response {
   /// Checked by tests/network/test_force_terms.cpp, tests/studies/test_study.cpp
   [[nodiscard]] const std::optional<ForceTerms>& force_terms() const { return force_terms_; }
   /// What the grains of relaxed() do beside the uniform strain, for a unit of each strain [m]: q = -H^+ W,
-  /// but for motions without stiffness, of which they may have any part. Their mean displacement is zero
+  /// but for motions without stiffness, which are added in any amount. Their mean displacement is zero
   /// unless walls hold the network; zero for grains that carry no load. Empty unless options.motions.
   /// \throws   as relaxed()
   /// Checked by tests/network/test_stiffness_matrix.cpp
