@@ -30,7 +30,7 @@ GROUPS = {
     "Rock physics": """hertz_mindlin walton_uniaxial walton_uniaxial_stress norris_johnson norris_johnson_stress digby
         jenkins_shear_modulus soft_sand stiff_sand cement_at_contacts cement_in_surface_layer
         murphy_coordination_number IsotropicModuli AxialStress""",
-    "Packings": """read frames formats packing overlap_contacts from_lammps from_yade measure profile stiffness_matrix
+    "Packings": """read frames formats packing overlap_contacts from_lammps from_yade measure profile d2min stiffness_matrix
         lowest_modes Packing Contacts Frames
         Measurement Interior Counts Microstructure Fabric RoseBin ContactStress Forces Network Modes Sizes LawCheck""",
     "Fabric and sizes": """fabric_density fabric_cumulative_probability fabric_polar_cosine_quantile fabric_measures

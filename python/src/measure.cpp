@@ -220,6 +220,18 @@ std::optional<packing::TurningSpring> turning_spring(const Arguments& a, std::si
       " is a number, (number, 'angle'), (number, 'displacement'), (number, 'normal') or 'marshall'");
 }
 
+/// A model and a surface energy.
+std::optional<contact::Adhesion> adhesion_of(const Arguments& a, std::size_t at) {
+  using enum contact::AdhesionModel;
+  if (!a.given(at))
+    return std::nullopt;
+  const auto [model, energy] = a.as<std::pair<std::string, double>>(at, "a pair, such as ('jkr', 0.05)");
+  if (model != "jkr" && model != "dmt")
+    throw InvalidArgument("adhesion is ('jkr', J/m2) or ('dmt', J/m2), not of '" + model + "'");
+  return contact::Adhesion{.model = model == "jkr" ? jkr : dmt,
+                           .surface_energy = require_non_negative("adhesion", energy, "J/m2")};
+}
+
 /// The part of the packing used for the closed forms: the interior, the whole, or three ranges.
 std::optional<analysis::Window> window_of(const Arguments& a, const Packing& packing) {
   const std::size_t window = a.at("window");
@@ -401,6 +413,7 @@ analysis::Given given_of(const Arguments& a, const Packing& packing) {
     given.materials = studies::materials_of(packing, materials_by_type(a));
   if (a.given(a.at("stiffness_from")))
     given.stiffness_from = a.choice(a.at("stiffness_from"), sources_of_stiffness);
+  given.adhesion = adhesion_of(a, a.at("adhesion"));
   given.rolling = turning_spring(a, a.at("rolling_stiffness"));
   given.twisting = turning_spring(a, a.at("twisting_stiffness"));
   return given;
@@ -425,6 +438,10 @@ std::vector<Keyword> given_keywords() {
                "Source of k_n of the network; default: the overlaps, or the forces if the overlaps have few "
                "digits."),
       with_default("prestress", "False", "bool", "Add the geometric stiffness of the contact forces."),
+      optional(
+          "adhesion", "(str, float)",
+          "Spheres that attract: \"jkr\" or \"dmt\", and the surface energy of each grain [J/m2], half of "
+          "the work of adhesion. It needs the material; the closed forms are without."),
       optional("rolling_stiffness", spring, ""),
       optional(
           "twisting_stiffness", spring,

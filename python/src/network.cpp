@@ -17,6 +17,7 @@
 #include "shared_keywords.hpp"
 #include "studies/analyse/measured_frame.hpp"
 #include "studies/analyse/overlaps.hpp"
+#include "studies/analyse/rearrangement.hpp"
 
 namespace granum::python {
 
@@ -106,6 +107,27 @@ py::object lowest_modes(const Arguments& a) {
   return py::cast(std::move(out));
 }
 
+void define_d2min(py::module_& module) {
+  define(
+      module, "d2min",
+      {required("before", "Packing", "A frame of a packing, from read(), frames() or packing()."),
+       required("after", "Packing", "Another frame of it. Grains are the same if their ids are."),
+       with_default("reach", "1.5", "float",
+                    "Grains are neighbours if their centres before are closer than reach (R_i + R_j), 1 to "
+                    "5 [1].")},
+      {"D2min of each grain: how far its neighbours moved between two frames otherwise than by one uniform "
+       "deformation.",
+       "ndarray\n    (N,) [m2], a sum over the neighbours, of the grains of after; 0 with up to three "
+       "neighbours, which one deformation explains, and for grains that are not in both.",
+       "For a reach out of range.", "[FalkLanger1998]", "analysis::d2min", "analysis/rearrangement.hpp"},
+      [](const Arguments& a) -> py::object {
+        const auto before = a.as<SharedPacking>(0), after = a.as<SharedPacking>(1);
+        const double reach = a.number_if_given(2).value_or(studies::neighbour_reach);
+        return numbers(unlocked([&] { return studies::d2min(*before, *after, reach); }));
+      },
+      2);
+}
+
 } // namespace
 
 void bind_network(py::module_& module) {
@@ -178,6 +200,7 @@ void bind_network_matrix(py::module_& module) {
        "Spheres: mass m for u, 2/5 m for R w. [GolubUnderwood1977], [BellDean1970]", "network::lowest_modes",
        "network/lowest_modes.hpp"},
       &lowest_modes, 3);
+  define_d2min(module);
 }
 
 } // namespace granum::python

@@ -84,6 +84,7 @@ GOOD = {
     "pair_radius": dict(radius_i=1e-3, radius_j=2e-3),
     "plane_waves": dict(stiffness=STIFFNESS, bulk_density=1600.0, direction=[0, 0, 1]),
     "power_law": dict(**SOLID, alpha=3.0, profile_constant=1e6),
+    "d2min": dict(before=granum.packing(**TWO), after=granum.packing(**TWO)),
     "profile": dict(packing=granum.packing(**TWO)),
     "relaxed": dict(**STATE, rattler_fraction=0.02),
     "rose": dict(normals=NORMALS, anisotropy=0.2, bins=5),

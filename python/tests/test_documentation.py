@@ -95,7 +95,7 @@ def kinds_reached(values, depth=3):
     return kinds
 
 
-BLOCKS = 83
+BLOCKS = 84
 
 
 def test_every_example_of_the_site_prints_its_stated_output(source, monkeypatch):

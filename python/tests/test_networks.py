@@ -126,6 +126,58 @@ def test_without_stiffness_there_is_no_matrix(network):
     assert granum.stiffness_matrix(grains, law=law).nnz > 0
 
 
+def test_d2min_is_the_residual_of_a_fit_by_numpy(network):
+    reach, cell = 1.5, network.cell
+    moved = network.position + np.random.default_rng(3).normal(size=network.position.shape) * 2e-5
+    moved[::7] += cell[:, 0]  # through a face
+    before = granum.packing(position=network.position, radius=network.radius, cell=cell)
+    after = granum.packing(position=moved, radius=network.radius, cell=cell)
+    found = granum.d2min(before, after, reach=reach)
+
+    def branches(position, grain):
+        branch = position - position[grain]
+        return branch - (cell @ np.round(np.linalg.solve(cell, branch.T))).T
+
+    for grain in range(len(network)):
+        old = branches(network.position, grain)
+        size = np.linalg.norm(old, axis=1)
+        near = (size < reach * (network.radius + network.radius[grain])) & (size > 0)
+        new = branches(moved, grain)[near]
+        matrix = np.linalg.lstsq(old[near], new, rcond=None)[0]
+        assert found[grain] == pytest.approx(((new - old[near] @ matrix) ** 2).sum(), rel=1e-9)
+
+
+@pytest.mark.parametrize("overlap", [-2e-7, 1e-6])
+def test_stiffness_of_a_jkr_contact_by_roots_of_numpy(overlap):
+    pytest.importorskip("scipy")
+    radius, modulus, nu, gamma = 0.5e-3, 5e6, 0.3, 0.1
+    stiff, reduced = modulus / (1 - nu), radius / 2
+
+    def state(d):
+        """Contact radius and force: u^4 - 2 s R u - R d = 0 of u = a^(1/2)."""
+        s = np.sqrt(np.pi * gamma / stiff)
+        roots = np.roots([1, 0, 0, -2 * s * reduced, -reduced * d])
+        a = max(root.real for root in roots if abs(root.imag) < 1e-9 * abs(root)) ** 2
+        return a, 4 * stiff * a**3 / (3 * reduced) - 4 * np.sqrt(np.pi * gamma * stiff * a**3)
+
+    step = 1e-4 * abs(overlap)
+    slope = (state(overlap + step)[1] - state(overlap - step)[1]) / (2 * step)
+    edge = 2 * radius - overlap  # a row of three grains, closed through the face
+    row = granum.packing(
+        position=[[0, 0, 0], [edge, 0, 0], [2 * edge, 0, 0]], radius=radius, cell=[3 * edge, 5e-3, 5e-3],
+        contacts=[[0, 1], [1, 2], [2, 0]], forces=[[state(overlap)[1], 0, 0]] * 3,
+    )
+    material = dict(grain_shear_modulus=modulus, grain_poisson_ratio=nu, tangential_ratio=0.5)
+    for source in ("overlap", "force"):
+        matrix = granum.stiffness_matrix(row, adhesion=("jkr", gamma), stiffness_from=source, **material).toarray()
+        assert matrix[0, 0] == pytest.approx(2 * slope, rel=1e-6)
+        assert matrix[1, 1] == pytest.approx(2 * 0.5 * 2 * stiff * state(overlap)[0], rel=1e-9)
+    with pytest.raises(granum.InvalidArgument, match="adhesion"):
+        granum.measure(row, adhesion=("jkr", -1.0), **material)
+    with pytest.raises(granum.InvalidArgument, match="material"):
+        granum.measure(row, adhesion=("jkr", gamma))
+
+
 def written(packing, folder):
     """Tables that the program reads."""
     grains, contacts, c = folder / "grains.csv", folder / "contacts.csv", packing.contacts
@@ -174,3 +226,24 @@ def test_the_program_writes_the_same(network, tmp_path, run_program):
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 3 and "exists already" in done.stderr
     assert subprocess.run([*command, "--force"], capture_output=True).returncode in (0, 1)
+
+
+def test_the_program_writes_d2min_since_the_frame_ahead(network, tmp_path, run_program):
+    edges = np.diag(network.cell)
+    states = [network.position + k * np.random.default_rng(k).normal(size=network.position.shape) * 1e-5 for k in range(3)]
+    frame = "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS pp pp pp\n{}ITEM: ATOMS id radius x y z\n{}"
+    bounds = "".join(f"0 {edge!r}\n" for edge in edges.tolist())
+    with open(tmp_path / "a.dump", "w") as dump:
+        for step, state in enumerate(states):
+            rows = (f"{k + 1} {r!r} {x!r} {y!r} {z!r}\n"
+                    for k, (r, (x, y, z)) in enumerate(zip(network.radius.tolist(), state.tolist())))
+            dump.write(frame.format(step, len(network), bounds, "".join(rows)))
+    run_program("analyse", tmp_path / "a.dump", "--no-network", "--out", tmp_path / "out", "--xyz", "--paraview")
+    read = list(granum.frames(tmp_path / "a.dump"))
+    assert "D2min" not in (tmp_path / "out" / "grains-0.xyz").read_text()
+    for step in (1, 2):
+        lines = (tmp_path / "out" / f"grains-{step}.xyz").read_text().splitlines()
+        assert "D2min:R:1" in lines[1]
+        values = np.array([float(line.split()[-1]) for line in lines[2:]])
+        np.testing.assert_allclose(values, granum.d2min(read[step - 1], read[step]), rtol=1e-12)
+        assert '"D2min"' in (tmp_path / "out" / f"grains-{step}.vtu").read_text()

@@ -104,6 +104,7 @@ ARGUMENTS = {
     "rungs": "answer.rung",
     "laws": "sand_shear_modulus.law",
     "material": "measure.materials",
+    "adhesion": "measure.adhesion",
     "rolling-stiffness": "measure.rolling_stiffness",
     "twisting-stiffness": "measure.twisting_stiffness",
     "column-map": "read.columns",

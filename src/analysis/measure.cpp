@@ -156,6 +156,8 @@ class Measuring {
     constexpr double any_modulus = 1e9; // forces of one exponent are proportional to it
     const double nu = given_.grain_poisson_ratio;
     const double modulus = given_.grain_shear_modulus.value_or(any_modulus);
+    if (given_.adhesion)
+      require_spheres_of_material();
     if (given_.law) {
       out_.law = given_.law;
       if (wanted_.law_check && forces_known_)
@@ -167,7 +169,7 @@ class Measuring {
       return take_materials();
     if (take_springs())
       return;
-    if (forces_known_ && (wanted_.law_check || !given_.grain_shear_modulus))
+    if (forces_known_ && !given_.adhesion && (wanted_.law_check || !given_.grain_shear_modulus))
       out_.law_check = check_law(assembly_, given_.law_family, {modulus, nu});
     if (given_.grain_shear_modulus) {
       out_.grain = contact::GrainMaterial{modulus, nu};
@@ -189,6 +191,20 @@ class Measuring {
     }
     if (out_.grain)
       out_.law = given_.law_family(*out_.grain, out_.sizes.equivalent * out_.sizes.contacts.pair_radius);
+  }
+
+  /// What adhesion changes is known of spheres whose material is given.
+  void require_spheres_of_material() {
+    const contact::NormalLaw any = of_any_modulus();
+    if (given_.law || any.power_law() == nullptr || any.power_law()->alpha() != 2)
+      throw InvalidArgument("adhesion is of spheres of a material: the contact law is another");
+    if (given_.stiffness_from == packing::StiffnessFrom::ratio)
+      throw InvalidArgument("k_n of contacts with adhesion is not 1.5 f/d: it follows from f or d");
+    if (!given_.grain_shear_modulus && given_.materials.empty())
+      throw InvalidArgument(
+          "adhesion needs the material of the grains: forces that contain it do not show it");
+    out_.notes.emplace_back("adhesion changes k_n and k_t of the network; rungs 0 to 3 take Hertz contacts "
+                            "under the mean stress");
   }
 
   /// The law for grains of unknown material.
@@ -229,7 +245,7 @@ class Measuring {
                              ? "all contacts are of one material, " + mean
                              : "several materials: rungs 0 to 2 use the mean over the contacts, " + mean +
                                    "; in rung 3 soft contacts take more of the strain");
-    if (forces_known_ && wanted_.law_check)
+    if (forces_known_ && wanted_.law_check && !given_.adhesion)
       out_.law_check = check_law(assembly_, given_.law_family, given_.materials);
   }
 
@@ -353,7 +369,8 @@ class Measuring {
 
   [[nodiscard]] bool stiffness_of_files() const {
     const auto stiff = [](const packing::Contact& c) { return c.normal_stiffness > 0; };
-    return !given_.stiffness_from && std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(), stiff);
+    return !given_.stiffness_from && !given_.adhesion &&
+           std::any_of(assembly_.contacts.begin(), assembly_.contacts.end(), stiff);
   }
 
   /// Sets the stiffnesses of the contacts, once. Returns whether they are known.
@@ -392,7 +409,13 @@ class Measuring {
     const bool by_forces = forces_known_ && (rounded_ > rough || !out_.law->surface().begins_at_touch);
     const packing::StiffnessFrom from = given_.stiffness_from.value_or(
         by_forces ? packing::StiffnessFrom::force : packing::StiffnessFrom::overlap);
-    if (!given_.materials.empty())
+    if (given_.adhesion)
+      assign_adhesive_stiffness(assembly, *given_.adhesion,
+                                given_.materials.empty()
+                                    ? std::vector(assembly.grain_count(), out_.grain.value())
+                                    : given_.materials,
+                                given_.tangential_ratio, from);
+    else if (!given_.materials.empty())
       assign_hertz_stiffness(assembly, given_.materials, given_.tangential_ratio, from);
     else if (out_.grain && out_.law->depends_on_size() && out_.sizes.smallest != out_.sizes.largest)
       assign_stiffness_by_size(assembly, *out_.law, tangential_ratio(), from);
@@ -406,7 +429,7 @@ class Measuring {
 
   void solve_network(const packing::Assembly& assembly) {
     network::ResponseOptions options = *wanted_.network;
-    options.force_terms = options.force_terms && !bodies_ && !turning_resisted();
+    options.force_terms = options.force_terms && !bodies_ && !turning_resisted() && !given_.adhesion;
     const network::Response response = network::linear_response(assembly, options);
     out_.network =
         Network{.response = response,

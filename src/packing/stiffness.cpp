@@ -63,8 +63,13 @@ void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& gr
   assign_stiffness_by_size(assembly, contact::PowerLaw::sphere(grain, any_radius), ratio, from);
 }
 
-void assign_hertz_stiffness(Assembly& assembly, std::span<const contact::GrainMaterial> materials,
-                            std::optional<double> ratio, StiffnessFrom from) {
+namespace {
+
+/// Calls `pair` for each contact, `wall` for each with a wall, with the material of its two grains, their
+/// pair_radius and k_t/k_n.
+template <class Pair, class Wall>
+void assign_of_materials(Assembly& assembly, std::span<const contact::GrainMaterial> materials,
+                         std::optional<double> ratio, const Pair& pair, const Wall& wall) {
   require_valid(assembly);
   require_materials(assembly, materials);
   const auto ratio_of = [&](const contact::GrainMaterial& grain) {
@@ -73,13 +78,40 @@ void assign_hertz_stiffness(Assembly& assembly, std::span<const contact::GrainMa
   };
   for (Contact& c : assembly.contacts) {
     const contact::GrainMaterial grain = contact::pair_material(materials[c.i], materials[c.j]);
-    const double radius = contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]);
-    assign(c, contact::PowerLaw::sphere(grain, radius), ratio_of(grain), from);
+    pair(c, grain, contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]), ratio_of(grain));
   }
-  for (Contact& c : assembly.wall_contacts) {
-    const contact::GrainMaterial& grain = materials[c.i];
-    assign_wall(c, contact::PowerLaw::sphere(grain, assembly.radius[c.i]), ratio_of(grain), from);
-  }
+  for (Contact& c : assembly.wall_contacts)
+    wall(c, materials[c.i], assembly.radius[c.i], ratio_of(materials[c.i]));
+}
+
+} // namespace
+
+void assign_hertz_stiffness(Assembly& assembly, std::span<const contact::GrainMaterial> materials,
+                            std::optional<double> ratio, StiffnessFrom from) {
+  const auto assign_with = [from](const auto& function) {
+    return [=](Contact& c, const contact::GrainMaterial& grain, double radius, double k_ratio) {
+      function(c, contact::PowerLaw::sphere(grain, radius), k_ratio, from);
+    };
+  };
+  assign_of_materials(assembly, materials, ratio, assign_with(&assign), assign_with(&assign_wall));
+}
+
+void assign_adhesive_stiffness(Assembly& assembly, const contact::Adhesion& adhesion,
+                               std::span<const contact::GrainMaterial> materials, std::optional<double> ratio,
+                               StiffnessFrom from) {
+  if (from == StiffnessFrom::ratio)
+    throw InvalidArgument("the stiffness of contacts with adhesion is not 1.5 f/d");
+  const auto assign_with = [&](double copies) { // 2 at a wall: the overlap with the mirror image
+    return [=](Contact& c, const contact::GrainMaterial& grain, double radius, double k_ratio) {
+      const contact::AdhesiveContact state =
+          from == StiffnessFrom::overlap
+              ? adhesive_contact_at_overlap(adhesion, grain, radius, copies * c.overlap)
+              : adhesive_contact_at_force(adhesion, grain, radius, c.normal_force);
+      c.normal_stiffness = copies * state.stiffness;
+      c.tangential_stiffness = k_ratio * copies * state.across_scale;
+    };
+  };
+  assign_of_materials(assembly, materials, ratio, assign_with(1), assign_with(2));
 }
 
 void assign_stiffness_of_ratio(Assembly& assembly, double ratio) {

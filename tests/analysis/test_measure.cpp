@@ -317,3 +317,47 @@ TEST_CASE("the network of a measurement is that of the assembly with stiffnesses
   empty.cell = Mat3::identity();
   CHECK_THROWS_AS(static_cast<void>(stiffened(empty, {})), InvalidArgument);
 }
+
+TEST_CASE("a lattice of grains with adhesion is as stiff as its contacts") {
+  // Simple cubic: C11 of the network is k_n/l; adhesion of so soft grains makes a twentieth of it.
+  packing::Assembly lattice = cubic();
+  const contact::GrainMaterial soft{5e6, 0.3};
+  for (const auto model : {contact::AdhesionModel::jkr, contact::AdhesionModel::dmt}) {
+    const contact::Adhesion adhesion{model, 0.1};
+    const contact::AdhesiveContact state = adhesive_contact_at_overlap(adhesion, soft, R, 1e-6);
+    for (packing::Contact& c : lattice.contacts)
+      c.normal_force = state.force;
+    Given given{.grain_shear_modulus = soft.shear_modulus,
+                .grain_poisson_ratio = soft.poisson_ratio,
+                .adhesion = adhesion};
+    const Measurement m = measure(lattice, given, everything());
+    REQUIRE(m.network);
+    CHECK(m.network->response.relaxed().matrix(0, 0) == relative(state.stiffness / edge, 1e-12));
+    CHECK_FALSE(m.law_check);
+    CHECK_FALSE(m.network->response.force_terms());
+    given.stiffness_from = packing::StiffnessFrom::force;
+    CHECK(stiffened(lattice, given).contacts[0].normal_stiffness == relative(state.stiffness, 1e-12));
+    given.materials = std::vector(lattice.grain_count(), soft);
+    given.grain_shear_modulus.reset();
+    CHECK(stiffened(lattice, given).contacts[0].normal_stiffness == relative(state.stiffness, 1e-12));
+  }
+  const contact::AdhesiveContact jkr =
+      adhesive_contact_at_overlap({contact::AdhesionModel::jkr, 0.1}, soft, R, 1e-6);
+  CHECK(jkr.stiffness > 1.04 * contact::PowerLaw::sphere(soft, R).stiffness_at_overlap(1e-6));
+}
+
+TEST_CASE("adhesion without a material, of cones, and with k_n = 1.5 f/d is refused") {
+  const contact::Adhesion adhesion{contact::AdhesionModel::jkr, 0.1};
+  Given given{.adhesion = adhesion};
+  CHECK_THROWS_AS((void)measure(cubic(), given), InvalidArgument);
+  given.grain_shear_modulus = 1e9;
+  CHECK_NOTHROW((void)measure(cubic(), given));
+  given.stiffness_from = packing::StiffnessFrom::ratio;
+  CHECK_THROWS_AS((void)measure(cubic(), given), InvalidArgument);
+  given.stiffness_from.reset();
+  given.law_family = [](const contact::GrainMaterial& grain, double) {
+    return contact::PowerLaw::cone(grain, 0.1);
+  };
+  CHECK_THROWS_AS((void)measure(cubic(), given), InvalidArgument);
+  CHECK_THROWS_AS((void)measure(cubic(), {.law = law, .adhesion = adhesion}), InvalidArgument);
+}

@@ -223,6 +223,15 @@ granum_analyse_refuses("a matrix of contacts alone" 2 "--hessian needs grains" a
 granum_analyse_refuses("a matrix without stiffness" 2 "the contacts have no stiffness, and it does not follow"
   ${io}/lammps_chain.data --hessian never.mtx)
 granum_analyse_refuses("a file for OVITO without a folder" 2 "--xyz requires --out" ${chain} --xyz)
+granum_analyse_refuses("adhesion without a material" 2 "--adhesion goes with --grain-shear-modulus" ${chain} --adhesion jkr:0.1J/m2)
+foreach(adhesion 0.1J/m2 jkr jkr:0.1 jkr:-1J/m2 jkr:0.1J johnson:0.1J/m2)
+  granum_analyse_refuses("adhesion given as ${adhesion}" 2 "--adhesion takes jkr or dmt" ${chain} --grain-shear-modulus 1GPa
+    --adhesion ${adhesion})
+endforeach()
+granum_analyse_refuses("adhesion of cones" 2 "--adhesion goes with --contact sphere" ${chain} --grain-shear-modulus 1GPa
+  --contact cone --slope 0.1 --adhesion DMT:50mJ/m2)
+granum_analyse_refuses("adhesion and 1.5 f/d" 2 "[^\n]*adhesion" ${chain} --grain-shear-modulus 1GPa --adhesion dmt:0.1N/m
+  --stiffness-from force-over-overlap)
 granum_analyse_refuses("a packing in two dimensions" 2 "all 16 grains lie in one plane, z = 2 mm" analyse_discs.csv --grain-shear-modulus 1GPa)
 granum_analyse_refuses("a box without volume" 2 "--box = 0 m is outside" analyse_chain_grains.csv --box 0mm,1mm,1mm)
 granum_analyse_refuses("a column map of nonsense" 2 ".*" ${chain} --column-map nonsense)

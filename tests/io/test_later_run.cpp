@@ -104,6 +104,14 @@ TEST_CASE("later run: answers in dumps of grains and contacts, and in MercuryDPM
   std::string killed = joined(dump_frame, {{0, 1}, {10, 1}});
   killed.resize(killed.find_last_of("\n", killed.size() - 2) + 1); // a row is missing
   CHECK(Files::read({files.write("k.dump", killed + dump_frame(10, 2))}).runs == std::vector<int>{1, 2});
+  // killed anywhere in a frame, within a line or a number too, and appended to
+  const std::string whole = dump_frame(10, 1);
+  for (std::size_t cut = 1; cut < whole.size() - 1; ++cut) {
+    CAPTURE(whole.substr(0, cut));
+    const std::string appended =
+        dump_frame(0, 1) + whole.substr(0, cut) + dump_frame(10, 2) + dump_frame(20, 2);
+    CHECK(Files::read({files.write("k.dump", appended)}).runs == std::vector<int>{1, 2, 2});
+  }
   const auto gap = files.write("k.dump", killed + dump_frame(20, 2)); // the frame of step 10 is nowhere
   CHECK_THROWS_AS((void)Files::read({gap}), FileError);
 }

@@ -97,6 +97,41 @@ TEST_CASE("a contact that does not press has no Hertz stiffness, and a bad ratio
   CHECK_THROWS_AS(assign_hertz_stiffness(a, glass, -1), InvalidArgument);
 }
 
+TEST_CASE("grains with adhesion have its k_n, Mindlin's k_t of the contact area, and a wall that of the "
+          "mirror image") {
+  const std::vector<contact::GrainMaterial> same(3, glass);
+  for (const auto model : {contact::AdhesionModel::jkr, contact::AdhesionModel::dmt}) {
+    const contact::Adhesion adhesion{model, 0.4}, none{model, 0};
+    packing::Assembly a = chain(), hertz = chain();
+    a.wall_contacts = hertz.wall_contacts = {
+        {.i = 1, .j = 0, .branch = {0, -0.4999e-3, 0}, .overlap = 1e-7, .normal_force = force_bc}};
+    assign_hertz_stiffness(hertz, same, std::nullopt);
+    packing::Assembly without = a;
+    assign_adhesive_stiffness(without, none, same, std::nullopt);
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(without.contacts[k].normal_stiffness == relative(hertz.contacts[k].normal_stiffness, 1e-13));
+      CHECK(without.contacts[k].tangential_stiffness ==
+            relative(hertz.contacts[k].tangential_stiffness, 1e-13));
+    }
+    CHECK(without.wall_contacts[0].normal_stiffness ==
+          relative(hertz.wall_contacts[0].normal_stiffness, 1e-13));
+
+    assign_adhesive_stiffness(a, adhesion, same, 0.5);
+    const auto state = adhesive_contact_at_overlap(adhesion, glass, 0.5e-3, 2e-7);
+    CHECK(a.contacts[1].normal_stiffness == state.stiffness);
+    CHECK(a.contacts[1].tangential_stiffness == 0.5 * state.across_scale);
+    CHECK(a.wall_contacts[0].normal_stiffness == 2 * state.stiffness); // F(2 d)
+    CHECK(a.wall_contacts[0].tangential_stiffness == state.across_scale);
+    packing::Assembly by_force = a;
+    by_force.contacts[1].normal_force = state.force;
+    assign_adhesive_stiffness(by_force, adhesion, same, 0.5, packing::StiffnessFrom::force);
+    CHECK(by_force.contacts[1].normal_stiffness == relative(state.stiffness, 1e-12));
+    CHECK_THROWS_AS(assign_adhesive_stiffness(a, adhesion, same, 0.5, packing::StiffnessFrom::ratio),
+                    InvalidArgument);
+    CHECK_THROWS_AS(assign_adhesive_stiffness(a, {model, -1}, same, 0.5), InvalidArgument);
+  }
+}
+
 TEST_CASE("resistance to rolling as codes state it") {
   packing::Assembly a = chain();
   a.radius[0] = 1.5e-3;

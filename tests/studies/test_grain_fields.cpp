@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/grain_fields.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include <doctest/doctest.h>
+#include <granum/analysis/rearrangement.hpp>
 #include <granum/core/error.hpp>
 #include <granum/packing/forces.hpp>
 
 #include "packing/sample_packings.hpp"
+#include "relative.hpp"
+#include "studies/analyse/rearrangement.hpp"
 
 using namespace granum;
 
@@ -46,6 +51,39 @@ TEST_CASE("fields of grains: those of known forces, and displacements of grains 
       studies::grain_fields(packing, network::linear_response(packing.assembly, {.motions = true}).motions());
   CHECK(field(of_bodies, "nonaffine_11").values[0] == field(of_bodies, "nonaffine_11").values[3]);
   CHECK(field(of_bodies, "nonaffine_11").values[0] != field(of_bodies, "nonaffine_11").values[6]);
+}
+
+TEST_CASE("D2min between two frames goes by the ids of the grains, of those that are in both") {
+  io::ImportedPacking before, after;
+  before.assembly = after.assembly = samples::random_network({.seed = 1, .repeats = 2});
+  const std::size_t grains = before.assembly.grain_count();
+  for (std::size_t g = 0; g < grains; ++g)
+    before.id.push_back(static_cast<long>(2 * g));
+  after.id = before.id;
+  after.assembly.position[4] += (0.1 * after.assembly.radius[4]) * Vec3{1, 1, 0};
+  const std::vector<double> all = studies::d2min(before, after);
+  CHECK(field(studies::grain_fields(after, {}, &before), "D2min").values == all);
+  CHECK(std::max_element(all.begin(), all.end()) - all.begin() == 4);
+  // Neighbours are pairs of centres within 1.5 sums of radii, whatever touches.
+  packing::Assembly wide = before.assembly;
+  wide.contacts.clear();
+  samples::connect(wide, 1.5);
+  const std::vector<double> by_hand = analysis::d2min(before.assembly, after.assembly, wide.contacts);
+  for (std::size_t g = 0; g < grains; ++g)
+    CHECK(std::abs(all[g] - by_hand[g]) <= 1e-12 * all[4]);
+  CHECK(studies::d2min(before, after, 1.1) != all);
+
+  io::ImportedPacking later = after; // a grain came, and another went
+  later.assembly.contacts.clear();
+  later.id.front() = -5;
+  const std::vector<double> partly = studies::d2min(before, later);
+  CHECK(partly[0] == 0);
+  CHECK(partly[4] > 0);
+  later.id = std::vector<long>(grains, 0);
+  for (std::size_t g = 0; g < grains; ++g)
+    later.id[g] = static_cast<long>(2 * g + 1);
+  CHECK(studies::d2min(before, later) == std::vector<double>(grains, 0.0));
+  CHECK_THROWS_AS((void)studies::d2min(before, after, 0.5), InvalidArgument);
 }
 
 TEST_CASE("extended XYZ: cell, faces, columns and grains") {

@@ -26,8 +26,12 @@ struct Given {
   double grain_poisson_ratio = 0.15;              ///< nu_g [1]
   bool law_assumed = false; ///< law_family is a default: linear springs are used if the forces show them
   std::vector<contact::GrainMaterial> materials = {}; ///< of each grain, where there are several; spheres
-  /// k_t/k_n [1]; without it that of the stiffnesses in the assembly, or contact::mindlin_stiffness_ratio
+  /// k_t/k_n [1], of contacts with adhesion over 2 E* a; without it that of the stiffnesses in the assembly,
+  /// or contact::mindlin_stiffness_ratio
   std::optional<double> tangential_ratio = {};
+  /// Of spheres: k_n and k_t of the network are those of JKR or DMT contacts, the closed forms are of Hertz'.
+  /// It needs grain_shear_modulus or materials.
+  std::optional<contact::Adhesion> adhesion = {};
   std::optional<packing::TurningSpring> rolling = {};  ///< of all contacts; without it as they have it
   std::optional<packing::TurningSpring> twisting = {}; ///< likewise
   std::optional<double> friction_coefficient = {};     ///< [1]; without it estimate_friction

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include <granum/contact/adhesion.hpp>
 #include <granum/contact/normal_law.hpp>
 #include <granum/packing/assembly.hpp>
 
@@ -47,6 +48,14 @@ void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& gr
 /// \throws   InvalidArgument also unless there is one material for each grain
 void assign_hertz_stiffness(Assembly& assembly, std::span<const contact::GrainMaterial> materials,
                             std::optional<double> ratio, StiffnessFrom from = StiffnessFrom::overlap);
+
+/// The same for spheres that attract each other; k_t = ratio 2 E* a follows the contact area, not k_n. Between
+/// pull-off and separation k_n of the JKR theory is below 0, at a wall as with the grain's mirror image.
+/// \throws   InvalidArgument also for a surface energy out of range, or from = ratio
+/// Accuracy  that of contact::adhesive_contact_at_overlap.  Checked by tests/packing/test_stiffness.cpp
+void assign_adhesive_stiffness(Assembly& assembly, const contact::Adhesion& adhesion,
+                               std::span<const contact::GrainMaterial> materials, std::optional<double> ratio,
+                               StiffnessFrom from = StiffnessFrom::overlap);
 
 /// k_n = (3/2) f/d of Hertz' law without any material, from the force and the overlap of each contact; 0
 /// where either is not positive. Walls alike: at a rigid plane f ~ d^(3/2) as well. [Hertz1882]

@@ -29,6 +29,7 @@ struct DrawnFrames {
   fs::path folder;
   io::Existing existing;
   bool paraview, xyz;
+  std::optional<io::ImportedPacking> before = {}; ///< grains of the frame ahead
   std::vector<io::SeriesEntry> grains = {}, contacts = {};
 
   void add(const io::ImportedPacking& packing, FrameAnswer& frame) {
@@ -36,7 +37,16 @@ struct DrawnFrames {
       return;
     auto& network = frame.measured.packing.network;
     const std::vector<io::GrainField> fields =
-        studies::grain_fields(packing, network ? network->response.take_motions() : network::StrainMotions());
+        studies::grain_fields(packing, network ? network->response.take_motions() : network::StrainMotions(),
+                              before ? &*before : nullptr);
+    before = {.assembly = {.cell = packing.assembly.cell,
+                           .position = packing.assembly.position,
+                           .radius = packing.assembly.radius,
+                           .contacts = {}},
+              .id = packing.id,
+              .periodic = packing.periodic,
+              .time = {},
+              .notes = {}};
     if (xyz)
       write(fmt::format("grains-{}.xyz", frame.number),
             io::grains_xyz(packing.assembly, packing.periodic, fields, packing.id, packing.time));

@@ -198,16 +198,24 @@ studies::MaterialsByType parse_materials(const std::vector<std::string>& texts) 
   return out;
 }
 
+namespace {
+
+/// "2e4N/m" as 2e4, if it is a number, and "N/m".
+std::pair<std::optional<double>, std::string> number_and_unit(const std::string& text) {
+  const std::size_t end = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
+  return {parse_number(text.substr(0, end)),
+          text.substr(std::min(text.find_first_not_of(' ', end), text.size()))};
+}
+
+} // namespace
+
 std::optional<packing::TurningSpring> parse_turning(const std::string& name, const std::string& text) {
   using Of = packing::TurningSpring::Of;
   if (text.empty())
     return std::nullopt;
   if (text == "marshall")
     return packing::TurningSpring{.value = 0, .of = Of::marshall};
-  std::size_t end = text.find_first_not_of("0123456789.+-eE");
-  end = end == std::string::npos ? text.size() : end;
-  const auto value = parse_number(text.substr(0, end));
-  const std::string unit = text.substr(std::min(text.find_first_not_of(' ', end), text.size()));
+  const auto [value, unit] = number_and_unit(text);
   static const std::map<std::string, std::pair<Of, double>> units = {{"", {Of::normal, 1}},
                                                                      {"N/m", {Of::displacement, 1}},
                                                                      {"kN/m", {Of::displacement, 1e3}},
@@ -225,6 +233,25 @@ std::optional<packing::TurningSpring> parse_turning(const std::string& name, con
   return packing::TurningSpring{.value = found->second.second * *value, .of = found->second.first};
 }
 
+std::optional<contact::Adhesion> parse_adhesion(const std::string& text) {
+  using enum contact::AdhesionModel;
+  static const std::map<std::string, double> units = {{"J/m2", 1},     {"J/m^2", 1},     {"N/m", 1},
+                                                      {"mJ/m2", 1e-3}, {"mJ/m^2", 1e-3}, {"mN/m", 1e-3}};
+  if (text.empty())
+    return std::nullopt;
+  const std::size_t colon = text.find(':');
+  const std::string model = text.substr(0, colon);
+  const bool is_jkr = same_word(model, "jkr");
+  const auto [value, word] = number_and_unit(colon == std::string::npos ? "" : text.substr(colon + 1));
+  const auto unit = units.find(word);
+  if (!(is_jkr || same_word(model, "dmt")) || !value || !(*value >= 0) || !std::isfinite(*value) ||
+      unit == units.end())
+    throw InvalidArgument(fmt::format("--adhesion takes jkr or dmt and the surface energy of the grains, not "
+                                      "below 0, such as jkr:0.05J/m2 or dmt:50mJ/m2, not \"{}\"",
+                                      text));
+  return contact::Adhesion{.model = is_jkr ? jkr : dmt, .surface_energy = unit->second * *value};
+}
+
 studies::MeasureOptions measure_options(const AnalyseOptions& o) {
   const InputValues& values = o.inputs;
   if (values.given(Input::grain_bulk_modulus) && !values.given(Input::grain_shear_modulus))
@@ -235,6 +262,7 @@ studies::MeasureOptions measure_options(const AnalyseOptions& o) {
   if (values.given(Input::grain_density))
     out.grain_density = values.within(Input::grain_density);
   out.tangential_ratio = values.if_given(Input::tangential_ratio);
+  out.adhesion = parse_adhesion(o.adhesion);
   out.rolling = parse_turning("--rolling-stiffness", o.rolling_stiffness);
   out.twisting = parse_turning("--twisting-stiffness", o.twisting_stiffness);
   if (o.friction_angle.given())
@@ -304,6 +332,16 @@ void add_moment_options(Command& command, AnalyseOptions& o) {
                                             "R* d/2. 1/R* = 1/R_i + 1/R_j, d is the overlap",
                                             what)};
   };
+  command.add(law_group,
+              {{.name = "--adhesion",
+                .value = text(o.adhesion, "MODEL:ENERGY"),
+                .meaning = "Contacts that attract, jkr or dmt, with the surface energy of each "
+                           "grain, half of the work of adhesion: jkr:0.05J/m2; for k_n and k_t of "
+                           "the network",
+                .needs = {{"--grain-shear-modulus --material",
+                           "--grain-shear-modulus or --material: the forces do not show the material"}},
+                .belongs = {{"--contact", "sphere", "sphere", "--contact sphere"}},
+                .synonyms = {{"cohesion surfaceenergy jkr dmt gamma"}}}});
   command.add(law_group, {row("--rolling-stiffness", o.rolling_stiffness, "rolling"),
                           row("--twisting-stiffness", o.twisting_stiffness, "twisting")});
 }

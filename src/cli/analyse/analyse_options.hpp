@@ -22,7 +22,7 @@ namespace granum::cli {
 struct AnalyseOptions {
   std::vector<std::string> files;
   InputValues inputs; ///< contact law and grains
-  std::string rolling_stiffness, twisting_stiffness;
+  std::string adhesion, rolling_stiffness, twisting_stiffness;
   Number friction_angle{0, Dimension::angle};
   std::string column_map;
   std::string box;
@@ -82,6 +82,8 @@ struct FrameChoice {
 /// "2e4N/m", "1e-3Nm", "0.1" or "marshall".
 [[nodiscard]] std::optional<packing::TurningSpring> parse_turning(const std::string& name,
                                                                   const std::string& text);
+/// "jkr:0.05J/m2".
+[[nodiscard]] std::optional<contact::Adhesion> parse_adhesion(const std::string& text);
 [[nodiscard]] studies::MeasureOptions measure_options(const AnalyseOptions& options);
 
 } // namespace granum::cli

@@ -2,6 +2,7 @@
 #include "dump_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <granum/core/text.hpp>
@@ -11,6 +12,7 @@ namespace granum::io {
 namespace {
 
 constexpr std::string_view item = "ITEM:";
+constexpr double most_rows = 1e15;
 
 /// Box and periodicity flags "pp ff ss"; any other letters mean a box that ends there.
 void set_boundary(DumpBox& box, const std::vector<std::string_view>& words, std::size_t first) {
@@ -19,6 +21,11 @@ void set_boundary(DumpBox& box, const std::vector<std::string_view>& words, std:
   box.boundary_known = true;
   for (std::size_t k = 0; k < 3; ++k)
     box.periodic[k] = words[first + k] == "pp";
+}
+
+double number_or(std::string_view text, double other) {
+  const auto number = parse_number(text);
+  return number ? *number : other;
 }
 
 /// The box whose corner and far corner a dump gives as bounds of the tilted box.
@@ -147,40 +154,50 @@ void DumpFile::skip_section() {
 }
 
 std::optional<double> DumpFile::skip() {
-  std::optional<double> step;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  double step = unknown;
   std::size_t wanted = 0, rows = 0;
-  std::string label;
-  bool begun = false, in_table = false;
+  std::string label, value_of; // of the table; the section whose value comes next
+  bool begun = false, in_table = false, step_comes = false, appended = false;
   while (source_.next()) {
+    // A run that appends to what a killed job left begins within the last line.
+    if (const std::size_t place = source_.line().find(item, 1); place != std::string_view::npos) {
+      source_.hold(place);
+      appended = begun = true;
+      break;
+    }
     if (!at_item()) {
+      if (value_of == "TIMESTEP")
+        step = number_or(trimmed(source_.line()), unknown);
+      else if (value_of == "NUMBER")
+        wanted = static_cast<std::size_t>(std::clamp(number_or(trimmed(source_.line()), 0), 0.0, most_rows));
       rows += in_table ? 1 : 0;
+      value_of.clear();
       continue;
     }
     TextRow row(source_);
     row.split();
     const std::string name(row.fields().size() > 1 ? row.fields()[1] : "");
-    if (in_table || (step && name == "TIMESTEP")) {
+    if (in_table || (step_comes && name == "TIMESTEP")) {
+      appended = !in_table && std::isnan(step);
       source_.hold();
       break;
     }
     begun = true;
-    if (name == "UNITS") {
+    value_of = name;
+    step_comes = step_comes || name == "TIMESTEP";
+    if (name == "UNITS")
       read_units();
-    } else if (name == "TIMESTEP" && source_.next()) {
-      step = parse_number(std::string(trimmed(source_.line())));
-    } else if (name == "NUMBER" && row.fields().size() == 4) {
+    else if (name == "NUMBER" && row.fields().size() == 4)
       label = row.fields()[3];
-      read_value("a number of rows", row);
-      wanted = row.count(0, "rows");
-    } else {
+    else
       in_table = is_table(name, label);
-    }
   }
   if (!begun)
     return std::nullopt;
-  if (!step)
-    return std::numeric_limits<double>::quiet_NaN();
-  return in_table && rows >= wanted ? *step : ends_early(*step);
+  if (std::isnan(step))
+    return appended ? no_moment : unknown;
+  return in_table && rows >= wanted ? step : ends_early(step);
 }
 
 std::optional<DumpFrame> DumpFile::next(const TableSink& sink) {
@@ -233,10 +250,11 @@ std::optional<DumpFrame> DumpFile::next(const TableSink& sink) {
     }
   }
   if (source_.next()) {
-    if (!at_item() && !trimmed(source_.line()).empty())
+    const std::size_t place = source_.line().rfind(item); // behind what a killed job left
+    if (place == std::string_view::npos && !trimmed(source_.line()).empty())
       source_.fail("expected " + std::to_string(*frame.count) + " rows and then ITEM:, found " +
                    shown(source_.line()));
-    source_.hold();
+    source_.hold(place == std::string_view::npos ? 0 : place);
   }
   return frame;
 }

@@ -139,13 +139,14 @@ bool is_bonded(const packing::Assembly& assembly) {
   });
 }
 
-void judge_forces(const io::ImportedPacking& packing, const analysis::Forces& forces,
+void judge_forces(const io::ImportedPacking& packing, const analysis::Forces& forces, bool adhesion_given,
                   std::vector<std::string>& out) {
   const double at_rest = 1e-3 + unbalance_by_rounding(packing);
-  if (forces.distribution.in_tension > 0)
+  if (forces.distribution.in_tension > 0 && !adhesion_given)
     out.push_back(std::to_string(forces.distribution.in_tension) + " contacts are in tension: " +
-                  (is_bonded(packing.assembly) ? "they are bonds, which resist rolling too"
-                                               : "their forces have viscous or cohesive parts"));
+                  (is_bonded(packing.assembly)
+                       ? "they are bonds, which resist rolling too"
+                       : "their forces have viscous parts, or adhesion, which is not given"));
   if (forces.distribution.pressing + forces.distribution.in_tension == 0)
     out.emplace_back(
         "all forces are 0, though grains touch: the files were written before forces were computed, "
@@ -350,7 +351,7 @@ void add_warnings(const io::ImportedPacking& packing, MeasuredFrame& frame) {
   if (measured.fabric)
     judge_fabric(*measured.fabric, out);
   if (measured.forces)
-    judge_forces(packing, *measured.forces, out);
+    judge_forces(packing, *measured.forces, frame.adhesion_given, out);
   constexpr std::size_t enough = 20; // contacts
   if (measured.stress && measured.counts.contacts >= enough && !packing.has(Finding::forces_unknown))
     frame.triaxial =

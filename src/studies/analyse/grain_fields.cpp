@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "studies/analyse/rearrangement.hpp"
+
 namespace granum::studies {
 
 io::KnownForces known_forces(const io::ImportedPacking& packing) {
@@ -13,7 +15,8 @@ io::KnownForces known_forces(const io::ImportedPacking& packing) {
 }
 
 std::vector<io::GrainField> grain_fields(const io::ImportedPacking& packing,
-                                         const network::StrainMotions& motions) {
+                                         const network::StrainMotions& motions,
+                                         const io::ImportedPacking* before) {
   constexpr const char* strains[] = {"11", "22", "33", "23", "13", "12"};
   const packing::Assembly& assembly = packing.assembly;
   std::vector<io::GrainField> out = io::grain_fields(assembly, known_forces(packing));
@@ -27,6 +30,8 @@ std::vector<io::GrainField> grain_fields(const io::ImportedPacking& packing,
     }
     out.push_back(std::move(field));
   }
+  if (before != nullptr)
+    out.push_back({.name = "D2min", .values = d2min(*before, packing)});
   return out;
 }
 

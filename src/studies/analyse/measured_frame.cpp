@@ -79,6 +79,7 @@ MeasuredFrame measure_frame(const io::ImportedPacking& packing, analysis::Given 
   MeasuredFrame out{.step = packing.step,
                     .time = packing.time,
                     .materials_given = !given.materials.empty(),
+                    .adhesion_given = given.adhesion.has_value(),
                     .contacts_known = by_overlaps || !packing.has(Finding::contacts_unknown),
                     .packing = analysis::measure(packing.assembly, given, measured)};
   add_warnings(packing, out);

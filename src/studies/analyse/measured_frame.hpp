@@ -17,6 +17,7 @@ struct MeasuredFrame {
   long step = 0;
   std::optional<double> time = {}; ///< [s]
   bool materials_given = false;    ///< of each grain
+  bool adhesion_given = false;     ///< so that contacts may pull
   bool contacts_known = true;      ///< otherwise C_n, z* and rattlers of `packing` are invalid
   bool triaxial = false;           ///< the stress is not symmetric about axis 3
   analysis::Measurement packing = {};

@@ -137,8 +137,10 @@ void set_forces(Assembly& assembly, const analysis::Given& given) {
         given.materials.empty()
             ? contact::GrainMaterial{given.grain_shear_modulus.value(), given.grain_poisson_ratio}
             : contact::pair_material(given.materials[c.i], given.materials[c.j]);
-    c.normal_force = given.law_family(grain, contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]))
-                         .force(c.overlap);
+    const double radius = contact::pair_radius(assembly.radius[c.i], assembly.radius[c.j]);
+    c.normal_force = given.adhesion
+                         ? adhesive_contact_at_overlap(*given.adhesion, grain, radius, c.overlap).force
+                         : given.law_family(grain, radius).force(c.overlap);
   }
 }
 

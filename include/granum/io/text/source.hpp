@@ -44,6 +44,11 @@ class TextSource {
   [[nodiscard]] std::string_view line() const { return line_; }
   /// Makes the next call of next() stay on the line here.
   void hold() { held_ = true; }
+  /// The same for the rest of the line, without so many characters at its beginning.
+  void hold(std::size_t without) {
+    line_.remove_prefix(without);
+    hold();
+  }
   /// The bytes in the buffer after the current line, for files that do not consist of lines; none at
   /// the end. Valid until the next call.
   /// \throws   FileError as next
