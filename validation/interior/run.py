@@ -4,7 +4,7 @@
 
     PYTHONPATH=build/ci/python python3 validation/interior/run.py > validation/interior/parts.csv
 
-Each row: a packing of examples/data, the number of parts, the mean number of grains of a part, and for K and G_vh the
+Each row: a packing, of examples/data or of validation/sizes, the number of parts, the mean number of grains of a part, and for K and G_vh the
 standard deviation of ln(rung 3 of the part / that of the whole) and the root mean square of these logarithms over the
 error that granum adds to the stated one for the part: 1 where this error is right. Parts that are not rigid are left out.
 """
@@ -14,12 +14,12 @@ import pathlib
 import granum
 import numpy as np
 
-DATA = pathlib.Path(__file__).parents[2] / "examples" / "data"
+SOURCE = pathlib.Path(__file__).parents[2]
+CHOSEN_ON = ["lammps_loose_p50", "yade_packing", "yade_lognormal_dense", "yade_lognormal_loose"]
+NEVER_USED = ["lognormal_dense", "lognormal_loose", "uniform_dense", "uniform_loose"]
 PACKINGS = {
-    "lammps_loose_p50": ("lammps_loose_p50.atoms.gz", "lammps_loose_p50.contacts.gz"),
-    "yade_packing": ("yade_packing.grains.gz", "yade_packing.contacts.gz"),
-    "yade_lognormal_dense": ("yade_lognormal_dense.grains.gz", "yade_lognormal_dense.contacts.gz"),
-    "yade_lognormal_loose": ("yade_lognormal_loose.grains.gz", "yade_lognormal_loose.contacts.gz"),
+    **{name: sorted((SOURCE / "examples/data").glob(f"{name}.*.gz"), reverse=True) for name in CHOSEN_ON},
+    **{name: sorted((SOURCE / "validation/sizes").glob(f"{name}.*.gz")) for name in NEVER_USED},
 }
 MODULUS = 30e9  # of the grains [Pa]; ratios do not depend on it
 
@@ -46,7 +46,7 @@ def parts(packing, edge, count, rng):
 def main():
     print("packing,parts,grains,K_sd,K_rms_over_error,G_sd,G_rms_over_error")
     for name, files in PACKINGS.items():
-        packing = granum.read(*(DATA / file for file in files))
+        packing = granum.read(*files)
         whole, error, grains = moduli(packing, None)
         volume = np.linalg.det(np.asarray(packing.cell))
         rng = np.random.default_rng(1)
