@@ -42,7 +42,7 @@ double z(const ContactCounts& counts) { return counts.mechanical_coordination_nu
 double overlap_of(State s, const ContactCounts& counts) {
   s.tangential_ratio = 0.9;
   s.coordination_number = counts.coordination_number();
-  return s.law.overlap(effective::mean_contact_force(s)) / (2 * s.radius);
+  return s.law.overlap(effective::mean_contact_force(s)) / (2 * s.radius * s.contacts.branch);
 }
 
 } // namespace
@@ -100,8 +100,14 @@ TEST_CASE("contact prior: the overlap is that of the mean force at its own conta
       for (const double alpha : {1.0, 2.0, infinity}) {
         State s = spheres(e, p);
         s.law = law_of(alpha, 0.15);
-        const ContactPrior prior = effective::contact_prior(s, dense);
-        CHECK(close(overlap_of(s, prior.middle), prior.relative_overlap, 1e-12));
+        for (const sizes::ContactMeans& means :
+             {sizes::ContactMeans{},
+              sizes::ContactMeans{
+                  .branch = 0.9, .branch_square = 0.86, .pair_radius = 0.93, .grain_volume = 0.6}}) {
+          s.contacts = means;
+          const ContactPrior prior = effective::contact_prior(s, dense);
+          CHECK(close(overlap_of(s, prior.middle), prior.relative_overlap, 1e-12));
+        }
       }
 }
 
@@ -192,6 +198,16 @@ TEST_CASE("contact prior: void ratios without sphere packings are reported, and 
   CHECK(error_at(0.65) < error_at(0.8));
   CHECK(error_at(0.8) < error_at(0.9));
   CHECK(error_at(0.5) < error_at(0.4));
+  // Rigid grains: what is added to the scatter grows with the distance, on the dense side as z* of the
+  // densest packings falls with e, on the loose side by one contact up to the loosest packing in theory.
+  const auto added_at = [](double e) {
+    const ContactPrior prior = effective::contact_prior(spheres(e, 0));
+    return std::sqrt(std::pow(prior.coordination_error, 2) - std::pow(prior.packing_scatter, 2));
+  };
+  const auto densest_at = [](double e) { return z(effective::contact_prior(spheres(e, 0), dense).middle); };
+  const double dense_slope = (densest_at(0.58) - densest_at(0.62)) / 0.04;
+  CHECK((added_at(0.45) - added_at(0.5)) / 0.05 == relative(dense_slope, 0.15));
+  CHECK((added_at(0.86) - added_at(0.80)) / 0.06 * (0.866 - 0.72) == relative(1, 0.15));
   CHECK(error_at(50) < 2.1);
   CHECK(error_at(1e-6) < 6.1);
 }

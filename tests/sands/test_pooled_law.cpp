@@ -46,8 +46,8 @@ TEST_CASE("pooled law: the best known input decides") {
 }
 
 TEST_CASE("pooled law: its exponent is the slope of the law, on both sides of 50 kPa, without a jump") {
-  for (const Sand& sand :
-       {Sand{}, uniform, Sand{.uniformity = 8}, Sand{.tests = known_sand("toyoura").tests}})
+  for (const Sand& sand : {Sand{}, uniform, Sand{.uniformity = 8}, Sand{.tests = known_sand("toyoura").tests},
+                           Sand{.uniformity = 1.5, .exponent_shift = 0.06}})
     for (const double p : {1e3, 20e3, 49.9e3, 50.1e3, 100e3, 1e6}) {
       const double step = 1e-4;
       const double slope =
@@ -58,6 +58,9 @@ TEST_CASE("pooled law: its exponent is the slope of the law, on both sides of 50
   CHECK(growth_exponent(uniform, 100e3).value == relative(0.40 * std::pow(1.5, 0.18), ulps));
   CHECK(growth_exponent({}, 100e3).value == growth_exponent(uniform, 100e3).value);
   CHECK(growth_exponent(uniform, 20e3).value == 0.5);
+  const Sand shifted{.uniformity = 1.5, .exponent_shift = 0.06}; // G turns about 100 kPa
+  for (const double p : {2e3, 49e3, 80e3, 100e3, 1e6})
+    CHECK(G(shifted, 0.6, p) == relative(G(uniform, 0.6, p) * std::pow(p / 100e3, 0.06), 1e-14));
   CHECK(G(uniform, 0.6, 0) == 0);
 }
 

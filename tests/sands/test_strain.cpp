@@ -74,6 +74,11 @@ TEST_CASE("strain: every law falls with strain and rises with stress, from 1") {
       CHECK(law.ratio(sand(strain, 200e3)) >= ratio);
       last = ratio;
     }
+    for (const double e : {0.05, 0.1, 0.13, 0.4, 1.5}) { // a number for every void ratio
+      const double ratio = law.ratio({.strain = 1e-4, .void_ratio = e, .mean_stress = 100e3});
+      CHECK(ratio > 0);
+      CHECK(ratio <= 1);
+    }
   }
 }
 

@@ -161,9 +161,10 @@ io::ImportedPacking with_overlap_contacts(io::ImportedPacking packing, const ana
   if (found.empty())
     return packing;
   packing.assembly.contacts = std::move(found);
-  packing.notes.push_back(
-      {Finding::contacts_from_overlaps, std::to_string(packing.assembly.contacts.size()) +
-                                            " pairs of spheres overlap: they are used as contacts"});
+  packing.notes.push_back({Finding::contacts_from_overlaps,
+                           std::to_string(packing.assembly.contacts.size()) +
+                               " pairs of spheres overlap: they are used as contacts" +
+                               (given.adhesion ? "; necks across gaps are not among them" : "")});
   if (given.grain_shear_modulus || !given.materials.empty()) {
     set_forces(packing.assembly, given);
     packing.notes.push_back({Finding::tangential_unknown,

@@ -197,6 +197,10 @@ TEST_CASE("LAMMPS: other units are converted to SI, also if only one file states
   REQUIRE(packing);
   CHECK(packing->assembly.radius[0] == relative(0.5e-5, 1e-15));
   CHECK(packing->assembly.contacts[0].normal_force == relative(force_ab * 1e-5, 1e-15));
+  LammpsDump si = dump(atoms, contacts);
+  const Vec3 across = si.next()->assembly.contacts[0].tangential_force;
+  REQUIRE(norm(across) > 0);
+  check_vector(packing->assembly.contacts[0].tangential_force, 1e-5 * across, 1e-15);
   CHECK(norm(packing->assembly.contacts[0].branch) == relative(0.9999e-5, 1e-12));
   CHECK(dump_refused("ITEM: UNITS\nlj\n" + atoms).find("units 'lj' are not supported; expected si") !=
         std::string::npos);

@@ -101,6 +101,15 @@ TEST_CASE("YADE: its text exports give the geometry, with a note on its few digi
   CHECK(both.assembly.contacts[0].overlap == 9.93569733362e-08); // overlaps keep the digits of the contacts
 }
 
+TEST_CASE("YADE: clumps are numbered from 0 on, and -1 is none") {
+  std::string grains = data_text("yade_script.grains");
+  grains = with(grains, "0.001 0.002 0.002 0.00050000000000000001 -1", "0.001 0.002 0.002 0.0005 0");
+  grains = with(grains, "0.0019999000000000002 0.002 0.002 0.00050000000000000001 -1",
+                "0.0019999000000000002 0.002 0.002 0.0005 0");
+  const ImportedPacking packing = read_yade(text_source("g", grains), data_source("yade_script.contacts"));
+  CHECK(packing.assembly.body == std::vector<std::uint32_t>{0, 0, 1});
+}
+
 TEST_CASE("YADE: a wall is second in a pair, after its sphere") {
   const ImportedPacking packing =
       read_yade(data_source("yade_script.grains"), data_source("yade_script.contacts"));
