@@ -22,6 +22,8 @@ PARAMETERS = {
     "str": "str",
     "int or str": "Union[int, str]",
     "str or sequence of str": "Union[str, Sequence[str]]",
+    "str or array of str": "ArrayLike",
+    "dict of array_like": "Mapping[str, ArrayLike]",
     "path_like": "_Path",
     "dict": "Mapping[str, str]",
     "dict or path_like": "Union[Mapping[str, Any], _Path]",
@@ -126,6 +128,8 @@ class Stub:
         return f"Optional[{kind}]" if default is None and not kind.startswith("Union[None") else kind
 
     def result(self, words, number):
+        if words == "dict of float or ndarray":
+            return "dict[str, Any]"
         words = re.sub(r"^list of (\w+)$", r"list[\1]", words)
         words = re.sub(r"^dict of (\w+)$", r"dict[str, \1]", words).replace("[str, ndarray]", "[str, _Array]")
         words = re.sub(r"^(\w+) or (\w+)$", r"Union[\1, \2]", words.replace("float or ndarray", number))
@@ -178,7 +182,10 @@ class Stub:
 
     def overloads(self, name, function, indent=""):
         """All lines of a function; one of arrays has two."""
-        if name in KINDS and not indent:
+        if "(..., 6, 6) array_like" in section(inspect.getdoc(function) or "", "Parameters"):
+            # Of one matrix or a stack of them, which types do not tell apart.
+            lines = [self.signature(name, function, "ArrayLike").replace("[ArrayLike]", "[Any]")]
+        elif name in KINDS and not indent:
             lines = [self.signature(name, function, "ArrayLike", *kind) for kind in KINDS[name]]
         else:
             of_float = self.signature(name, function, "float")
@@ -225,7 +232,7 @@ class Stub:
         for key, value in members.items():
             if isinstance(value, property):
                 lines += ["    @property", f"    def {key}(self) -> {self.of_property(name, key, value.fget)}: ..."]
-            elif not key.startswith("_") and callable(value) and key not in ("to_dict", "to_columns"):
+            elif not key.startswith("_") and callable(value) and key not in ("to_dict", "to_columns", "to_xarray"):
                 lines += self.overloads(key, getattr(kind, key), "    ")
         return lines if len(lines) > 1 else [lines[0] + " ..."]
 

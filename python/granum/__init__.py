@@ -5,6 +5,7 @@ The library granum on numpy arrays. All numbers are in SI, compression is positi
 symmetry. See docs/python.md.
 """
 
+from ._documentation import _attach as _attach_examples
 from ._errors import Error, FileError, InvalidArgument, NotConverged, Stopped
 from ._files import frames, read
 from ._granum import *  # the functions and classes of python/src
@@ -17,5 +18,6 @@ from ._yade import from_yade
 
 _attach()
 _attach_results()
+_attach_examples(globals())
 
 __all__ = [name for name in dir() if not name.startswith("_")] + ["__version__"]

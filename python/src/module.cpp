@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <string>
 
 #include <granum/core/version.hpp>
 
 #include "bindings.hpp"
+#include "examples.hpp"
 
 PYBIND11_MODULE(_granum, module) {
   using namespace granum::python;
@@ -19,4 +21,5 @@ PYBIND11_MODULE(_granum, module) {
       &bind_triaxial,  &bind_studies};
   for (Binding* const bind : in_order)
     bind(module);
+  module.attr("_examples") = examples(); // of classes, and of what is written in Python
 }

@@ -80,8 +80,8 @@ Keyword strict_keyword() {
 }
 
 Keyword stiffness_keyword() {
-  return required("stiffness", "(6, 6) array_like",
-                  "Voigt matrix, order 11 22 33 23 13 12, engineering shear strains [Pa]. Symmetric: both "
+  return required("stiffness", "(..., 6, 6) array_like",
+                  "Voigt matrices, order 11 22 33 23 13 12, engineering shear strains [Pa]. Symmetric: both "
                   "halves may differ by 1e-3 of the largest entry, as if they were rounded to four digits.");
 }
 
