@@ -88,6 +88,12 @@ def imported(scripts, module):
     return package
 
 
+def plain(text):
+    """Types as pybind11 2 writes them, where version 3 says more."""
+    text = re.sub(r'typing\.Annotated\[(.*?), "FixedSize\(\d+\)"\]', r"\1", text)
+    return re.sub(r"typing\.Supports(Float|Int)(?: \| typing\.SupportsIndex)?", lambda m: m[1].lower(), text)
+
+
 def section(doc, title):
     found = re.search(rf"^{title}\n-+\n(.*?)(?=^\w[\w ]*\n-+\n|\Z)", doc, re.S | re.M)
     return found.group(1) if found else ""
@@ -143,7 +149,7 @@ class Stub:
         for key in (f"{kind}.{name}", name):
             if key in PROPERTIES:
                 return PROPERTIES[key]
-        text = found.group(1) if found else "Any"
+        text = plain(found.group(1)) if found else "Any"
         text = text.replace("granum._granum.", "").replace("List[float[3]]", "list[float]")
         text = re.sub(r"\b(List|Dict|Tuple)\[", lambda m: m[0].lower(), text)
         array = r"numpy\.(?:ndarray|typing\.NDArray)(\[.*?\])?"  # of pybind11 2, 3
@@ -184,7 +190,8 @@ class Stub:
         """All lines of a function; one of arrays has two."""
         if "(..., 6, 6) array_like" in section(inspect.getdoc(function) or "", "Parameters"):
             # Of one matrix or a stack of them, which types do not tell apart.
-            lines = [self.signature(name, function, "ArrayLike").replace("[ArrayLike]", "[Any]")]
+            line = self.signature(name, function, "ArrayLike").replace("[ArrayLike]", "[Any]")
+            lines = [line.replace("stiffness: ArrayLike", "stiffness: _Matrices")]
         elif name in KINDS and not indent:
             lines = [self.signature(name, function, "ArrayLike", *kind) for kind in KINDS[name]]
         else:
@@ -204,7 +211,7 @@ class Stub:
         """That of a class that users make, from the docstring that pybind11 wrote."""
         found = re.search(r"__init__\(self: [\w.]+(, .*)?\) -> None", kind.__init__.__doc__ or "")
         if found:
-            return [f"    def __init__(self{found.group(1) or ''}) -> None: ..."]
+            return [f"    def __init__(self{plain(found.group(1) or '')}) -> None: ..."]
         # Made by functions alone: no argument lets a call pass.
         return ["    def __init__(self, _: NoReturn) -> None: ..."]
 

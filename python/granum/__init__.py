@@ -9,7 +9,7 @@ from ._documentation import _attach as _attach_examples
 from ._errors import Error, FileError, InvalidArgument, NotConverged, Stopped
 from ._files import frames, read
 from ._granum import *  # the functions and classes of python/src
-from ._granum import __version__
+from ._granum import __version__ as __version__
 from ._lammps import from_lammps
 from ._plots import _attach
 from ._results import Record, _attach as _attach_results

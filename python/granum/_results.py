@@ -12,6 +12,8 @@ import html
 import importlib
 import numbers
 
+from typing import Any
+
 import numpy as np
 
 from . import _granum
@@ -28,8 +30,8 @@ _ELEMENTS = {
     "PlaneWaves": ("speed", 1),
     "Range": ("value", 0),
 }
-_classes = {type_ for type_ in vars(_granum).values() if isinstance(type_, type)}
-_results = {type_ for type_ in _classes if type_.__name__ not in _ALIVE + _INPUTS}
+_classes: set[Any] = {type_ for type_ in vars(_granum).values() if isinstance(type_, type)}
+_results: set[Any] = {type_ for type_ in _classes if type_.__name__ not in _ALIVE + _INPUTS}
 
 
 def _names(result):
@@ -184,7 +186,7 @@ def _short(value):
         return f"[{', '.join(map(_short, value.tolist()))}]" if few else f"<{value.dtype} {value.shape}>"
     if isinstance(value, (list, tuple)):
         if len(value) <= 3 and all(isinstance(item, (int, float)) for item in value):
-            return "(" + ", ".join(_short(item) for item in value) + ")"
+            return "(" + ", ".join(_short(item) for item in value) + (",)" if len(value) == 1 else ")")
         return f"<{len(value)} of them>" if value else "none"
     if isinstance(value, dict):
         return f"<{len(value)} of them>" if value else "none"
@@ -284,7 +286,7 @@ def _reduce_call(self):
 
 
 def _reduce_state(self):
-    return copyreg.__newobj__, (type(self),), self.__getstate__()
+    return copyreg.__newobj__, (type(self),), self.__getstate__()  # type: ignore[attr-defined]
 
 
 def _refuse_to_reduce(self):
@@ -355,7 +357,7 @@ class Record:
     Made only by pickle and copy. A record equals the original result.
     """
 
-    def __init__(self, kind: str, values: dict) -> None:
+    def __init__(self, kind: str, values: dict[str, Any]) -> None:
         vars(self).update(_kind=kind, _values=values)
 
     def __getattr__(self, name):

@@ -110,11 +110,12 @@ void bind_symmetry(py::module_& module) {
       [](const Arguments& a) {
         const Stack stiffness(a, 0, {6, 6}), rotation(a, 1, {3, 3});
         const Argument columns[] = {stiffness.column(), rotation.column()};
-        const auto rows = answer_rows<Matrix6>(columns, true, Matrix6(), [&](const double* x, Notes&) {
-          Mat3 turn;
-          std::memcpy(&turn.m[0][0], rotation.at(x[1]), sizeof(turn.m));
-          return elastic::rotate(stiffness_at(stiffness.at(x[0])), turn).matrix;
-        });
+        const auto rows =
+            answer_rows<Matrix6>(columns, true, Matrix6::Constant(nan), [&](const double* x, Notes&) {
+              Mat3 turn;
+              std::memcpy(&turn.m[0][0], rotation.at(x[1]), sizeof(turn.m));
+              return elastic::rotate(stiffness_at(stiffness.at(x[0])), turn).matrix;
+            });
         return matrices_of(rows.shape, rows.rows);
       },
       1);

@@ -7,8 +7,18 @@
 
 namespace granum::python {
 
+namespace {
+
+/// The value itself, or the matrices of a result that has them: of an Estimate, an Isotropic.
+py::object matrices_or(py::handle value) {
+  return value && py::hasattr(value, "stiffness") ? py::object(value.attr("stiffness"))
+                                                  : py::reinterpret_borrow<py::object>(value);
+}
+
+} // namespace
+
 Stack::Stack(const Arguments& a, std::size_t keyword, const std::vector<py::ssize_t>& axes)
-    : name_(a.name(keyword)), numbers_(numbers_of(name_, a[keyword])) {
+    : name_(a.name(keyword)), numbers_(numbers_of(name_, matrices_or(a[keyword]))) {
   const auto last = static_cast<py::ssize_t>(axes.size());
   const py::ssize_t before = numbers_.ndim() - last;
   if (before < 0 || !std::equal(axes.begin(), axes.end(), numbers_.shape() + before)) {

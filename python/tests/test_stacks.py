@@ -127,5 +127,6 @@ def test_stiffnesses_of_an_estimate_go_through_as_they_are():
     state = dict(law=law, radius=5e-4, void_ratio=0.6, coordination_number=5.7)
     estimate = granum.uniform_strain(**state, pressure=[1e5, 2e5], fabric_anisotropy=0.2)
     moduli = granum.engineering_moduli(estimate.stiffness)
+    assert granum.engineering_moduli(estimate) == moduli
     np.testing.assert_allclose(moduli.C44, estimate.C44)
     np.testing.assert_allclose(moduli.E_3, estimate.E_v)

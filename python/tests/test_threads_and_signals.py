@@ -98,10 +98,11 @@ def test_ctrl_c_ends_a_long_call(call, tmp_path):
     child = subprocess.Popen(
         [sys.executable, "-c", script, str(pipe)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
+    writer = None
     try:
         assert child.stdout.readline() == "begun\n"
         if "argv" in call:  # a header, and never a grain
-            writer = open(pipe, "w")
+            writer = pipe.open("w")
             print("id,x,y,z,radius", file=writer, flush=True)
         time.sleep(1)
         assert child.poll() is None
@@ -111,3 +112,5 @@ def test_ctrl_c_ends_a_long_call(call, tmp_path):
         assert os.times().children_user - before < 12  # of the processor, that others may use too
     finally:
         child.kill()
+        if writer:
+            writer.close()

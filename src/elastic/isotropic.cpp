@@ -3,7 +3,9 @@
 #include <granum/elastic/isotropic.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Cholesky>
 
@@ -79,14 +81,34 @@ IsotropicAverages averages(const IsotropicPart& stiffness, const IsotropicPart& 
 
 } // namespace
 
+namespace {
+
+/// The inverse of a symmetric matrix that is positive definite with a condition number far from that of rounding; empty
+/// where only eigenvalues, which take ten times as long, can say what it is.
+std::optional<Matrix6> clear_inverse(const Matrix6& symmetric) {
+  constexpr double clear = 1e6;
+  const Eigen::LLT<Matrix6> factor(symmetric);
+  if (factor.info() != Eigen::Success)
+    return std::nullopt;
+  const Matrix6 inverse = factor.solve(Matrix6::Identity());
+  // Frobenius norms are no smaller than the largest eigenvalues.
+  return inverse.norm() * symmetric.norm() < clear ? std::optional(inverse) : std::nullopt;
+}
+
+} // namespace
+
 IsotropicAverages isotropic_averages(const VoigtStiffness& stiffness) {
   const MandelStiffness c = mandel(stiffness);
-  if (!positive_definite(c))
-    throw InvalidArgument(
-        "averages need a positive definite stiffness: a mode without stiffness has no compliance");
+  require_symmetric<6>("stiffness", c.matrix);
   const Matrix6 symmetric = c.matrix / 2 + c.matrix.transpose() / 2;
-  const Matrix6 compliance = symmetric.llt().solve(Matrix6::Identity());
-  return averages(isotropic_part(symmetric), isotropic_part(compliance));
+  std::optional<Matrix6> compliance = clear_inverse(symmetric);
+  if (!compliance) {
+    if (!positive_definite(c))
+      throw InvalidArgument(
+          "averages need a positive definite stiffness: a mode without stiffness has no compliance");
+    compliance = symmetric.llt().solve(Matrix6::Identity());
+  }
+  return averages(isotropic_part(symmetric), isotropic_part(*compliance));
 }
 
 IsotropicAverages isotropic_averages(const TransverselyIsotropic& c) {
@@ -126,11 +148,20 @@ EngineeringModuli engineering_moduli(const VoigtStiffness& stiffness) {
   if (scale == 0)
     return {};
   const Matrix6 m = mandel(VoigtStiffness{c / scale}).matrix;
-  const EigenSystem system = eigen_system((m + m.transpose()) / 2);
+  const Matrix6 symmetric = (m + m.transpose()) / 2;
+  std::array<double, 3> young{};
+  if (const std::optional<Matrix6> compliance = clear_inverse(symmetric)) {
+    for (int k = 0; k < 3; ++k)
+      young[static_cast<std::size_t>(k)] = 1 / (*compliance)(k, k);
+  } else {
+    const EigenSystem system = eigen_system(symmetric);
+    for (int k = 0; k < 3; ++k)
+      young[static_cast<std::size_t>(k)] = youngs_modulus(system, k);
+  }
   return {.bulk_modulus = c.topLeftCorner<3, 3>().sum() / 9,
-          .E_1 = scale * youngs_modulus(system, 0),
-          .E_2 = scale * youngs_modulus(system, 1),
-          .E_3 = scale * youngs_modulus(system, 2),
+          .E_1 = scale * young[0],
+          .E_2 = scale * young[1],
+          .E_3 = scale * young[2],
           .C44 = c(3, 3),
           .C55 = c(4, 4),
           .C66 = c(5, 5)};
