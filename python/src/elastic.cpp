@@ -45,8 +45,8 @@ std::vector<Keyword> of_stiffness(std::vector<Keyword> more = {}) {
   return more;
 }
 
-/// `answer`(stiffness, numbers of the other columns) for every element of a call whose first keyword is a stack of
-/// stiffnesses, and whose columns are the others.
+/// `answer`(stiffness, numbers of the other columns) for every element of a call whose first keyword is a
+/// stack of stiffnesses, and whose columns are the others.
 template <class Row, class Answer>
 Rows<Row> stiffness_rows(const Arguments& a, const Row& refused, const Answer& answer) {
   const Stack stiffness(a, 0, {6, 6});

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-/// An example for every public name of the package: the section Examples of its docstring, and of its page of the site.
-/// Each begins behind `import granum` and `import numpy as np`, in the folder of the sources.
+/// An example for every public name of the package: the section Examples of its docstring, and of its page of
+/// the site. Each begins behind `import granum` and `import numpy as np`, in the folder of the sources.
 /// Checked by python/tests/test_documentation.py
 namespace granum::python {
 

@@ -161,8 +161,8 @@ void bind_views(ResultClass<Packing, SharedPacking>& type) {
 void bind_class(py::module_& module) {
   ResultClass<Packing, SharedPacking> type(module, "Packing", R"(Grains, contacts and their cell.
 
-Arrays are read-only views of the memory of the packing. SI; compression is positive. Grains of files are sorted
-by id, contacts by (i, j).)");
+Arrays are read-only views of the memory of the packing. SI; compression is positive. Grains of files are
+sorted by id, contacts by (i, j).)");
   bind_views(type);
   using packing::Assembly;
   type.show("cell", "Its columns are the three edges [m], (3, 3).", &Packing::assembly, &Assembly::cell)

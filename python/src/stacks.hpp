@@ -13,8 +13,8 @@
 
 #include "rows.hpp"
 
-/// Arguments whose elements are matrices or vectors: (..., 6, 6), (..., 3, 3) or (..., 3). All axes but the last ones
-/// are broadcast with the columns of the call.
+/// Arguments whose elements are matrices or vectors: (..., 6, 6), (..., 3, 3) or (..., 3). All axes but the
+/// last ones are broadcast with the columns of the call.
 /// Checked by python/tests/test_stacks.py
 namespace granum::python {
 
