@@ -84,8 +84,8 @@ IsotropicAverages averages(const IsotropicPart& stiffness, const IsotropicPart& 
 namespace {
 
 // Where a symmetric matrix has a condition number far from that of rounding, its Cholesky factor L says all
-// that is asked; elsewhere eigenvalues do, which take ten times as long. The trace of the inverse is |L^-1|^2,
-// and no smaller than its largest eigenvalue; neither is the norm of the matrix.
+// that is asked; elsewhere eigenvalues do, which take ten times as long. The trace of the inverse is |L^-1|^2
+// and no smaller than its largest eigenvalue, as the norm of the matrix is than its own.
 constexpr double clear_condition = 1e6;
 
 /// L^-1, if it is clear.
