@@ -9,7 +9,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/namespaces.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/sources_page.cmake")
 
 file(REMOVE_RECURSE "${OUTPUT}/pages" "${OUTPUT}/html" "${OUTPUT}/warnings.txt")
-file(GLOB pages RELATIVE "${ROOT}" "${ROOT}/docs/*.md" "${ROOT}/validation/*/README.md" "${ROOT}/README.md"
+file(GLOB pages RELATIVE "${ROOT}" "${ROOT}/docs/*.md" "${ROOT}/validation/*/*.md" "${ROOT}/README.md"
   "${ROOT}/CHANGELOG.md" "${ROOT}/bench/README.md" "${ROOT}/bench/results/*.md" "${ROOT}/bench/*/README.md"
   "${ROOT}/tests/peer/README.md")
 copy_pages("${ROOT}" "${OUTPUT}/pages" "${OUTPUT}/html" ${pages})
@@ -25,12 +25,12 @@ function(put_below page title)
   endforeach()
   file(APPEND "${OUTPUT}/pages/${page}" "${list}")
 endfunction()
-file(GLOB cases RELATIVE "${ROOT}" "${ROOT}/validation/*/README.md")
+file(GLOB cases RELATIVE "${ROOT}" "${ROOT}/validation/*/*.md")
 file(GLOB results RELATIVE "${ROOT}" "${ROOT}/bench/results/*.md" "${ROOT}/bench/*/README.md")
 put_below(docs/validation.md "Cases" ${cases} tests/peer/README.md)
 put_below(bench/README.md "Results" ${results})
 file(WRITE "${OUTPUT}/pages/docs/project.md" "# The project {#project}\n")
-foreach(name architecture extending promises page sources md_CHANGELOG md_bench_README)
+foreach(name architecture extending additions promises page sources md_CHANGELOG md_bench_README)
   if(EXISTS "${ROOT}/docs/${name}.md" OR name STREQUAL "sources" OR EXISTS "${ROOT}/CHANGELOG.md")
     file(APPEND "${OUTPUT}/pages/docs/project.md" "\n- \\subpage ${name}")
   endif()
@@ -59,7 +59,7 @@ endif()
 
 # The first pages of the side bar, in their order.
 set(first "")
-foreach(page docs/start docs/commands docs/cluster gallery notebooks docs/python python_api docs/theory docs/literature docs/laboratory
+foreach(page docs/start docs/commands docs/cluster gallery notebooks docs/python python_api docs/theory docs/glossary docs/literature docs/laboratory
     docs/validation docs/project)
   if(EXISTS "${OUTPUT}/pages/${page}.md")
     string(APPEND first " \"${OUTPUT}/pages/${page}.md\"")

@@ -22,6 +22,8 @@ PARAMETERS = {
     "str": "str",
     "int or str": "Union[int, str]",
     "str or sequence of str": "Union[str, Sequence[str]]",
+    "str or array of str": "ArrayLike",
+    "dict of array_like": "Mapping[str, ArrayLike]",
     "path_like": "_Path",
     "dict": "Mapping[str, str]",
     "dict or path_like": "Union[Mapping[str, Any], _Path]",
@@ -86,6 +88,12 @@ def imported(scripts, module):
     return package
 
 
+def plain(text):
+    """Types as pybind11 2 writes them, where version 3 says more."""
+    text = re.sub(r'typing\.Annotated\[(.*?), "FixedSize\(\d+\)"\]', r"\1", text)
+    return re.sub(r"typing\.Supports(Float|Int)(?: \| typing\.SupportsIndex)?", lambda m: m[1].lower(), text)
+
+
 def section(doc, title):
     found = re.search(rf"^{title}\n-+\n(.*?)(?=^\w[\w ]*\n-+\n|\Z)", doc, re.S | re.M)
     return found.group(1) if found else ""
@@ -126,6 +134,8 @@ class Stub:
         return f"Optional[{kind}]" if default is None and not kind.startswith("Union[None") else kind
 
     def result(self, words, number):
+        if words == "dict of float or ndarray":
+            return "dict[str, Any]"
         words = re.sub(r"^list of (\w+)$", r"list[\1]", words)
         words = re.sub(r"^dict of (\w+)$", r"dict[str, \1]", words).replace("[str, ndarray]", "[str, _Array]")
         words = re.sub(r"^(\w+) or (\w+)$", r"Union[\1, \2]", words.replace("float or ndarray", number))
@@ -139,7 +149,7 @@ class Stub:
         for key in (f"{kind}.{name}", name):
             if key in PROPERTIES:
                 return PROPERTIES[key]
-        text = found.group(1) if found else "Any"
+        text = plain(found.group(1)) if found else "Any"
         text = text.replace("granum._granum.", "").replace("List[float[3]]", "list[float]")
         text = re.sub(r"\b(List|Dict|Tuple)\[", lambda m: m[0].lower(), text)
         array = r"numpy\.(?:ndarray|typing\.NDArray)(\[.*?\])?"  # of pybind11 2, 3
@@ -178,7 +188,11 @@ class Stub:
 
     def overloads(self, name, function, indent=""):
         """All lines of a function; one of arrays has two."""
-        if name in KINDS and not indent:
+        if "(..., 6, 6) array_like" in section(inspect.getdoc(function) or "", "Parameters"):
+            # Of one matrix or a stack of them, which types do not tell apart.
+            line = self.signature(name, function, "ArrayLike").replace("[ArrayLike]", "[Any]")
+            lines = [line.replace("stiffness: ArrayLike", "stiffness: _Matrices")]
+        elif name in KINDS and not indent:
             lines = [self.signature(name, function, "ArrayLike", *kind) for kind in KINDS[name]]
         else:
             of_float = self.signature(name, function, "float")
@@ -197,7 +211,7 @@ class Stub:
         """That of a class that users make, from the docstring that pybind11 wrote."""
         found = re.search(r"__init__\(self: [\w.]+(, .*)?\) -> None", kind.__init__.__doc__ or "")
         if found:
-            return [f"    def __init__(self{found.group(1) or ''}) -> None: ..."]
+            return [f"    def __init__(self{plain(found.group(1) or '')}) -> None: ..."]
         # Made by functions alone: no argument lets a call pass.
         return ["    def __init__(self, _: NoReturn) -> None: ..."]
 
@@ -225,7 +239,7 @@ class Stub:
         for key, value in members.items():
             if isinstance(value, property):
                 lines += ["    @property", f"    def {key}(self) -> {self.of_property(name, key, value.fget)}: ..."]
-            elif not key.startswith("_") and callable(value) and key not in ("to_dict", "to_columns"):
+            elif not key.startswith("_") and callable(value) and key not in ("to_dict", "to_columns", "to_xarray"):
                 lines += self.overloads(key, getattr(kind, key), "    ")
         return lines if len(lines) > 1 else [lines[0] + " ..."]
 

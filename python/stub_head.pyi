@@ -23,9 +23,14 @@ _Path = Union[str, PathLike[str]]
 _Range = Optional[tuple[Optional[float], Optional[float]]]
 _TurningSpring = Union[None, float, tuple[float, str], Literal["marshall"]]
 
+
+# One matrix, a stack of them, or a result that has them.
+_Matrices = Union[ArrayLike, "Estimate[Any]", "Isotropic[Any]"]
+
 class _Result:
     def to_dict(self) -> dict[str, Any]: ...
     def to_columns(self) -> dict[str, NDArray[Any]]: ...
+    def to_xarray(self, dims: Optional[Sequence[str]] = ...) -> Any: ...
     def __eq__(self, other: object) -> bool: ...
 
 class Record(_Result):

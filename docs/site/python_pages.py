@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pages of the site about the package of Python: one a name, with its docstring and an example, in groups.
+"""Pages of the site about the package of Python: one a name, with its docstring, in groups.
 
     python3 docs/site/python_pages.py <folder>   # of the pages; the package has to be importable
 
@@ -14,7 +14,6 @@ import textwrap
 
 import granum
 
-HERE = pathlib.Path(__file__).resolve().parent
 GROUPS = {
     "Contact laws and minerals": """sphere cone flat_punch power_law rough_sphere contact_law NormalLaw minerals Mineral
         mindlin_stiffness_ratio pair_radius""",
@@ -30,7 +29,7 @@ GROUPS = {
     "Rock physics": """hertz_mindlin walton_uniaxial walton_uniaxial_stress norris_johnson norris_johnson_stress digby
         jenkins_shear_modulus soft_sand stiff_sand cement_at_contacts cement_in_surface_layer
         murphy_coordination_number IsotropicModuli AxialStress""",
-    "Packings": """read frames formats packing overlap_contacts from_lammps from_yade measure profile d2min stiffness_matrix
+    "Packings": """read frames formats write_vtk packing overlap_contacts from_lammps from_yade measure profile d2min stiffness_matrix
         lowest_modes Packing Contacts Frames
         Measurement Interior Counts Microstructure Fabric RoseBin ContactStress Forces Network Modes Sizes LawCheck""",
     "Fabric and sizes": """fabric_density fabric_cumulative_probability fabric_polar_cosine_quantile fabric_measures
@@ -44,16 +43,6 @@ GROUPS = {
         Study Verdict""",
     "Errors and records": "Error InvalidArgument FileError NotConverged Stopped Record",
 }
-
-
-def examples():
-    """The blocks of examples.txt by the names that they stand for."""
-    found = {}
-    for block in (HERE / "examples.txt").read_text().split("\n== ")[1:]:
-        heading, _, lines = block.partition("\n")
-        for name in heading.split(","):
-            found[name.strip()] = lines.strip()
-    return found
 
 
 def escaped(text):
@@ -94,6 +83,13 @@ def ref(name):
     return f"[{name}](@ref python_{name})"
 
 
+def example(lines):
+    """The section Examples as code that can be copied as a whole."""
+    text = re.sub(r"  # doctest: \+SKIP", "", "\n".join(lines).strip())
+    imports = ">>> import granum\n" + (">>> import numpy as np\n" if "np." in text else "")
+    return ["```py", imports + text, "```"]
+
+
 def prose(lines):
     return [linked(line) for line in textwrap.dedent("\n".join(lines)).splitlines()]
 
@@ -109,7 +105,7 @@ def documentation(text):
         if title:
             out.append(f"\n**{title}**\n")
         has_entries = title in ("Parameters", "Returns", "Raises", "Attributes")
-        out.extend(entries(section) if has_entries else prose(section))
+        out.extend(entries(section) if has_entries else example(section) if title == "Examples" else prose(section))
 
     for line, below in zip(lines, [*lines[1:], ""]):
         if below and set(below) == {"-"} and len(below) == len(line):
@@ -146,7 +142,7 @@ def members(kind):
     return ["", "**Members**", "", "<dl>", *lines, "</dl>"] if lines else []
 
 
-def page(name, example):
+def page(name):
     value = getattr(granum, name)
     lines = [f"# {name} (Python) {{#python_{name}}}", ""]
     is_class = inspect.isclass(value)
@@ -156,21 +152,17 @@ def page(name, example):
     lines += [documentation(text)]
     if is_class:
         lines += members(value)
-    code = "import granum\nimport numpy as np\n\n" if "np." in example else "import granum\n\n"
-    shown = re.sub(r"  # doctest: \+SKIP", "", example)
-    code = "".join(f">>> {line}\n" for line in code.splitlines() if line)
-    lines += ["", "**Example**", "", "```py", code + shown, "```", ""]
-    return "\n".join(lines)
+    return "\n".join([*lines, ""])
 
 
 def write(folder):
-    known = examples()
     listed = [name for names in GROUPS.values() for name in names.split()]
     public = {name for name in granum.__all__ if not name.startswith("__")}
     if sorted(listed) != sorted(public):
         sys.exit(f"docs/site/python_pages.py: names without one place: {sorted(set(listed) ^ public)}")
-    if set(known) != public:
-        sys.exit(f"docs/site/examples.txt: names without example: {sorted(set(known) ^ public)}")
+    without = [name for name in sorted(public) if "\nExamples\n" not in (inspect.getdoc(getattr(granum, name)) or "")]
+    if without:
+        sys.exit(f"python/src/examples.inc: names without an example: {without}")
     folder.mkdir(parents=True, exist_ok=True)
     index = ["# Python API {#python_api}", "", "Every public name of granum; the guide: \\ref python.", ""]
     for title, names in GROUPS.items():
@@ -180,7 +172,7 @@ def write(folder):
         for name in names.split():
             summary = signature(name, getattr(granum, name))[1].strip().splitlines()[0]
             lines.append(f"| \\subpage python_{name} \"{name}\" | {escaped(summary)} |")
-            (folder / f"python_{name}.md").write_text(page(name, known[name]) + "\n")
+            (folder / f"python_{name}.md").write_text(page(name) + "\n")
         (folder / f"{label}.md").write_text("\n".join(lines) + "\n")
     (folder / "python_api.md").write_text("\n".join(index) + "\n")
 

@@ -5,10 +5,11 @@ The library granum on numpy arrays. All numbers are in SI, compression is positi
 symmetry. See docs/python.md.
 """
 
+from ._documentation import _attach as _attach_examples
 from ._errors import Error, FileError, InvalidArgument, NotConverged, Stopped
 from ._files import frames, read
 from ._granum import *  # the functions and classes of python/src
-from ._granum import __version__
+from ._granum import __version__ as __version__
 from ._lammps import from_lammps
 from ._plots import _attach
 from ._results import Record, _attach as _attach_results
@@ -17,5 +18,6 @@ from ._yade import from_yade
 
 _attach()
 _attach_results()
+_attach_examples(globals())
 
 __all__ = [name for name in dir() if not name.startswith("_")] + ["__version__"]

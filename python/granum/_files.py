@@ -11,11 +11,17 @@ from ._granum import _frames
 
 
 def _paths(files):
-    """Paths as they are, and what patterns such as "dump.*.gz" match, in the order of their names."""
+    """Paths as they are, and what patterns such as "dump.*.gz" match, in the order of their names.
+
+    "~" is the home folder. A folder whose name has brackets is that folder, if there is one.
+    """
     paths = []
     for file in files:
-        name = os.fspath(file)
+        name = os.path.expanduser(os.fspath(file))
+        folder, pattern = os.path.split(name)
         matched = [] if os.path.exists(name) else sorted(glob.glob(name))
+        if not matched and os.path.isdir(folder):
+            matched = sorted(glob.glob(os.path.join(glob.escape(folder), pattern)))
         paths.extend(matched or [name])
     return paths
 

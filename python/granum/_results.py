@@ -9,7 +9,10 @@ from __future__ import annotations
 
 import copyreg
 import html
+import importlib
 import numbers
+
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +21,7 @@ from ._errors import InvalidArgument, NotConverged
 
 _WIDTH = 100  # of a line of repr
 _ALIVE = ("Compression", "Frames", "Shearing", "Specimen")  # simulations and readers, which have no fixed value
-_INPUTS = ("ContactMeans", "Distribution", "Isotropic", "NormalLaw", "Packing")  # made by users
+_INPUTS = ("ContactMeans", "Distribution", "NormalLaw", "Packing")  # made by users
 # Results of many elements that do not state their shape: an array of one number, or vector of this length, each.
 _ELEMENTS = {
     "Contacts": ("i", 0),
@@ -27,8 +30,8 @@ _ELEMENTS = {
     "PlaneWaves": ("speed", 1),
     "Range": ("value", 0),
 }
-_classes = {type_ for type_ in vars(_granum).values() if isinstance(type_, type)}
-_results = {type_ for type_ in _classes if type_.__name__ not in _ALIVE + _INPUTS}
+_classes: set[Any] = {type_ for type_ in vars(_granum).values() if isinstance(type_, type)}
+_results: set[Any] = {type_ for type_ in _classes if type_.__name__ not in _ALIVE + _INPUTS}
 
 
 def _names(result):
@@ -103,13 +106,7 @@ def to_columns(self):
     values = to_dict(self)
     if _kind(self) == "Study":
         values = values["states"]
-        shape = (len(values["seed"]),)
-    elif _kind(self) in _ELEMENTS:
-        name, axes = _ELEMENTS[_kind(self)]
-        shape = np.shape(values[name])
-        shape = shape[: len(shape) - axes]
-    else:
-        shape = tuple(values.pop("shape", ()))
+    shape = _shape(self, values)
     values.pop("errors", None)
     rows = int(np.prod(shape))
     columns = {}
@@ -127,6 +124,59 @@ def to_columns(self):
     return columns
 
 
+# Dimensions of vectors and tensors in a data set, by their length.
+_AXES = {3: "axis", 6: "voigt"}
+
+
+def to_xarray(self, dims=None):
+    """The numbers of the result as a data set of xarray, which has to be installed.
+
+    Numbers keep the axes of the call. Axes of vectors and tensors are called axis and axis_2, those of Voigt matrices
+    voigt and voigt_2, with the indices 11 22 33 23 13 12 as coordinates. Lists, texts and messages are left out.
+
+    Parameters
+    ----------
+    dims : sequence of str, optional
+        Names of the axes of the call; default: dim_0, dim_1 and so on.
+
+    Returns
+    -------
+    xarray.Dataset
+        The names of variables are those of to_columns().
+    """
+    xarray = importlib.import_module("xarray")
+    values = to_dict(self)
+    if _kind(self) == "Study":
+        values = values["states"]
+    shape = _shape(self, values)
+    names = [f"dim_{k}" for k in range(len(shape))] if dims is None else list(dims)
+    if len(names) != len(shape):
+        raise InvalidArgument(f"dims has {len(names)} names, and the result has the shape {shape}")
+    values.pop("errors", None)
+    variables, coordinates = {}, {}
+    for name, array in _flat(values):
+        if array.ndim and array.shape[: len(shape)] != shape:
+            continue
+        inner = array.shape[len(shape) :] if array.ndim else ()
+        if any(length not in _AXES for length in inner):
+            continue
+        axes = [_AXES[length] + (f"_{k + 1}" if k else "") for k, length in enumerate(inner)]
+        coordinates.update({axis: [11, 22, 33, 23, 13, 12] for axis in axes if axis.startswith("voigt")})
+        variables[name] = ([*names, *axes] if array.ndim else [], array)
+    return xarray.Dataset(variables, coordinates)
+
+
+def _shape(result, values):
+    """The axes of a result that are those of the call."""
+    if _kind(result) == "Study":
+        return (len(values["seed"]),)
+    if _kind(result) in _ELEMENTS:
+        name, axes = _ELEMENTS[_kind(result)]
+        shape = np.shape(values[name])
+        return shape[: len(shape) - axes]
+    return tuple(values.pop("shape", ()))
+
+
 def _short(value):
     """A short text for a value."""
     if isinstance(value, float):
@@ -136,7 +186,7 @@ def _short(value):
         return f"[{', '.join(map(_short, value.tolist()))}]" if few else f"<{value.dtype} {value.shape}>"
     if isinstance(value, (list, tuple)):
         if len(value) <= 3 and all(isinstance(item, (int, float)) for item in value):
-            return "(" + ", ".join(_short(item) for item in value) + ")"
+            return "(" + ", ".join(_short(item) for item in value) + (",)" if len(value) == 1 else ")")
         return f"<{len(value)} of them>" if value else "none"
     if isinstance(value, dict):
         return f"<{len(value)} of them>" if value else "none"
@@ -149,8 +199,15 @@ def _kind(result):
     return vars(result)["_kind"] if isinstance(result, Record) else type(result).__name__
 
 
+def _shown(result):
+    """The names that its text shows: what the call says of its elements where there is something, behind the numbers."""
+    names = _names(result)
+    of_call = [name for name in ("errors", "notes", "shape") if name in names] if "shape" in names else []
+    return [name for name in names if name not in of_call] + [name for name in of_call if _value(result, name)]
+
+
 def _repr(self):
-    names = _names(self)
+    names = _shown(self)
     if not names:
         return f"<{_kind(self)}>"
     lines, line = [], _kind(self) + "("
@@ -196,15 +253,13 @@ def _recorded(value):
 
 def _made_again(name, values):
     """Restores an object made by users from its numbers."""
-    make = _granum.isotropic if name == "Isotropic" else getattr(_granum, name)
-    return make(**values)
+    return getattr(_granum, name)(**values)
 
 
-# The numbers that restore each of them; an isotropic solid is restored within rounding.
+# The numbers that restore each of them.
 _MADE_OF = {
     "ContactMeans": ("branch", "branch_square", "pair_radius", "grain_volume"),
     "Distribution": ("text",),
-    "Isotropic": ("bulk_modulus", "shear_modulus"),
 }
 
 
@@ -231,7 +286,7 @@ def _reduce_call(self):
 
 
 def _reduce_state(self):
-    return copyreg.__newobj__, (type(self),), self.__getstate__()
+    return copyreg.__newobj__, (type(self),), self.__getstate__()  # type: ignore[attr-defined]
 
 
 def _refuse_to_reduce(self):
@@ -302,7 +357,7 @@ class Record:
     Made only by pickle and copy. A record equals the original result.
     """
 
-    def __init__(self, kind: str, values: dict) -> None:
+    def __init__(self, kind: str, values: dict[str, Any]) -> None:
         vars(self).update(_kind=kind, _values=values)
 
     def __getattr__(self, name):
@@ -325,6 +380,7 @@ class Record:
     __hash__ = None  # type: ignore[assignment]
     to_dict = to_dict
     to_columns = to_columns
+    to_xarray = to_xarray
     __mul__ = __rmul__ = _times
     __truediv__ = _over
     __add__ = __radd__ = _plus
@@ -351,6 +407,7 @@ def _attach():
         if type_ not in _results:
             continue
         type_.to_dict, type_.to_columns, type_._repr_html_ = to_dict, to_columns, _repr_html_
+        type_.to_xarray = to_xarray
         if type_.__name__ == "Range":
             for name, function in _OF_RANGES.items():
                 setattr(type_, name, function)

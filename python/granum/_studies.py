@@ -15,12 +15,13 @@ def _text(name, value, numbers_in_si):
     """A value of a key as text for --set."""
     if isinstance(value, str):
         return value
-    if isinstance(value, (list, tuple)) or hasattr(value, "tolist") and getattr(value, "ndim", 0):
+    if isinstance(value, (list, tuple)) or hasattr(value, "tolist") and getattr(value, "ndim", False):
         return ",".join(_text(name, item, numbers_in_si) for item in value)
-    if isinstance(value, numbers.Integral) and not isinstance(value, bool):
+    is_flag = isinstance(value, bool)
+    if not is_flag and isinstance(value, numbers.Integral):
         integer = int(value)
         return _text_in_si(name, integer) if numbers_in_si and abs(integer) < 2**53 else str(integer)
-    if isinstance(value, numbers.Real) and not isinstance(value, bool):
+    if not is_flag and isinstance(value, numbers.Real):
         return _text_in_si(name, float(value)) if numbers_in_si else repr(float(value))
     raise TypeError(f"{name} is a text, a number, or a list of them, not {value!r}")
 

@@ -49,7 +49,7 @@ def _contacts(scene, spheres, walls):
 def from_yade(scene):
     """The packing in the memory of YADE, for scripts and consoles inside YADE.
 
-    Spheres are the grains, in the order of their ids. Wall, Facet and Box are walls, numbered by their ids. Forces
+    Spheres are the grains, in the order of their ids, which they keep. Wall, Facet and Box are walls, numbered by their ids. Forces
     are those on the second body of a pair; kn and ks are the tangent stiffnesses at this state, kr and ktw those
     against rolling and twisting. Spheres of one clump move as one.
 
@@ -94,4 +94,5 @@ def from_yade(scene):
         rolling_stiffness=rows[:, 10],
         twisting_stiffness=rows[:, 11],
         body=[b.clumpId for b in bodies],
+        id=spheres,
     )

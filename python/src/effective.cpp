@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -44,7 +45,10 @@ py::array matrices(const Stiffnesses& rows) {
   double* to = out.mutable_data();
   for (std::size_t k = 0; k < rows.rows.size(); ++k) {
     hear_signals(k);
-    const elastic::Matrix6 matrix = elastic::voigt(rows.rows[k].stiffness).matrix;
+    const TransverselyIsotropic& stiffness = rows.rows[k].stiffness;
+    const bool refused = std::isnan(stiffness.C11);
+    const elastic::Matrix6 matrix =
+        refused ? elastic::Matrix6::Constant(nan).eval() : elastic::voigt(stiffness).matrix;
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j)
         *to++ = matrix(i, j);
@@ -390,6 +394,8 @@ py::object estimate_object(const RungAnswer& answer) {
   out.has_error = answer.relative_error.has_value();
   return py::cast(std::move(out));
 }
+
+py::object estimate_object(Rows<StiffnessRow> rows) { return py::cast(Stiffnesses{std::move(rows)}); }
 
 void bind_effective(py::module_& module) {
   bind_estimate(module);

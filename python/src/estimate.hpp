@@ -23,5 +23,7 @@ struct Stiffnesses : Rows<StiffnessRow> {
 
 /// The answer of one rung as an object of Python.
 [[nodiscard]] py::object estimate_object(const effective::RungAnswer& answer);
+/// Stiffnesses without errors as one.
+[[nodiscard]] py::object estimate_object(Rows<StiffnessRow> rows);
 
 } // namespace granum::python

@@ -11,6 +11,7 @@
 
 #include "docstrings.hpp"
 #include "errors.hpp"
+#include "examples.hpp"
 
 namespace granum::python {
 
@@ -218,6 +219,8 @@ void define(const py::object& scope, KeywordFunction function) {
       signature(record.function) + (record.function.documentation.empty()
                                         ? documentation_of(record.function.text, record.function.keywords)
                                         : record.function.documentation);
+  if (PyModule_Check(scope.ptr()) != 0)
+    record.text += examples_section(record.function.name);
   record.definition = {record.function.name,
                        reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(call_record)),
                        METH_FASTCALL | METH_KEYWORDS, record.text.c_str()};

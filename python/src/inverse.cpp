@@ -41,11 +41,11 @@ py::object predict(const Arguments& a) {
   const auto& answer = a.as<const Answer&>(0);
   const Inference& inference = together(answer);
   const inverse::Quantity asked = inverse::quantity_of(a.text(1));
-  const inverse::AskedPacking which = inverse::asked_packing_of(a.given(6) ? a.text(6) : "same");
+  const inverse::AskedPacking which = inverse::asked_packing_of(a.given(7) ? a.text(7) : "same");
   return predicted_rows(
       a, answer.first, [&](double mean_stress) { return inference.void_ratio_at(mean_stress); },
-      [&](const effective::State& at, Notes& notes) {
-        const Measured found = inference.predict(asked, at, which);
+      [&](const effective::State& at, std::optional<double> saturation, Notes& notes) {
+        const Measured found = inference.predict(asked, at, which, saturation);
         notes.add(inference.doubts(at, which));
         return found;
       });
@@ -162,26 +162,33 @@ std::vector<Keyword> predict_keywords(const std::string& otherwise) {
   using estimate::Input;
   Keyword void_ratio = of_input(Input::void_ratio).or_none();
   void_ratio.says += " Default: " + otherwise + ".";
+  Keyword saturation = of_input(Input::saturation).or_none();
+  saturation.says += " For speeds. Default: that of the measurements.";
   return {required("quantity", "str", "G, G_hh, K, V_s, V_s_hh, V_p or V_p_h."),
-          of_input(Input::pressure).or_none(), of_input(Input::stress_v).or_none(),
-          of_input(Input::stress_h).or_none(), void_ratio};
+          of_input(Input::pressure).or_none(),
+          of_input(Input::stress_v).or_none(),
+          of_input(Input::stress_h).or_none(),
+          void_ratio,
+          saturation};
 }
 
-py::object predicted_rows(const Arguments& a, const effective::State& first,
-                          const std::function<double(double)>& void_ratio_at,
-                          const std::function<Measured(const effective::State& at, Notes& notes)>& predict) {
-  constexpr std::size_t pressure = 2, stress_v = 3, stress_h = 4, void_ratio = 5;
+py::object predicted_rows(
+    const Arguments& a, const effective::State& first, const std::function<double(double)>& void_ratio_at,
+    const std::function<Measured(const effective::State& at, std::optional<double> saturation, Notes& notes)>&
+        predict) {
+  constexpr std::size_t pressure = 2, stress_v = 3, stress_h = 4, void_ratio = 5, saturation = 6;
   const bool own_void_ratio = !a.given(void_ratio);
-  const Argument columns[] = {stress_argument(a, pressure, stress_v, stress_h, true),
-                              stress_argument(a, pressure, stress_v, stress_h, false),
-                              own_void_ratio ? Argument{"void_ratio", 0.0}
-                                             : Argument{"void_ratio", a[void_ratio]}};
+  const Argument columns[] = {
+      stress_argument(a, pressure, stress_v, stress_h, true),
+      stress_argument(a, pressure, stress_v, stress_h, false),
+      own_void_ratio ? Argument{"void_ratio", 0.0} : Argument{"void_ratio", a[void_ratio]},
+      a.given(saturation) ? Argument{"saturation", a[saturation]} : Argument{"saturation", 0.0}};
   return py::cast(answer_rows(columns, false, MeasuredRow{}, [&](const double* x, Notes& notes) {
     effective::State at = first;
     at.stress_v = x[0];
     at.stress_h = x[1];
     at.void_ratio = own_void_ratio ? void_ratio_at((x[0] + 2 * x[1]) / 3) : x[2];
-    const Measured found = predict(at, notes);
+    const Measured found = predict(at, a.given(saturation) ? std::optional(x[3]) : std::nullopt, notes);
     return MeasuredRow{found.value, found.standard_error};
   }));
 }

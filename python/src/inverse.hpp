@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <granum/core/numerics.hpp>
@@ -17,7 +18,7 @@ struct MeasuredRow {
   double standard_error = nan;
 };
 
-/// Keywords of predict(), after self: the quantity, the stresses, the void ratio.
+/// Keywords of predict(), after self: the quantity, the stresses, the void ratio, the saturation.
 /// \param    otherwise   the void ratio where none is given, in words
 [[nodiscard]] std::vector<Keyword> predict_keywords(const std::string& otherwise);
 
@@ -25,10 +26,11 @@ struct MeasuredRow {
 /// \param    a               the keywords of predict
 /// \param    first           the state of the first measurement, whose stresses and void ratio are replaced
 /// \param    void_ratio_at   that of the packing at another mean stress [Pa], where none is given
-[[nodiscard]] py::object
-predicted_rows(const Arguments& a, const effective::State& first,
-               const std::function<double(double mean_stress)>& void_ratio_at,
-               const std::function<Measured(const effective::State& at, Notes& notes)>& predict);
+[[nodiscard]] py::object predicted_rows(
+    const Arguments& a, const effective::State& first,
+    const std::function<double(double mean_stress)>& void_ratio_at,
+    const std::function<Measured(const effective::State& at, std::optional<double> saturation, Notes& notes)>&
+        predict);
 
 /// Each measurement as it was fitted, and how far it is off.
 [[nodiscard]] std::vector<Measured> fitted_values(const std::vector<inverse::FittedObservation>& all);

@@ -14,6 +14,7 @@
 #include "errors.hpp"
 #include "measure.hpp"
 #include "members.hpp"
+#include "rows.hpp"
 #include "shared_keywords.hpp"
 #include "studies/analyse/measured_frame.hpp"
 #include "studies/analyse/overlaps.hpp"
@@ -160,9 +161,10 @@ void bind_network(py::module_& module) {
             &elastic::Isotropic::bulk_modulus)
       .show("shear_modulus", "G of the nearest isotropic solid [Pa].", &Network::isotropic_relaxed,
             &elastic::Isotropic::shear_modulus)
-      .show("moduli", "Moduli of the relaxed network.", [](const Network& n) { return n.relaxed.moduli; })
+      .show("moduli", "Moduli of the relaxed network.",
+            [](const Network& n) { return of_one(n.relaxed.moduli); })
       .show("symmetry", "Symmetry of the relaxed network.",
-            [](const Network& n) { return n.relaxed.symmetry; })
+            [](const Network& n) { return of_one(n.relaxed.symmetry); })
       .show("bulk_modulus_bounds", "[Pa]",
             [](const Network& n) { return std::pair(n.bulk_bounds.lower, n.bulk_bounds.upper); });
 }

@@ -150,7 +150,7 @@ void bind_views(ResultClass<Packing, SharedPacking>& type) {
   show("wall_contacts", "Of grain i with wall j.", [](Object self) {
     return Contacts{self, &self.cast<const Packing&>().assembly.wall_contacts};
   });
-  show("id", "Id of each grain in the files.",
+  show("id", "Id of each grain in the files, or as it was given.",
        [](Object self) { return view_of(self.cast<const Packing&>().id, self); });
   show("type", "Type of each grain, if the files contain types; else empty.",
        [](Object self) { return view_of(self.cast<const Packing&>().type, self); });
@@ -161,8 +161,8 @@ void bind_views(ResultClass<Packing, SharedPacking>& type) {
 void bind_class(py::module_& module) {
   ResultClass<Packing, SharedPacking> type(module, "Packing", R"(Grains, contacts and their cell.
 
-Arrays are read-only views of the memory of the packing. SI; compression is positive. Grains are sorted by id,
-contacts by (i, j).)");
+Arrays are read-only views of the memory of the packing. SI; compression is positive. Grains of files are
+sorted by id, contacts by (i, j).)");
   bind_views(type);
   using packing::Assembly;
   type.show("cell", "Its columns are the three edges [m], (3, 3).", &Packing::assembly, &Assembly::cell)
@@ -254,6 +254,10 @@ py::object packing_from(const Arguments& a) {
   if (a.given(a.at("body")))
     body = a.as<std::vector<long>>(a.at("body"), "integers, one for each grain");
   arrays.body = body;
+  std::vector<long> id;
+  if (a.given(a.at("id")))
+    id = a.as<std::vector<long>>(a.at("id"), "integers, one for each grain");
+  arrays.id = id;
   std::vector<std::array<long, 2>> pairs;
   Flags sliding{0};
   if (a.given(a.at("contacts"))) {
@@ -307,7 +311,11 @@ std::vector<Keyword> packing_keywords() {
                "[N m]."),
       optional("body", "(N,) sequence of int",
                "Number of the rigid body (clump) of each grain; negative: none. Grains of one body move "
-               "together; C_n, z*, rattlers and stress are those of bodies.")};
+               "together; C_n, z*, rattlers and stress are those of bodies."),
+      optional(
+          "id", "(N,) sequence of int",
+          "Id of each grain, no two the same; the order of the grains and the numbers in `contacts` stay "
+          "those of the arrays. Default: from 0.")};
 }
 
 /// The states in some files, in order.

@@ -24,9 +24,9 @@ constexpr Input numbers_beside_state[] = {Input::grain_density, Input::saturatio
 
 } // namespace
 
-std::vector<Keyword> sand_keywords() {
+std::vector<Keyword> sand_keywords(const char* type_of_name) {
   std::vector<Keyword> all{
-      optional("sand", "str",
+      optional("sand", type_of_name,
                "A sand by name, \"toyoura\", with its published limits of the void ratio, C_u, d50 and "
                "tests; implies\n    grain_shape \"sand\" unless that is given.")};
   for (const Input input : numbers_of_sand)
@@ -56,13 +56,16 @@ std::vector<Keyword> question_keywords(const std::vector<Keyword>& more) {
               "\"sphere\", the model of spheres, or \"sand\", laws measured on sands; both give the same "
               "fields. By\n    default \"sand\" if a number or the name of a sand is given, else "
               "\"sphere\".")} +
-      sand_keywords() + std::vector<Keyword>{of_input(Input::shear_strain).or_none()};
+      sand_keywords("str or array of str") + std::vector<Keyword>{of_input(Input::shear_strain).or_none()};
   const auto named = [&all](const char* name) {
     return std::find_if(all.begin(), all.end(), [name](const Keyword& of) { return of.name == name; });
   };
   all.erase(named("unevenness")); // a question has its preparation
   const auto contacts = named("coordination_number");
   *contacts = contacts->or_none();
+  const auto void_ratio = named("void_ratio");
+  *void_ratio = void_ratio->or_none();
+  void_ratio->says += " Of a sand it follows from relative_density where that is given instead.";
   named("least_void_ratio")->says += " Of beads (grain_shape \"sphere\") that of the same grains\n    packed "
                                      "without friction, from 0.5 (0.2 of "
                                      "unequal grains) to void_ratio: contacts that are not given are\n    "
@@ -146,9 +149,13 @@ const std::vector<InputPlace>& numbers_of_question() {
 
 /// \throws   TypeError for stresses or contacts that are given twice, or stresses that are missing
 void require_alternatives(const Arguments& a) {
-  static const std::size_t pressure = place_of("pressure"), v = place_of("stress_v"),
+  static const std::size_t e = place_of("void_ratio"), D_r = place_of("relative_density"),
+                           pressure = place_of("pressure"), v = place_of("stress_v"),
                            h = place_of("stress_h"), z = place_of("mechanical_coordination_number"),
                            rattlers = place_of("rattler_fraction");
+  if (!a.given(e) && !a.given(D_r))
+    throw py::type_error(std::string(a.function().name) +
+                         "() needs the keyword argument 'void_ratio', or 'relative_density' of a sand");
   for (const bool vertical : {true, false})
     (void)stress_argument(a, pressure, v, h, vertical);
   if (a.given(z) && a.given(rattlers))
@@ -162,21 +169,51 @@ QuestionArguments::QuestionArguments(const Arguments& a)
   static const std::size_t means = place_of("contact_means"), strict = place_of("strict"),
                            uncertainty = place_of("uncertainty");
   static const InputPlace words[] = {{Input::preparation, place_of("preparation")},
-                                     {Input::grain_shape, place_of("grain_shape")},
-                                     {Input::sand, place_of("sand")}};
+                                     {Input::grain_shape, place_of("grain_shape")}};
+  static const std::size_t sand = place_of("sand");
   strict_ = a.flag(strict);
   require_alternatives(a);
   if (a.given(means))
     values_.contact_means = a.as<sizes::ContactMeans>(means, "ContactMeans");
   for (const auto& [input, place] : words)
     give_word(values_, input, a, place);
+  if (a.given(sand) && !py::isinstance<py::str>(a[sand]))
+    take_sands(a[sand]);
+  else
+    give_word(values_, Input::sand, a, sand);
   for (const auto& [input, place] : numbers_of_question())
-    if (a.given(place) || input == Input::radius || input == Input::void_ratio) {
+    if (a.given(place) || input == Input::radius) {
       columns_.push_back({a.name(place), a[place], a.keyword(place).in_library});
       inputs_.push_back(input);
     }
+  if (sand_places_)
+    columns_.push_back({"sand", py::handle(sand_places_)});
   deviations_ = deviations_of(a, uncertainty, estimate::uncertain_rows(), "an input of this packing");
   require_in_use();
+}
+
+void QuestionArguments::take_sands(py::handle names) {
+  const py::array all = py::array::ensure(names);
+  const char kind = all ? all.dtype().kind() : ' ';
+  if (kind != 'U' && kind != 'O') {
+    PyErr_Clear();
+    throw py::type_error("sand must be a string, or an array of them");
+  }
+  py::array_t<double> places(std::vector<py::ssize_t>(all.shape(), all.shape() + all.ndim()));
+  std::map<std::string, std::size_t> known;
+  double* to = places.mutable_data();
+  for (const py::handle name : all.attr("ravel")().attr("tolist")()) {
+    if (!py::isinstance<py::str>(name))
+      throw py::type_error("sand must be a string, or an array of them, not one with " +
+                           std::string(py::str(py::repr(name))));
+    const auto [place, fresh] = known.emplace(name.cast<std::string>(), known.size());
+    if (fresh)
+      of_sands_.emplace_back(values_).give(Input::sand, place->first);
+    *to++ = static_cast<double>(place->second);
+  }
+  if (!of_sands_.empty())
+    values_ = of_sands_.front();
+  sand_places_ = std::move(places);
 }
 
 const double* QuestionArguments::one_packing(const char* function) {
@@ -200,7 +237,7 @@ void QuestionArguments::require_in_use() const {
 }
 
 estimate::Answer QuestionArguments::answer(const double* x) const {
-  InputValues values = values_;
+  InputValues values = sand_places_ ? of_sands_[static_cast<std::size_t>(x[inputs_.size()])] : values_;
   for (std::size_t k = 0; k < inputs_.size(); ++k)
     values.give(inputs_[k], x[k]);
   values = completed(std::move(values));

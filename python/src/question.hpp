@@ -19,7 +19,8 @@ namespace granum::python {
 /// How many keywords a question has: the index of the first keyword of a function.
 [[nodiscard]] std::size_t question_keyword_count();
 /// Keywords of the properties of a sand: its name, C_u, limits, relative density, fines and d50, in order.
-[[nodiscard]] std::vector<Keyword> sand_keywords();
+/// \param    type_of_name   "str", or that of several
+[[nodiscard]] std::vector<Keyword> sand_keywords(const char* type_of_name = "str");
 /// Those of them that are numbers.
 inline constexpr estimate::Input numbers_of_sand[] = {estimate::Input::uniformity,
                                                       estimate::Input::least_void_ratio,
@@ -54,9 +55,12 @@ class QuestionArguments {
   [[nodiscard]] estimate::Answer answer(const double* numbers) const;
 
  private:
+  void take_sands(py::handle names);
   void require_in_use() const;
 
-  estimate::InputValues values_; ///< of all elements
+  estimate::InputValues values_;                ///< of all elements, but for the names of several sands
+  std::vector<estimate::InputValues> of_sands_; ///< of each name, where the last column says which
+  py::object sand_places_;                      ///< that column
   estimate::Deviations deviations_;
   std::vector<Argument> columns_;
   std::vector<estimate::Input> inputs_; ///< of the columns

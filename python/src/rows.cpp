@@ -2,6 +2,7 @@
 #include "rows.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace granum::python {
 
@@ -55,6 +56,8 @@ InvalidArgument as_typed(const InvalidArgument& error, std::span<const Argument>
 }
 
 Columns::Columns(std::span<const Argument> arguments) {
+  if (arguments.size() > most)
+    throw std::length_error("too many columns");
   for (std::size_t k = 0; k < arguments.size(); ++k) {
     if (const double* number = std::get_if<double>(&arguments[k].value)) {
       number_[k] = *number;
@@ -63,6 +66,10 @@ Columns::Columns(std::span<const Argument> arguments) {
     const py::handle value = std::get<py::handle>(arguments[k].value);
     if (value && PyFloat_Check(value.ptr())) {
       number_[k] = PyFloat_AS_DOUBLE(value.ptr());
+      continue;
+    }
+    if (value && PyLong_CheckExact(value.ptr())) { // of any length
+      number_[k] = number_of(arguments[k].name, value);
       continue;
     }
     py::array_t<double> array = numbers_of(arguments[k].name, value);

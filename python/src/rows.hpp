@@ -44,9 +44,10 @@ struct Argument {
 /// The numbers of every element of a call, one per argument.
 class Columns {
  public:
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t most = 32;
 
-  /// \throws   TypeError for anything but numbers; InvalidArgument for shapes that cannot be broadcast
+  /// \throws   TypeError for anything but numbers; InvalidArgument for shapes that cannot be broadcast;
+  ///           std::length_error for more than `most` arguments
   explicit Columns(std::span<const Argument> arguments);
 
   /// Whether only numbers were given, no arrays: one element.
@@ -107,6 +108,14 @@ struct Rows {
 
   [[nodiscard]] const Row& front() const { return rows.front(); }
 };
+
+/// What is of one element, as the result of a call with numbers.
+template <class Row>
+[[nodiscard]] Rows<Row> of_one(Row row) {
+  Rows<Row> rows;
+  rows.rows.push_back(std::move(row));
+  return rows;
+}
 
 /// Notes on the elements of a call: one of each kind, which is a note without its numbers.
 class Notes {

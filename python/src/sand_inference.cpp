@@ -31,9 +31,9 @@ py::object predict_sand(const Arguments& a) {
   const inverse::Quantity asked = inverse::quantity_of(a.text(1));
   return predicted_rows(
       a, sand.first, [&](double) { return sand.first.void_ratio; },
-      [&](const effective::State& at, Notes& notes) {
+      [&](const effective::State& at, std::optional<double> saturation, Notes& notes) {
         notes.add(sand.found.doubts(at));
-        return sand.found.predict(asked, at);
+        return sand.found.predict(asked, at, saturation);
       });
 }
 

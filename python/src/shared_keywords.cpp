@@ -80,9 +80,11 @@ Keyword strict_keyword() {
 }
 
 Keyword stiffness_keyword() {
-  return required("stiffness", "(6, 6) array_like",
-                  "Voigt matrix, order 11 22 33 23 13 12, engineering shear strains [Pa]. Symmetric: both "
-                  "halves may differ by 1e-3 of the largest entry, as if they were rounded to four digits.");
+  return required(
+      "stiffness", "(..., 6, 6) array_like",
+      "Voigt matrices, order 11 22 33 23 13 12, engineering shear strains [Pa]. Symmetric: both "
+      "halves may differ by 1e-3 of the largest entry, as if they were rounded to four digits. An "
+      "Estimate or an Isotropic may be given as it is.");
 }
 
 std::vector<Keyword> solid_keywords(const std::string& prefix, const std::string& solid,

@@ -115,6 +115,7 @@ GOOD = {
     "walton_uniaxial": STRAINED,
     "walton_uniaxial_stress": STRAINED,
     "water_and_air_bulk_modulus": dict(saturation=0.5),
+    "write_vtk": dict(packing=granum.packing(**TWO), path="/nowhere/grains.vtu"),
 }
 WITHOUT_ARGUMENTS = {"formats", "known_sands", "measured_laws", "minerals", "references", "rungs"}
 # Written in Python, or of a specimen, which takes seconds to prepare.

@@ -7,7 +7,7 @@ import re
 import granum
 import pytest
 
-SECTIONS = ["Parameters", "Returns", "Raises", "See Also", "Notes"]
+SECTIONS = ["Parameters", "Returns", "Raises", "See Also", "Notes", "Examples"]
 FUNCTIONS = sorted(name for name in granum.__all__ if inspect.isroutine(getattr(granum, name)))
 CLASSES = sorted(name for name in granum.__all__ if inspect.isclass(getattr(granum, name)))
 
@@ -49,7 +49,7 @@ def test_sections_are_in_order(name):
     assert summary[0].endswith("."), "the summary is a sentence of one line"
     assert len(summary[0]) <= 110
     assert list(sections) == [title for title in SECTIONS if title in sections]
-    assert {"Returns", "Notes"} <= set(sections)
+    assert {"Returns", "Notes", "Examples"} <= set(sections)
     if signature_of(name):
         assert {"Parameters", "Raises"} <= set(sections)
 

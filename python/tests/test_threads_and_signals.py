@@ -70,7 +70,8 @@ def test_frames_are_read_by_one_thread_at_a_time(dump, packing):
 
 
 COMMON = """
-import granum, numpy as np, os, sys
+import granum, numpy as np, os, signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which jobs in the background ignore
 law = granum.sphere(shear_modulus=30e9, poisson_ratio=0.15, radius=0.5e-3)
 def long_array(rows, low=50e3, high=500e3): return np.linspace(low, high, rows)
 """
@@ -98,10 +99,11 @@ def test_ctrl_c_ends_a_long_call(call, tmp_path):
     child = subprocess.Popen(
         [sys.executable, "-c", script, str(pipe)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
+    writer = None
     try:
         assert child.stdout.readline() == "begun\n"
         if "argv" in call:  # a header, and never a grain
-            writer = open(pipe, "w")
+            writer = pipe.open("w")
             print("id,x,y,z,radius", file=writer, flush=True)
         time.sleep(1)
         assert child.poll() is None
@@ -111,3 +113,5 @@ def test_ctrl_c_ends_a_long_call(call, tmp_path):
         assert os.times().children_user - before < 12  # of the processor, that others may use too
     finally:
         child.kill()
+        if writer:
+            writer.close()

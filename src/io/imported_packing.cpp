@@ -84,7 +84,8 @@ ImportedPacking doubled(const ImportedPacking& packing, int axis) {
   const auto count = static_cast<std::uint32_t>(from.grain_count());
   const Vec3 edge = column(from.cell, axis);
   const Mat3 to_parts = inverse_of(from.cell);
-  const long range = packing.id.empty() ? 0 : packing.id.back() - packing.id.front() + 1;
+  const auto [least, largest] = std::minmax_element(packing.id.begin(), packing.id.end());
+  const long range = packing.id.empty() ? 0 : *largest - *least + 1;
   for (int k = 0; k < 3; ++k)
     to.cell(k, axis) *= 2;
   const std::uint32_t bodies =

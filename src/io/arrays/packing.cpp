@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/arrays/packing.hpp>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -138,15 +139,31 @@ ImportedPacking build(const PackingArrays& arrays) {
 
 } // namespace
 
+namespace {
+
+void require_different(std::span<const long> ids) {
+  std::vector<long> sorted(ids.begin(), ids.end());
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    throw InvalidArgument("id " + std::to_string(*twice) + " occurs twice");
+}
+
+} // namespace
+
 ImportedPacking packing_of(const PackingArrays& arrays) {
   if (arrays.radius.size() != arrays.position.size())
     throw InvalidArgument("radius has " + std::to_string(arrays.radius.size()) + " elements, position has " +
                           std::to_string(arrays.position.size()));
   require_length("body", arrays.body.size(), arrays.position.size(), "position");
+  require_length("id", arrays.id.size(), arrays.position.size(), "position");
+  require_different(arrays.id);
   if (arrays.contacts)
     require_lengths(*arrays.contacts);
   try {
-    return build(arrays);
+    ImportedPacking packing = build(arrays);
+    if (!arrays.id.empty())
+      packing.id.assign(arrays.id.begin(), arrays.id.end());
+    return packing;
   } catch (const FileError& error) {
     throw in_arrays(error);
   }

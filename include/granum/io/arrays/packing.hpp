@@ -34,6 +34,8 @@ struct PackingArrays {
   std::span<const double> radius;                 ///< > 0, one for each centre [m]
   std::optional<Mat3> cell = {};                  ///< columns are its edges; the smallest box [m]
   std::array<bool, 3> periodic{true, true, true}; ///< pairs of faces of the cell
+  /// Of each grain, no two the same; from 0 in the order of the grains, which ids do not change.
+  std::span<const long> id = {};
   std::span<const long> body = {}; ///< of each grain, number of the rigid body it is a part of; < 0: of none
   std::optional<ContactArrays> contacts = {};
 };
