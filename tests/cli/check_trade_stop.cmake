@@ -13,7 +13,7 @@ execute_process(
 if(NOT code EQUAL 130)
   fail("a study that Ctrl-C stopped must end with exit code 130")
 endif()
-read_files("${FOLDER}" "manifest.json;samples.csv;trade.csv;trade.svg")
+read_files("${FOLDER}" "manifest.json;report.html;samples.csv;trade.csv;trade.svg")
 string(JSON complete GET "${manifest}" complete)
 string(JSON failure GET "${manifest}" failure)
 if(NOT (complete STREQUAL OFF AND failure MATCHES "stopped on request"))
