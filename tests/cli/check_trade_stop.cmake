@@ -19,3 +19,7 @@ string(JSON failure GET "${manifest}" failure)
 if(NOT (complete STREQUAL OFF AND failure MATCHES "stopped on request"))
   fail("the manifest says complete: ${complete}, failure: '${failure}'")
 endif()
+# The screen has no table of nothing: each row that it shows has specimens.
+if(out MATCHES "(dense|loose) +0 ")
+  fail("rows without specimens are shown")
+endif()

@@ -2,6 +2,8 @@
 // The page on the devices of a class: phones held either way, small notebooks, fingers, keyboards, German decimal commas, lost graphics;
 // guesses that are kept; what is drawn of several specimens.  CHROMIUM names the browser.
 import assert from "node:assert/strict";
+import fs from "node:fs";
+import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
@@ -16,6 +18,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
+const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const germanFile = pageFile.replace(/html$/, "de.html");
 async function opened(options = {}, hash = "", file = pageFile) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: "reduce", permissions: ["clipboard-read", "clipboard-write"], ...options });
@@ -51,9 +54,10 @@ test("a swipe across a slider scrolls the page and leaves its value; along it th
   const slider = page.locator('[id="5z"]');
   await slider.evaluate((one) => one.scrollIntoView({ block: "center" }));
   await page.waitForTimeout(300);
-  const box = await slider.boundingBox(), value = await slider.inputValue(), top = await page.evaluate(() => scrollY);
+  const value = await slider.inputValue(), top = await page.evaluate(() => scrollY);
   const touch = await page.context().newCDPSession(page);
   const swipe = async (dx, dy) => {
+    const box = await slider.boundingBox();
     const at = { x: box.x + 0.8 * box.width, y: box.y + box.height / 2 };
     await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [at] });
     for (let k = 1; k <= 10; ++k) {
@@ -66,7 +70,8 @@ test("a swipe across a slider scrolls the page and leaves its value; along it th
   await swipe(0, -200);
   assert.ok((await page.evaluate(() => scrollY)) > top + 100, "the page did not scroll");
   assert.equal(await slider.inputValue(), value, "the swipe moved the slider");
-  await page.evaluate((y) => scrollTo(0, y), top);
+  await page.waitForTimeout(600); // the page rolls on
+  await slider.evaluate((one) => one.scrollIntoView({ block: "center" }));
   await page.waitForTimeout(300);
   await swipe(-150, 0);
   assert.notEqual(await slider.inputValue(), value, "the slider does not follow a finger");
@@ -328,3 +333,21 @@ test("prints: no page is blank, dots are filled, answers are printed, and no emp
   assert.equal(await page.locator("#notes details[open]").count(), 0);
   await closed(page);
 });
+
+for (const [language, file] of [["English", pageFile], ["German", germanFile]])
+  test(`no barriers that axe knows in ${language}, at four widths, light, dark and on paper, with guesses and an experiment`, async () => {
+    const page = await opened({}, "#xgrains=200&xdensity=dense", file);
+    await page.click("#xstep");
+    await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1 && document.querySelectorAll(".pair svg").length === 4, null, { timeout: 120000 });
+    for (let step = 1; step <= 7; ++step) await page.locator(`#step${step}guess button`).first().click();
+    await page.evaluate(axe);
+    for (const width of [390, 640, 844, 1280])
+      for (const media of [{ colorScheme: "light" }, { colorScheme: "dark" }, { media: "print", colorScheme: "light" }]) {
+        await page.setViewportSize({ width, height: 844 });
+        await page.emulateMedia({ media: null, ...media });
+        const found = await page.evaluate(() => axe.run());
+        assert.deepEqual(found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(", ")}`), [], `${width} px, ${JSON.stringify(media)}`);
+        if (!media.media) assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `wider than ${width} px`);
+      }
+    await closed(page);
+  });

@@ -231,6 +231,8 @@ void add_laws(Document& to, const TradeOutcome& outcome) {
   std::vector<NamedLaw> laws = named(outcome.trade, studies::laws_of(outcome.rows));
   to.add(Seen::data, table_of("laws", "", law_columns(), laws, Table::Form::named));
   std::erase_if(laws, [](const NamedLaw& law) { return !(law.law.size.scatter > 0); });
+  if (laws.empty())
+    return;
   to.add(
       Seen::always,
       table_of("",
@@ -294,10 +296,14 @@ Document samples_document(const TradeOutcome& outcome) {
 
 namespace {
 
+bool any_measured(const std::vector<TradeRow>& rows) {
+  return std::ranges::any_of(rows, [](const TradeRow& row) { return row.specimens > 0; });
+}
+
 /// Question, answer and picture of the page: the cheapest numbers of grains whose error is small.
 void add_answer(Document& to, const TradeOutcome& outcome) {
   to.question = "How much accuracy does computing time buy on this machine?";
-  if (outcome.rows.empty()) {
+  if (!any_measured(outcome.rows)) {
     to.sentences.push_back("No specimen was finished before the run was stopped.");
     to.add(Seen::always, Prose{{"no specimen was finished"}});
     return;
@@ -341,13 +347,16 @@ Document trade_document(const TradeOutcome& outcome, const StudyOptions& options
   out.add(Seen::data, Data{"threads_used", threads});
   out.add(Seen::data, table_of("rows", "", row_columns(), outcome.rows));
   add_answer(out, outcome);
-  // After a stop some quantities have no rows: none of them is a table of headings.
-  for (const Block& block : blocks)
-    if (const std::vector<TradeRow> rows = rows_of(block.varied, outcome.rows); !rows.empty())
+  // After a stop some rows have no specimens: they are left out, and tables without rows.
+  for (const Block& block : blocks) {
+    std::vector<TradeRow> rows = rows_of(block.varied, outcome.rows);
+    std::erase_if(rows, [](const TradeRow& row) { return row.specimens == 0; });
+    if (!rows.empty())
       out.add(Seen::always,
               table_of("", fmt::format(fmt::runtime(block.title), percent_text(outcome.trade.shear_strain)),
                        row_columns(), rows));
-  if (!outcome.rows.empty())
+  }
+  if (any_measured(outcome.rows))
     out.add(Seen::always,
             Prose{{"n: specimens; bias: mean minus that of the reference (*), +- standard error;",
                    "scatter: standard deviation of G between specimens, or between their",

@@ -233,7 +233,7 @@ ordered_json results_of(const studies::Scene& scene, const std::vector<studies::
 
 Table verdict_table(const std::vector<Verdict>& verdicts) {
   io::Columns<Verdict> columns = studies::verdict_columns();
-  columns.push_back({"", "", studies::word_of, io::ShownColumn{.heading = "", .width = -9}});
+  columns.push_back({"", "", studies::word_of, io::ShownColumn{.heading = "", .width = -10}});
   columns.push_back({"", "", [](const Verdict& v) { return v.claim + ": " + v.measured; },
                      io::ShownColumn{.heading = "", .width = -1}});
   Table out =
