@@ -334,20 +334,22 @@ test("prints: no page is blank, dots are filled, answers are printed, and no emp
   await closed(page);
 });
 
-for (const [language, file] of [["English", pageFile], ["German", germanFile]])
-  test(`no barriers that axe knows in ${language}, at four widths, light, dark and on paper, with guesses and an experiment`, async () => {
+/// Widths and looks that page.test.mjs does not have; GRANUM_ALL_WIDTHS=1 takes each of them in both languages.
+const light = { colorScheme: "light" }, dark = { colorScheme: "dark" }, paper = { media: "print", colorScheme: "light" };
+const looks = process.env.GRANUM_ALL_WIDTHS ? [390, 640, 844, 1280].flatMap((width) => [light, dark, paper].map((look) => [width, look])) : undefined;
+for (const [language, file, some] of [["English", pageFile, [[640, dark], [844, light], [1280, paper]]], ["German", germanFile, [[390, light], [844, dark], [1280, paper]]]])
+  test(`no barriers that axe knows in ${language}, on screens and on paper, with guesses and an experiment`, async () => {
     const page = await opened({}, "#xgrains=200&xdensity=dense", file);
     await page.click("#xstep");
     await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1 && document.querySelectorAll(".pair svg").length === 4, null, { timeout: 120000 });
     for (let step = 1; step <= 7; ++step) await page.locator(`#step${step}guess button`).first().click();
     await page.evaluate(axe);
-    for (const width of [390, 640, 844, 1280])
-      for (const media of [{ colorScheme: "light" }, { colorScheme: "dark" }, { media: "print", colorScheme: "light" }]) {
-        await page.setViewportSize({ width, height: 844 });
-        await page.emulateMedia({ media: null, ...media });
-        const found = await page.evaluate(() => axe.run());
-        assert.deepEqual(found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(", ")}`), [], `${width} px, ${JSON.stringify(media)}`);
-        if (!media.media) assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `wider than ${width} px`);
-      }
+    for (const [width, look] of looks ?? some) {
+      await page.setViewportSize({ width, height: 844 });
+      await page.emulateMedia({ media: null, ...look });
+      const found = await page.evaluate(() => axe.run());
+      assert.deepEqual(found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(", ")}`), [], `${width} px, ${JSON.stringify(look)}`);
+      if (!look.media) assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `wider than ${width} px`);
+    }
     await closed(page);
   });
