@@ -205,10 +205,12 @@ const lessonSteps = [
       return { sandDense: high, sandLoose: low };
     },
     /// Void ratios and rattlers are those of the specimens that the experiment makes.
-    paths: (granum, grain, z10) => ({
-      loose: granum.carriedPath(grain, { voidRatio: 0.568, mechanicalCoordinationNumber: z10, rattlerFraction: 0.06, pressure: 10 * kPa }, 100 * kPa, 12),
-      dense: granum.carriedPath(grain, { voidRatio: 0.566, mechanicalCoordinationNumber: 6.1, rattlerFraction: 0.03, pressure: 10 * kPa }, 100 * kPa, 12),
-    }),
+    paths(granum, grain, z10) {
+      this.dense ??= granum.carriedPath(grain, { voidRatio: 0.566, mechanicalCoordinationNumber: 6.1, rattlerFraction: 0.03, pressure: 10 * kPa }, 100 * kPa, 12);
+      if (this.z10 !== z10) this.loose = granum.carriedPath(grain, { voidRatio: 0.568, mechanicalCoordinationNumber: z10, rattlerFraction: 0.06, pressure: 10 * kPa }, 100 * kPa, 12);
+      this.z10 = z10;
+      return { loose: this.loose, dense: this.dense };
+    },
     picture(granum, grain, at, texts, words) {
       const { loose, dense } = this.paths(granum, grain, at.z10), first = loose.states[0];
       const line = (path, key, unit) => path.states.map((s) => [s.pressure / kPa, s[key] / unit]);
@@ -246,7 +248,8 @@ const lessonSteps = [
     picture(granum, grain, at, texts, words) {
       const [low, high] = [0.1, 1e5]; // kPa
       const form = (u, p) => granum.closedForms({ ...grain, shape: "rough", numbers: { roughness: u * 1e-9 } }, { voidRatio: 0.6, coordinationNumber: 5.7, stressV: p * kPa });
-      const s = (u, p) => form(u, p).uniformStrain.exponent, line = (u) => spread(low, high, 31).map((p) => [p, s(u, p)]);
+      const s = (u, p) => form(u, p).uniformStrain.exponent, pressures = spread(low, high, 61);
+      const line = (u) => granum.call("exponent_path", ...grainNumbers({ ...grain, shape: "rough", numbers: { roughness: u * 1e-9 } }), 0.6, 5.7, low * kPa, high * kPa, pressures.length).numbers.map((s, k) => [pressures[k], s]);
       const change = form(at.roughness, 100).transitionPressure / kPa, [least, most] = granum.call("sand_exponents").numbers;
       const named = (u) => filled(words.curve, { u: written(u) }), rough = { ...grain, shape: "rough", numbers: { roughness: at.roughness * 1e-9 } };
       const regimes = [1 / this.apart, this.apart].map((of) => {

@@ -152,7 +152,7 @@ test("step 6 and the experiment agree, and the line of s goes through the points
   // The same e and rattlers, contacts predicted or counted.
   const specimens = [...lesson.matchAll(/voidRatio: ([\d.]+), mechanicalCoordinationNumber: ([\w.]+), rattlerFraction: ([\d.]+)/g)];
   assert.equal(specimens.length, 2);
-  for (const [k, specimen] of [loose, dense].entries()) {
+  for (const [k, specimen] of [dense, loose].entries()) {
     const [e, z, rattlers] = specimens[k].slice(1).map(Number), counted = specimen.rows[0];
     assert.ok(Math.abs(counted[1] - e) < 0.005 && Math.abs(counted[4] - rattlers) < 0.02 && !(Math.abs(counted[3] - z) > 0.1), `the specimen has ${counted}`);
     const { states, slope } = granum.carriedPath(grain, { voidRatio: e, mechanicalCoordinationNumber: counted[3], rattlerFraction: rattlers, pressure: 1e4 }, 1e5, 12);
@@ -175,6 +175,9 @@ test("s of rough spheres falls from 1 to 1/3, and the transition pressure grows 
     assert.ok(s <= before + 1e-12 && s >= 1 / 3, `s ${s} after ${before}`);
     before = s;
   }
+  // The line of the picture, by rung 0, is what rung 2 has.
+  const line = granum.call("exponent_path", 4, grain.shearModulus, grain.poissonRatio, grain.radius, 1e-7, NaN, 0.6, 5.7, 1e3, 1e7, 5).numbers;
+  line.forEach((s, k) => close(s, sOf("rough", 10 ** (3 + k), { roughness: 1e-7 }), 1e-8, `s at 10^${3 + k} Pa`));
   close(change(3e-7) / change(1e-7), 3 ** 1.5, 1e-12, "roughness");
   close(change(1e-7, 1e-3) / change(1e-7, 5e-4), 0.5 ** 1.5, 1e-12, "radius");
   assert.ok(Number.isNaN(granum.closedForms(grain, { voidRatio: 0.6, coordinationNumber: 5.7, stressV: 1e5 }).transitionPressure));

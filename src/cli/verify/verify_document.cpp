@@ -233,7 +233,7 @@ ordered_json results_of(const studies::Scene& scene, const std::vector<studies::
 
 Table verdict_table(const std::vector<Verdict>& verdicts) {
   io::Columns<Verdict> columns = studies::verdict_columns();
-  columns.push_back({"", "", studies::word_of, io::ShownColumn{.heading = "", .width = -10}});
+  columns.push_back({"", "", studies::word_of, io::ShownColumn{.heading = "", .width = -11}});
   columns.push_back({"", "", [](const Verdict& v) { return v.claim + ": " + v.measured; },
                      io::ShownColumn{.heading = "", .width = -1}});
   Table out =
@@ -245,14 +245,11 @@ Table verdict_table(const std::vector<Verdict>& verdicts) {
     });
   };
   if (findings > 0)
-    out.remark =
-        fmt::format("{} of {} results of the paper are reproduced{}; a difference is a result, not a "
-                    "failure",
-                    of(true), findings,
-                    of(false) > 0 ? fmt::format(", {} undecided: the limit is within two standard "
-                                                "errors",
-                                                of(false))
-                                  : "");
+    out.remark = fmt::format(
+        "{} of {} results of the paper are reproduced{}; a difference is a result, not a "
+        "failure",
+        of(true), findings,
+        of(false) > 0 ? fmt::format(", {} undecided: the limit is within a standard error", of(false)) : "");
   return out;
 }
 

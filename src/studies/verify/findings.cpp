@@ -128,8 +128,7 @@ Verdict dense_verdict(const ExponentRow& row) {
           excess >= least && excess <= most,
           detail::formatted("s = %.3f +- %.3f against %.3f", row.network->value, row.network->standard_error,
                             expected),
-          true,
-          std::min(std::abs(excess - least), std::abs(excess - most)) >= 2 * row.network->standard_error};
+          true, std::min(std::abs(excess - least), std::abs(excess - most)) >= row.network->standard_error};
 }
 
 void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& rows) {
@@ -152,7 +151,7 @@ void judge_exponents(std::vector<Verdict>& out, const std::vector<ExponentRow>& 
     out.push_back({"loose " + std::string(name(row.contact)) +
                        ": s is larger than s of the dense packing by 0.12 or more",
                    gap >= least, detail::formatted("by %.3f +- %.3f", gap, error), true,
-                   std::abs(gap - least) >= 2 * error});
+                   std::abs(gap - least) >= error});
   }
 }
 

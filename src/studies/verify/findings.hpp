@@ -39,7 +39,7 @@ struct Verdict {
   bool holds = false;
   std::string measured;
   bool finding = false; ///< about packings, which the paper may see otherwise; else a check of granum itself
-  /// Whether a measured number is two standard errors or more from the limit of the claim.
+  /// Whether the measured number is a standard error or more from the limit of the claim.
   bool decided = true;
 };
 
