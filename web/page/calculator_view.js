@@ -165,7 +165,7 @@ function sandInferenceParts(granum, texts, known) {
 
 function addCalculator(granum, texts) {
   const words = texts.calculator;
-  const known = {};
+  const known = { typed: new Set() };
   readKnownSands(granum);
   const answer = element("div", { id: "answer" }), inference = element("div", { id: "inference" });
   const about = element("p", { id: "cabout" }), aboutInference = element("p", {}), titleOfInference = element("h3", {});
@@ -202,8 +202,10 @@ function addCalculator(granum, texts) {
   const field = (key, [unit, min, max, start]) => {
     const shown = address.number(`c${key}`, start, min, max);
     known[key] = shown * unitOf(key, unit);
+    if (address.values.get(`c${key}`)) known.typed.add(key);
     const input = numberField({ id: `c${key}`, min, max, value: shown, change: (typed) => {
       known[key] = (typed ?? NaN) * unitOf(key, unit);
+      known.typed[Number.isFinite(typed) ? "add" : "delete"](key);
       input.toggleAttribute("aria-invalid", typed === undefined);
       address.put(`c${key}`, typed === undefined || Number.isNaN(typed) ? "" : typed);
       show();

@@ -158,7 +158,7 @@ function rose(density, title, finding, bars = []) {
     `<text class="label" x="${centre + 12}" y="18">v</text><text class="label" x="${size - 20}" y="${centre - 8}">h</text></svg>`;
 }
 
-const styleKeys = ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "font-size", "font-family", "text-anchor", "paint-order"];
+const styleKeys = ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "stroke-opacity", "font-size", "font-family", "text-anchor", "paint-order"];
 
 /// The picture with title, legend and background as a separate file, with resolved colours, so that it looks the same elsewhere.
 function standalone(picture, title) {

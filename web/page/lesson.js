@@ -64,7 +64,7 @@ function strayed(network) {
   return Math.sqrt(squares(({ moved }) => moved) / squares((grain) => meanMotion(network, grain)));
 }
 /// Both packings side by side, each with a line of words.
-function packingPair(texts, words, packings, arrows) {
+function packingPair(texts, packings, arrows) {
   const all = texts.packings;
   return `<div class="pair">${packings.map(({ loose, network }) => {
     const values = { z: written(network.z), left: written((100 * network.relaxed) / network.affine, 2), strayed: written(strayed(network), 2) };
@@ -313,7 +313,8 @@ function addStep(granum, texts, step, number) {
   if (!small) return;
   packingsWanted.push(() => packingsOf(granum).then((made) => {
     packings = made;
-    small.innerHTML = packingPair(texts, words, made, step.packings);
+    small.innerHTML = packingPair(texts, made, step.packings);
+    small.querySelectorAll("figure").forEach((figure, k) => figure.append(saveButton(texts, figure, `${name}-${made[k].loose ? "few" : "many"}-contacts`)));
     draw();
   }, (error) => { small.replaceChildren(element("p", { class: "remarks" }, error.message)); }));
 }

@@ -189,5 +189,7 @@ test("arrows of steps 2 and 5 are the mean strain and the motions of the network
         assert.ok(drawn.said.includes(`${Number(((100 * relaxed) / affine).toPrecision(2))} %`), drawn.said);
       }
     }
+  const [file] = await Promise.all([page.waitForEvent("download"), page.locator("#step5 .pair button").first().click()]);
+  assert.match(file.suggestedFilename(), /^granum-[\d.]+-step5-few-contacts\.svg$/);
   await page.context().close();
 });

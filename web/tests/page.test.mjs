@@ -99,6 +99,13 @@ test("the calculator answers while typing, and reports errors", async () => {
   await page.fill("#cpoissonRatio", "0.2");
   await page.selectOption("#cpreparation", "loose");
   assert.match(await page.textContent("#clines"), /--preparation loose/);
+  // A number that was typed is no assumption, though it is the one that stood there: the range has no deviation of it.
+  const wide = await answer();
+  assert.match(wide, /modulus of the grains/);
+  await page.fill("#cgrainModulus", "30");
+  assert.match(await page.textContent("#clines"), /--grain-shear-modulus 30GPa/);
+  assert.notEqual(await answer(), wide);
+  assert.doesNotMatch(await answer(), /modulus of the grains/);
   await page.check("input[name=csame][value=python]");
   assert.match(await page.textContent("#clines"), /preparation="loose"/);
   await page.check("input[name=csame][value=cpp]");

@@ -244,7 +244,7 @@ std::vector<Verdict> verdicts(const Scene& scene, const std::vector<SpecimenResu
             return law(scene, specimen.contact).constant_exponent().has_value();
           })))
     out.push_back(
-        {"G/G(uniform strain) lies on one curve of z*, rms deviation 0.03 or less", curve->rms <= 0.03,
+        {"G/G(uniform strain) lies near one curve of z*, rms deviation 0.03 or less", curve->rms <= 0.03,
          detail::formatted("rms %.4f", curve->rms) + ", " + std::to_string(curve->states) + " states"});
   judge_worst(out, "K(uniform stress, refined) <= K <= K(uniform strain)",
               worst_of(specimens,
