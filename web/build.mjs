@@ -25,7 +25,7 @@ for (const [name, { texts }] of Object.entries(languages)) {
   const wrong = namesWithin(english).filter((key) => !namesWithin(texts).includes(key)).concat(namesWithin(texts).filter((key) => !namesWithin(english).includes(key)));
   if (wrong.length) throw new Error(`texts of ${name} and of en differ in ${wrong.join(", ")}`);
 }
-const scripts = ["module.js", "formula.js", "chart.js", "address.js", "lesson.js", "packing_view.js", "shear.js", "runs.js", "experiment.js", "sheet.js", "hero.js",
+const scripts = ["module.js", "formula.js", "chart.js", "address.js", "drawings.js", "guesses.js", "lesson.js", "packing_view.js", "shear.js", "runs.js", "experiment.js", "sheet.js", "hero.js",
   "same.js", "sand.js", "calculator.js", "calculator_view.js", "main.js"];
 
 /// Rows of the table of colours that all pictures have: name, on white paper, on dark.
@@ -44,7 +44,7 @@ const parts = {
 fs.mkdirSync(path.dirname(out), { recursive: true });
 for (const [lang, { texts, file }] of Object.entries(languages)) {
   const others = Object.fromEntries(Object.entries(languages).map(([name, one]) => [name, { file: one.file, title: one.texts.language }]));
-  const all = { ...parts, lang, skip: texts.skip, partsLabel: texts.partsLabel, texts: JSON.stringify({ ...texts, languages: others }).replaceAll("</", "<\\/") };
+  const all = { ...parts, lang, ...Object.fromEntries(["skip", "partsLabel", "title", "loading", "noscript"].map((key) => [key, texts[key]])), texts: JSON.stringify({ ...texts, languages: others }).replaceAll("</", "<\\/") };
   for (const [name, text] of Object.entries(all))
     if (/<\/script/i.test(text)) throw new Error(`${name} would end its place in the page early`);
   const page = part("page.html").replace(/<!--(\w+)-->/g, (_, name) => all[name]);

@@ -278,6 +278,17 @@ class Picture {
     return out;
   }
 
+  /// The text of a triangle, in the colour of its line.
+  [[nodiscard]] static std::string slope_label(const SlopeTriangle& triangle, const Spot& at) {
+    SvgAttributes place{{"x", svg_number(at.x)}, {"y", svg_number(at.y)}};
+    if (!triangle.colour)
+      return svg_text("slope", place, svg_escaped(triangle.text));
+    place.emplace_back("fill", "currentColor");
+    const SvgAttributes colour = svg_colour(*triangle.colour);
+    place.emplace_back("color", colour.back().second);
+    return svg_text("slope " + colour.front().second, place, svg_escaped(triangle.text));
+  }
+
   [[nodiscard]] std::string triangles() const {
     std::string svg;
     const std::vector<Spot> texts = triangle_texts();
@@ -298,8 +309,7 @@ class Picture {
                                   {"width", svg_number(text_width(triangle.text) + 2)},
                                   {"height", svg_number(paper_height)},
                                   {"fill", "white"}}) +
-             svg_text("slope", {{"x", svg_number(texts[k].x)}, {"y", svg_number(texts[k].y)}},
-                      svg_escaped(triangle.text));
+             slope_label(triangle, texts[k]);
     }
     return svg;
   }

@@ -46,7 +46,11 @@ figcaption { margin: 0.3rem 0; max-width: 46rem; }
   cursor: pointer; color: var(--ink);
   background: var(--panel); border: 1px solid var(--soft); border-radius: 5px; }
 .switch button[aria-pressed="true"] { color: var(--paper); background: var(--ink); }
-.wide { overflow-x: auto; }
+.wide { overflow-x: auto; background:
+  linear-gradient(to right, var(--paper) 30%, transparent) 0 0 / 3rem 100% local no-repeat,
+  linear-gradient(to left, var(--paper) 30%, transparent) 100% 0 / 3rem 100% local no-repeat,
+  linear-gradient(to right, var(--soft), transparent) 0 0 / 0.8rem 100% scroll no-repeat,
+  linear-gradient(to left, var(--soft), transparent) 100% 0 / 0.8rem 100% scroll no-repeat; }
 table { border-collapse: collapse; font-size: 0.92rem; margin: 0.5rem 0 1rem; }
 th, td { padding: 0.2rem 1rem 0.2rem 0; text-align: left; vertical-align: top;
   border-bottom: 1px solid var(--rule); }
@@ -299,9 +303,18 @@ for (const figure of document.querySelectorAll("figure")) {
 
 constexpr std::string_view missing = "-";
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// "12.5 MPa" or "4.50 to 4.99 kPa", but not a sentence that begins with a digit, "6 of 200 grains".
 bool is_number(const std::string& cell) {
   const std::size_t first = cell.starts_with('-') || cell.starts_with('+') ? 1 : 0;
-  return cell.size() > first && cell[first] >= '0' && cell[first] <= '9';
+  if (cell.size() <= first || cell[first] < '0' || cell[first] > '9')
+    return false;
+  int words = 0;
+  for (std::size_t begin = cell.find(' '); begin != std::string::npos; begin = cell.find(' ', begin + 1))
+    if (begin + 1 < cell.size() && is_letter(cell[begin + 1]) && cell.compare(begin + 1, 3, "to ") != 0)
+      ++words;
+  return words <= 1;
 }
 
 std::string link(const PageFile& file) {
@@ -319,6 +332,10 @@ std::string panel(const PagePicture& picture) {
 std::string html_element(const std::string& tag, const std::string& content, const std::string& text_class) {
   return "<" + tag + (text_class.empty() ? "" : " class=\"" + text_class + "\"") + ">" + content + "</" +
          tag + ">\n";
+}
+
+std::string html_wide(const std::string& content) {
+  return "<div class=\"wide\" tabindex=\"0\">" + content + "</div>\n";
 }
 
 std::string html_paragraph(std::string_view text, const std::string& text_class) {
@@ -339,7 +356,7 @@ std::string html_preformatted(std::string_view text) {
     lines += svg_escaped(text.substr(0, end)) + "\n";
     text.remove_prefix(std::min(end + 1, text.size()));
   }
-  return html_element("div", "<pre>" + lines + "</pre>\n", "wide");
+  return html_wide("<pre>" + lines + "</pre>\n");
 }
 
 std::string html_section(const std::string& id, std::string_view title, const std::string& content) {
@@ -374,8 +391,7 @@ std::string html_table(const std::vector<std::string>& headings,
                             is_number(row[k]) || of_numbers(k) ? "number" : "");
     body += html_element("tr", cells);
   }
-  return "<div class=\"wide\" tabindex=\"0\">" + html_element("table", html_element("tr", head) + body) +
-         "</div>\n";
+  return html_wide(html_element("table", html_element("tr", head) + body));
 }
 
 std::string html_figure(const PageFigure& figure) {

@@ -33,7 +33,7 @@ foreach(line "inertial number of compression" "time step over its stability limi
     fail("the table lacks '${line}'")
   endif()
 endforeach()
-read_files("${FOLDER}" "manifest.json;samples.csv;trade.csv;trade.svg")
+read_files("${FOLDER}" "manifest.json;report.html;samples.csv;trade.csv;trade.svg")
 string(JSON complete GET "${manifest}" complete)
 if(NOT complete STREQUAL ON)
   fail("the manifest says complete: ${complete}")

@@ -96,6 +96,17 @@ TEST_CASE("a slope triangle has its labelled slope, and its text lies inside the
     y.push_back(std::stod(picture.substr(picture.find(" y=\"", at) + 4)));
   REQUIRE(y.size() == 2);
   CHECK(std::abs(y[0] - y[1]) >= 15.9); // they would lie upon each other
+  CHECK(picture.find("class=\"slope c") == std::string::npos);
+
+  chart.triangles[1].colour = Colour::sphere; // its text has this colour too
+  const std::string coloured = svg(chart);
+  const std::size_t label = coloured.find("class=\"slope c");
+  REQUIRE(label != std::string::npos);
+  const std::string tag = coloured.substr(label, coloured.find('<', label) - label);
+  CHECK(tag.find("fill=\"currentColor\"") != std::string::npos);
+  CHECK(tag.find("color=\"" + std::string(palette[static_cast<std::size_t>(Colour::sphere)].light) + "\"") !=
+        std::string::npos);
+  CHECK(tag.find("s = 0.51") != std::string::npos);
 }
 
 TEST_CASE("a picture has a text description: its finding, or the ends of its series") {

@@ -87,3 +87,17 @@ TEST_CASE("a column of numbers stays one where some are missing") {
   CHECK(contains(html, "<th class=\"number\">some</th>"));
   CHECK(contains(html, "<td class=\"number\">-</td>"));
 }
+
+TEST_CASE("a sentence that begins with a digit is text in a table, a number with its unit or range is none") {
+  const auto cell = [](const std::string& text) {
+    const std::string table = html_table({"what"}, {{text}, {"words"}});
+    return table.find("<td class=\"number\">" + text) != std::string::npos;
+  };
+  for (const char* number : {"12.5", "12.5 MPa", "-3", "+0.12", "4.50 to 4.99 kPa", "0.336 kg/m3"})
+    CHECK(cell(number));
+  for (const char* text :
+       {"6 of 200 grains", "2 specimens of 60 grains", "none", "-", "3 grains are left out: 1, 2"})
+    CHECK_FALSE(cell(text));
+  for (const std::string& wide : {html_table({"a"}, {{"b"}}), html_preformatted("a"), html_wide("a")})
+    CHECK(wide.starts_with("<div class=\"wide\" tabindex=\"0\">"));
+}

@@ -60,6 +60,8 @@ TEST_CASE("the scatter of s is that of the recorded seeds") {
         REQUIRE(seeds.size() >= 14);
         const KnownScatter known = exponent_scatter(contact, density, route.name, grains);
         CHECK(std::abs(known.deviation - deviation(seeds)) < 1e-4); // the digits that the table has
+        REQUIRE(known.mean);
+        CHECK(std::abs(*known.mean - mean(seeds)) < 1e-4);
       }
 }
 
@@ -89,4 +91,5 @@ TEST_CASE("the scatter of s falls with the root of the grains, a power-law conta
   };
   CHECK(at(Shape::sphere, 4000) == relative(at(Shape::sphere, 1000) / 2, 1e-12));
   CHECK(at(Shape::power_law, 1000) == at(Shape::flat, 1000));
+  CHECK(!exponent_scatter(Shape::power_law, Density::loose, ExponentRoute::network, 1000).mean);
 }

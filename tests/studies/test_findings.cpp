@@ -249,6 +249,33 @@ TEST_CASE("verdict on loose specimens: s larger than dense by 0.12") {
   CHECK_FALSE(holds(sound_study(0.34, 0.4599), "loose sphere"));
 }
 
+TEST_CASE("a claim whose limit is within the standard error of s is undecided, and no difference") {
+  const auto of = [](double dense, double loose, const std::string& words) {
+    for (const Verdict& verdict : verdicts(sphere_scene(), sound_study(dense, loose)))
+      if (verdict.claim.find(words) != std::string::npos)
+        return verdict;
+    FAIL("no verdict on ", words);
+    return Verdict{};
+  };
+  const std::size_t grains = sphere_scene().study.grains;
+  const double error =
+      std::hypot(exponent_scatter(Shape::sphere, Density::dense, ExponentRoute::network, grains).deviation,
+                 exponent_scatter(Shape::sphere, Density::loose, ExponentRoute::network, grains).deviation);
+  for (const double beyond : {-1.01, -0.99, 0.99, 1.01}) {
+    CAPTURE(beyond);
+    const Verdict loose = of(0.34, 0.46 + beyond * error, "loose sphere");
+    CHECK(loose.holds == (beyond > 0));
+    CHECK(loose.decided == (std::abs(beyond) > 1));
+    CHECK(std::string(word_of(loose)) == (std::abs(beyond) < 1 ? "undecided"
+                                          : beyond > 0         ? "holds"
+                                                               : "differs"));
+    CHECK(differing_findings({loose}).size() == (beyond < -1 ? 1 : 0));
+  }
+  CHECK(of(0.34, 0.5, "dense sphere").decided);
+  CHECK_FALSE(of(1.0 / 3 + 0.0499, 0.6, "dense sphere").decided);
+  CHECK(std::string(word_of({"of granum", false, "", false, false})) == "FAILS");
+}
+
 TEST_CASE("verdict on the relaxation curve: rms 0.03") {
   const auto disturbed = [](double rms) {
     const double difference[] = {1, -7, 21, -35, 35, -21, 7, -1};

@@ -47,8 +47,8 @@ function readAnswer(granum, { numbers, notes }) {
   return { rows, shares, notes: notes.slice(shares.length) };
 }
 
-/// A number that is as it was at the start is not given: granum assumes it, with the deviation of that.
-const isAssumed = (known, key) => known[key] === calculatorInputs[key][3] * calculatorInputs[key][0];
+/// A number that is as it was at the start, and was not typed, is not given: granum assumes it, with the deviation of that.
+const isAssumed = (known, key) => !known.typed?.has(key) && known[key] === calculatorInputs[key][3] * calculatorInputs[key][0];
 const givenOr = (known, key) => (isAssumed(known, key) ? NaN : known[key]);
 function answerOf(granum, known) {
   const [shape, , , ...grain] = grainNumbersOf(known);

@@ -18,10 +18,10 @@ function tableOf(label, headings, rows) {
 /// The ladder: each closed form with its stated error, and the answer with its range.
 function ladderChart(words, ladder, answer) {
   const row = answer.rows.shear_modulus;
-  const rungs = ladder.map((rung, k) => ({ ...rung, label: term(words, rung.label), x: k, low: rung.value * (1 - (rung.error || 0)), high: rung.value * (1 + (rung.error || 0)) }));
+  const rungs = ladder.map((rung, k) => ({ ...rung, label: term(words, rung.label), x: k, low: rung.value * (1 - rung.error), high: rung.value * (1 + rung.error) })); // no bar where no error is stated
   const isClosed = (rung) => Number.isFinite(rung.error);
   const part = (all) => ({ points: all.map((rung) => [rung.x, rung.value / MPa]), ranges: all.map((rung) => [rung.low / MPa, rung.high / MPa]), line: false, dots: true });
-  const tops = [...rungs.map((rung) => rung.high), row.high].filter(Number.isFinite);
+  const tops = [...rungs.flatMap((rung) => [rung.value, rung.high]), row.high].filter(Number.isFinite);
   return chart({
     title: words.ladder, finding: filled(words.ladderFinding, { rungs: rungs.map((rung) => `${rung.label} ${written(rung.value / MPa)}`).join(", "), value: written(row.value / MPa), low: written(row.low / MPa), high: written(row.high / MPa) }),
     x: { label: words.rung, min: -0.6, max: rungs.length + 0.6, names: [...rungs.map((rung) => [rung.x, rung.label]), [rungs.length, words.answer]] },
@@ -81,7 +81,10 @@ function samePart(words, name, lines) {
   const shown = element("pre", { tabindex: 0, id: `${name}lines` });
   let chosen = address.choice(`${name}same`, "commandLine", Object.keys(words.where));
   let known;
-  const show = () => { shown.textContent = lines[known.grains][chosen](known); };
+  const show = () => {
+    shown.textContent = lines[known.grains][chosen](known);
+    copy.textContent = words.copy;
+  };
   const choices = Object.keys(words.where).map((where) => element("label", {}, element("input", { type: "radio", name: `${name}same`, value: where, checked: where === chosen, onchange: () => {
     chosen = where;
     address.put(`${name}same`, where);
@@ -91,6 +94,7 @@ function samePart(words, name, lines) {
     try {
       await navigator.clipboard.writeText(shown.textContent);
       copy.textContent = words.copied;
+      say(words.copied);
     } catch {
       getSelection().selectAllChildren(shown); // for copying by hand
     }
@@ -99,7 +103,6 @@ function samePart(words, name, lines) {
     place: element("div", {}, element("fieldset", {}, element("legend", {}, words.same), ...choices), shown, copy),
     show(what) {
       known = what;
-      copy.textContent = words.copy;
       show();
     },
   };
@@ -162,12 +165,17 @@ function sandInferenceParts(granum, texts, known) {
 
 function addCalculator(granum, texts) {
   const words = texts.calculator;
-  const known = {};
+  const known = { typed: new Set() };
   readKnownSands(granum);
   const answer = element("div", { id: "answer" }), inference = element("div", { id: "inference" });
   const about = element("p", { id: "cabout" }), aboutInference = element("p", {}), titleOfInference = element("h3", {});
   const same = samePart(words, "c", { sphere: sameAnswer, sand: sameSand }), sameInferred = samePart(words, "i", { sphere: sameInference, sand: sameSandInference });
   const filledWith = (place, required, parts, lines) => {
+    const odd = [...document.querySelectorAll("#calculator input[aria-invalid]")].filter((input) => input.getClientRects().length > 0);
+    if (odd.length) {
+      place.replaceChildren(element("p", { class: "finding", role: "alert" }, odd.map((input) => filled(words.notNumber, { value: input.value })).join(" ")));
+      return;
+    }
     const empty = required.filter((key) => !Number.isFinite(known[key]));
     if (empty.length) {
       place.replaceChildren(element("p", { class: "finding", role: "status" }, ...worded(filled(words.empty, { names: empty.map((key) => words[key].split(",")[0]).join(", ") }))));
@@ -194,9 +202,12 @@ function addCalculator(granum, texts) {
   const field = (key, [unit, min, max, start]) => {
     const shown = address.number(`c${key}`, start, min, max);
     known[key] = shown * unitOf(key, unit);
-    const input = element("input", { type: "number", id: `c${key}`, min, max, step: "any", value: Number.isNaN(shown) ? "" : shown, oninput: () => {
-      known[key] = input.value === "" ? NaN : Number(input.value) * unitOf(key, unit);
-      address.put(`c${key}`, input.value);
+    if (address.values.get(`c${key}`)) known.typed.add(key);
+    const input = numberField({ id: `c${key}`, min, max, value: shown, change: (typed) => {
+      known[key] = (typed ?? NaN) * unitOf(key, unit);
+      known.typed[Number.isFinite(typed) ? "add" : "delete"](key);
+      input.toggleAttribute("aria-invalid", typed === undefined);
+      address.put(`c${key}`, typed === undefined || Number.isNaN(typed) ? "" : typed);
       show();
     } });
     return element("label", {}, element("span", {}, ...worded(words[key])), input);
@@ -217,7 +228,7 @@ function addCalculator(granum, texts) {
   for (const [key, range] of Object.entries(calculatorInputs)) labels[key] = field(key, range);
   labels.preparation = choice("preparation", words.preparation, preparations, (name) => words[name]);
   const quantity = choice("quantity", words.quantityMeasured, ["V_s", "V_p", "G"], (name) => words.measured[name], () => {
-    known.value = Number(document.getElementById("cvalue").value) * measurable[known.quantity].unit;
+    known.value = (document.getElementById("cvalue").typed ?? NaN) * measurable[known.quantity].unit;
   });
   const measuredFields = Object.entries(inferenceInputs).map(([key, range]) => field(key, range));
   document.getElementById("calculator").append(element("p", {}, words.text), element("div", { class: "form" }, ...Object.values(labels)), about, answer, same.place,

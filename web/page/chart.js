@@ -9,6 +9,8 @@ const shapeColourName = (shape) => (shape in colours ? shape : "power_law");
 const shapeColour = (shape) => colours[shapeColourName(shape)];
 const escapeText = (text) => String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 
+/// Of granum, in the names of files.
+let pageVersion = "";
 /// The sign between a number's whole part and its decimals, in the language of the page.
 let decimalSign = ".";
 const localised = (number) => number.replace(".", decimalSign);
@@ -50,7 +52,7 @@ function ticks(axis) {
 /// Subscripts: C_n.
 const svgWords = (text) => escapeText(text).replace(/_(\w+)/g, '<tspan dy="4" font-size="80%">$1</tspan><tspan dy="-4">\u200b</tspan>');
 
-const isNarrow = matchMedia("(max-width: 760px)");
+const isNarrow = matchMedia("(max-width: 760px), (max-height: 480px)");
 /// Draws now, and again if a turned screen needs another size.
 function drawnToSize(draw) {
   draw();
@@ -73,7 +75,7 @@ function chart(what) {
   const Y = (y) => place(what.y, y, height - bottom, top);
   // Points beyond the axes and NaN are not drawn.
   const inside = ([x, y]) => x >= what.x.min * 0.9999 && x <= what.x.max * 1.0001 && y >= what.y.min * 0.9999 && y <= what.y.max * 1.0001;
-  const parts = [];
+  const parts = [], names = [];
   const named = new Map(what.x.names);
   let free = -Infinity; // from here on a label does not overlap the last one
   for (const value of ticks(what.x)) {
@@ -106,9 +108,13 @@ function chart(what) {
     });
     if (series.dots)
       for (const [x, y] of points) parts.push(`<circle cx="${X(x).toFixed(1)}" cy="${Y(y).toFixed(1)}" r="4.5" ${series.hollow ? `class="hollow" stroke="${colour}"` : `fill="${colour}"`}><title>${escapeText(series.label ?? series.name)}: ${written(x)}, ${written(y)}</title></circle>`);
-    if (series.name && points.length)
-      parts.push(`<text class="name" x="${X(points.at(-1)[0]) + 7}" y="${Y(points.at(-1)[1]) + 5}">${escapeText(series.name)}</text>`);
+    if (series.name && points.length) names.push({ x: X(points.at(-1)[0]) + 7, y: Y(points.at(-1)[1]) + 5, text: series.name });
   });
+  // Names at the ends of their series, apart from each other.
+  const lineHeight = 15;
+  names.sort((a, b) => a.y - b.y).forEach((name, k) => { name.y = Math.max(name.y, k ? names[k - 1].y + lineHeight : top + 12); });
+  names.reverse().forEach((name, k) => { name.y = Math.min(name.y, k ? names[k - 1].y - lineHeight : height - bottom - 4); });
+  for (const { x, y, text } of names) parts.push(`<text class="name" x="${x.toFixed(1)}" y="${y.toFixed(1)}">${escapeText(text)}</text>`);
   for (const { x0, x1, y, slope, text, colour } of what.triangles ?? []) {
     const y1 = y * (x1 / x0) ** slope;
     if (![y, y1].every((at) => inside([x0, at]))) continue;
@@ -152,7 +158,7 @@ function rose(density, title, finding, bars = []) {
     `<text class="label" x="${centre + 12}" y="18">v</text><text class="label" x="${size - 20}" y="${centre - 8}">h</text></svg>`;
 }
 
-const styleKeys = ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "font-size", "font-family", "text-anchor", "paint-order"];
+const styleKeys = ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "stroke-opacity", "font-size", "font-family", "text-anchor", "paint-order"];
 
 /// The picture with title, legend and background as a separate file, with resolved colours, so that it looks the same elsewhere.
 function standalone(picture, title) {
@@ -184,12 +190,13 @@ function standalone(picture, title) {
   const inner = new XMLSerializer().serializeToString(copy).replace(/^<svg/, `<svg x="0" y="${above}" width="${width}" height="${height}"`);
   const finding = svg.getAttribute("aria-label");
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${all}" width="${width}" height="${all}" font-family="sans-serif" role="img" aria-label="${escapeText(finding)}">` +
-    `<title>${escapeText(title)}</title><desc>${escapeText(finding)}</desc><rect width="${width}" height="${all}" fill="${paper}"/>${word(20, 26, title, Math.min(17, (1.7 * width) / title.length))}${inner}${legend.join("")}</svg>`;
+    `<title>${escapeText(title)}</title><desc>${escapeText(`${finding} granum ${pageVersion}, ${location.href}`)}</desc><rect width="${width}" height="${all}" fill="${paper}"/>${word(20, 26, title, Math.min(17, (1.7 * width) / title.length))}${inner}${legend.join("")}</svg>`;
 }
 
 /// A button that saves the picture in an element.
-const saveButton = (texts, picture, name) => element("button", { onclick: () =>
-  saveFile(`granum-${name}.svg`, standalone(picture, picture.querySelector("svg title").textContent), "image/svg+xml") }, texts.save);
+/// `name` is a text or a function that knows what the picture shows by then.
+const saveButton = (texts, picture, name) => element("button", { class: "save", onclick: () =>
+  saveFile(`granum-${pageVersion}-${typeof name === "function" ? name() : name}.svg`, standalone(picture, picture.querySelector("svg title").textContent), "image/svg+xml") }, texts.save);
 
 function saveFile(name, text, type) {
   const link = document.createElement("a");

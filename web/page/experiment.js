@@ -1,28 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The live experiment: a worker makes and compresses a packing, the page shows it and its measurements.
+// The live experiment: workers make, compress and shear specimens, the page shows them and their measurements. Every specimen stays
+// until it is cleared, also one that was stopped.
 "use strict";
 
 /// Dense and loose of the paper's three shapes.
 const paperSix = ["cone", "sphere", "flat"].flatMap((shape) => [false, true].map((loose) => ({ shape, loose })));
 const paperSixGrains = 300;
+/// Guesses of s that one tap gives.
+const usualGuesses = [0, 1 / 3, 0.4, 0.5, 0.6, 0.8];
+/// Guesses are kept for each kind of specimen.
+const kindOf = ({ grain, loose }) => `${grain.shape} ${loose ? "loose" : "dense"}`;
 
 class ExperimentPanel {
   constructor(granum, texts) {
-    this.granum = granum; // for the contact law; the packing is the worker's
+    this.granum = granum; // for the contact law; the packings are the workers'
     this.compiled = granum.compiled;
     this.texts = texts;
     this.words = texts.experiment;
-    this.version = granum.call("version").notes[0];
     this.runs = []; // the last one is the current one
     this.queue = []; // next setups
     this.modulus = "G";
-    this.worker = null;
-    this.phase = "none"; // compression, compressed, shear
     this.build();
     drawnToSize(() => this.drawStates());
   }
   get run() {
     return this.runs.at(-1);
+  }
+  /// Specimens that are worked at: in compression or shear.
+  get active() {
+    return this.runs.filter(({ phase }) => phase === "compression" || phase === "shear");
   }
 
   build() {
@@ -34,7 +40,7 @@ class ExperimentPanel {
       return [input, element("label", {}, label, input)];
     };
     const number = (key, label, min, max, start) => {
-      const input = element("input", { id: key, type: "number", min, max, value: address.number(key, start, min, max), onchange: () => address.put(key, input.value) });
+      const input = numberField({ id: key, min, max, "data-whole": true, value: address.number(key, start, min, max), change: (typed) => Number.isFinite(typed) && address.put(key, typed) });
       return [input, element("label", {}, label, input)];
     };
     const shape = select("xshape", w.shape, contactLaws.map((law) => [law.name, law.plural]), "sphere");
@@ -43,22 +49,26 @@ class ExperimentPanel {
     const grains = number("xgrains", w.grains, 200, 2000, 600);
     const seed = number("xseed", w.seed, 1, 999999, 1);
     const roughness = number("xroughness", w.roughness, 1, 100, 50); // rougher ones cannot be opened to be loose
-    const guess = element("input", { id: "xguess", type: "number", min: 0, max: 1, step: "any" });
+    const guess = numberField({ id: "xguess", min: 0, max: 1, value: NaN, change: () => this.keepGuess() });
     this.inputs = { shape: shape[0], density: density[0], sizes: sizes[0], grains: grains[0], seed: seed[0], roughness: roughness[0], guess };
-    const showRoughness = () => { roughness[1].hidden = shape[0].value !== "rough"; };
-    shape[0].addEventListener("change", showRoughness);
-    showRoughness();
+    const chips = usualGuesses.map((value) => element("button", { type: "button", class: "chip", onclick: () => {
+      guess.value = shownNumber(Number(value.toPrecision(3)));
+      this.keepGuess();
+    } }, written(value, 2)));
+    for (const input of [shape[0], density[0]]) input.addEventListener("change", () => this.showKind());
+    this.roughnessLabel = roughness[1];
     this.buttons = {};
     const button = (name, text, act, more = {}) => (this.buttons[name] = element("button", { id: `x${name}`, onclick: act, ...more }, text));
     const bar = element("div", {},
       button("start", w.start, () => this.start("run"), { class: "first" }),
       button("six", w.six, () => this.startSix()),
+      button("pair", w.pair, () => this.startPair()),
       button("step", w.step, () => this.step()),
-      button("shear", w.shear, () => this.shear("run"), { disabled: true }),
+      button("shear", w.shear, () => this.shear(this.run, "run"), { disabled: true }),
       button("pause", w.pause, () => this.pause(), { disabled: true }),
       button("stop", w.stop, () => this.end(w.stopped), { disabled: true }),
       button("csv", w.csv, () => {
-        const { name, text } = runsFile(this.version, this.runs);
+        const { name, text } = runsFile(this.runs);
         saveFile(name, text, "text/csv");
       }, { disabled: true }),
       button("clear", w.clear, () => this.clear(), { disabled: true }));
@@ -72,7 +82,7 @@ class ExperimentPanel {
       this.viewed({ slice: Number(slice.value) });
       slice.setAttribute("aria-valuetext", slice.value > 1 ? w.whole : `${Math.round(100 * slice.value)} %`);
     } });
-    const exaggerated = slider({ id: "xexaggerate", name: w.exaggerate, min: 1, max: 200, step: 1, value: 1, unit: "", format: (times) => `${times} ×`, change: (times) => this.viewed({ exaggeration: times }) });
+    const exaggerated = slider({ id: "xexaggerate", name: w.exaggerate, min: 1, max: 200, step: 1, value: 1, unit: "", log: true, format: (many) => `${many} ×`, change: (many) => this.viewed({ exaggeration: many }) });
     const choice = (name, legend, options, change) => element("fieldset", {}, element("legend", {}, legend), ...options.map(([value, text], k) =>
       element("label", {}, element("input", { type: "radio", name, checked: k === 0, onchange: () => change(value) }), ` ${text}`)));
     const show = choice("xshow", w.show, [[false, w.grainsView], [true, w.forcesView]], (forces) => this.viewed({ forces }));
@@ -80,13 +90,35 @@ class ExperimentPanel {
       this.modulus = name;
       this.drawStates();
     });
+    this.curves = new ShearCurves(this.texts, () => this.runs);
     document.getElementById("experiment").append(...w.text.split("\n").map((part) => element("p", {}, ...worded(part))),
-      element("div", { class: "form" }, shape[1], roughness[1], density[1], sizes[1], grains[1], seed[1], element("label", { class: "guess" }, ...worded(w.guess), guess)), bar, this.status,
-      element("div", { class: "panes" },
+      element("div", { class: "form" }, shape[1], roughness[1], density[1], sizes[1], grains[1], seed[1]),
+      element("div", { class: "guess" }, element("label", { for: "xguess" }, ...worded(w.guess)), guess, element("span", { class: "chips", role: "group", "aria-label": w.guess }, ...chips)), bar, this.status,
+      element("div", { class: "panes", id: "xpanes" },
         element("div", {}, this.canvas, show, element("label", { class: "control" }, w.slice, slice), exaggerated, this.rose),
-        element("div", {}, modulus, this.picture, saveButton(this.texts, this.picture, "experiment"), this.compared)),
-      this.table, (this.curves = new ShearCurves(this.texts)).place);
+        element("div", {}, modulus, this.picture, saveButton(this.texts, this.picture, () => `experiment-${runsName(this.runs.filter((run) => run.states.length))}`), this.compared)),
+      this.table, this.curves.place);
     this.looks = { slice: 1.1 }; // of the view, which the first specimen opens: WebGL takes a tenth of a second to start
+    this.showKind();
+  }
+
+  /// The kind that is chosen, with the guess for it that this device has.
+  showKind() {
+    this.roughnessLabel.hidden = this.inputs.shape.value !== "rough";
+    this.inputs.guess.value = shownNumber(kept.read("s")[kindOf(this.chosen())] ?? NaN);
+  }
+  chosen() {
+    return { grain: { shape: this.inputs.shape.value }, loose: this.inputs.density.value === "loose" };
+  }
+  keepGuess() {
+    const { typed } = this.inputs.guess, all = kept.read("s"), kind = kindOf(this.chosen());
+    if (typed >= 0 && typed <= 1) all[kind] = typed;
+    else delete all[kind];
+    kept.write("s", all);
+  }
+  /// The guess for a specimen: that for its kind, or the one in the field.
+  guessFor(setup) {
+    return kept.read("s")[kindOf(setup)] ?? this.inputs.guess.typed ?? NaN;
   }
 
   viewed(change) {
@@ -103,130 +135,160 @@ class ExperimentPanel {
     }
   }
 
-  /// The number in a field, or nothing if it is not allowed; the allowed range is then shown.
+  /// The number in a field, NaN for no guess, or nothing if it is not allowed; the allowed range is then shown.
   asked(input) {
-    const value = Number(input.value), right = input.checkValidity() && (input.value !== "" || input === this.inputs.guess);
+    const value = input.typed, [min, max] = ["min", "max"].map((name) => Number(input.getAttribute(name))), whole = "whole" in input.dataset;
+    const right = (input === this.inputs.guess && Number.isNaN(value)) || (value >= min && value <= max && (!whole || Number.isInteger(value)));
     input.toggleAttribute("aria-invalid", !right);
-    if (right) return input.value === "" ? NaN : value;
-    this.status.textContent = filled(input.step === "any" ? this.words.outsideAny : this.words.outside, { name: input.closest("label").firstChild.textContent, value: input.value, min: written(Number(input.min)), max: written(Number(input.max), 6) });
+    if (right) return value;
+    const name = (input.closest("label") ?? input.labels[0]).textContent;
+    this.status.textContent = filled(whole ? this.words.outside : this.words.outsideAny, { name, value: input.value, min: written(min), max: written(max, 6) });
     input.focus();
     return undefined;
   }
-  start(mode) {
+  /// The setup of the fields, or nothing if one is not allowed.
+  setup() {
     const [grains, seed, guess, roughness] = ["grains", "seed", "guess", "roughness"].map((name) => this.asked(this.inputs[name]));
-    if ([grains, seed, guess, roughness].includes(undefined)) return;
+    if ([grains, seed, guess, roughness].includes(undefined)) return undefined;
     const shape = this.inputs.shape.value, numbers = shape === "rough" ? { roughness: roughness * 1e-9 } : undefined;
-    this.queue = [];
-    this.make({ grain: { ...defaultGrain, shape, numbers }, loose: this.inputs.density.value === "loose", sigma: Number(this.inputs.sizes.value), grains, seed }, mode, guess);
+    return { grain: { ...defaultGrain, shape, numbers }, loose: this.inputs.density.value === "loose", sigma: Number(this.inputs.sizes.value), grains, seed };
+  }
+  start(mode) {
+    const setup = this.setup();
+    if (!setup) return;
+    this.leave();
+    this.make(setup, mode);
   }
   startSix() {
-    const seed = this.asked(this.inputs.seed);
-    if (seed === undefined) return;
-    this.queue = paperSix.map(({ shape, loose }) => ({ grain: { ...defaultGrain, shape }, loose, sigma: 0, grains: paperSixGrains, seed }));
-    this.make(this.queue.shift(), "run", NaN);
-  }
-  make(setup, mode, guess) {
+    const seed = this.asked(this.inputs.seed), guess = this.asked(this.inputs.guess);
+    if (seed === undefined || guess === undefined) return;
     this.leave();
-    this.runs = this.runs.filter((run) => run.done);
-    this.runs.push({ setup, guess, states: [] });
-    this.notAtRest = "";
+    this.queue = paperSix.map(({ shape, loose }) => ({ grain: { ...defaultGrain, shape }, loose, sigma: 0, grains: paperSixGrains, seed }));
+    this.make(this.queue.shift(), "run");
+  }
+  /// A dense and a loose specimen side by side: compressed, then sheared.
+  startPair() {
+    const setup = this.setup();
+    if (!setup) return;
+    this.leave();
+    for (const loose of [false, true]) this.make({ ...setup, loose }, "run", true);
+  }
+  make(setup, mode, thenShear = false) {
+    const run = { setup, guess: this.guessFor(setup), states: [], phase: "compression", mode, thenShear, notAtRest: "", worker: newWorker() };
+    this.runs = this.runs.filter((one) => one.states.length || one.worker);
+    this.runs.push(run);
     this.openView();
     this.viewed({ shape: shapeColourName(setup.grain.shape), reference: null });
-    this.worker = new Worker(URL.createObjectURL(new Blob([document.getElementById("worker-source").textContent], { type: "text/javascript" })));
-    this.worker.onmessage = ({ data }) => this.hear(data);
-    this.worker.postMessage({ what: "begin", compiled: this.compiled, setup, pressures: experimentPressures, mode });
-    this.curves.clear();
-    this.enter("compression", mode, this.words.preparing);
+    run.worker.onmessage = ({ data }) => this.hear(run, data);
+    run.worker.postMessage({ what: "begin", compiled: this.compiled, setup, pressures: experimentPressures, mode });
+    this.status.textContent = this.words.preparing;
+    this.showPaused(false);
     this.drawStates();
   }
   clear() {
     this.end("");
     this.runs = [];
-    this.curves.clear();
     this.status.textContent = this.words.idle;
-    this.enable();
     this.drawStates();
   }
-  /// After its compression the worker keeps the specimen, which can be sheared once.
-  shear(mode) {
-    this.viewed({ reference: this.view?.data });
-    this.worker.postMessage({ what: "shear", mode, largestStrain: largestShearStrain });
-    this.curves.begin();
-    this.enter("shear", mode, this.words.shearing);
+  /// After its compression a worker keeps the specimen, which can be sheared once.
+  shear(run, mode) {
+    if (run === this.run) this.viewed({ reference: this.view?.data });
+    run.worker.postMessage({ what: "shear", mode, largestStrain: largestShearStrain });
+    Object.assign(run, { points: [], phase: "shear", mode });
+    this.status.textContent = this.words.shearing;
+    this.showPaused(false);
+    this.curves.draw();
   }
   step() {
-    if (this.phase === "none") this.start("step");
-    else if (this.phase === "compressed") this.shear("step");
-    else this.send("step");
-  }
-  enter(phase, mode, text) {
-    this.phase = phase;
-    this.mode = mode;
-    this.paused = false;
-    this.status.textContent = text;
-    this.enable();
+    if (this.active.length) this.send("step");
+    else if (this.run?.phase === "compressed") this.shear(this.run, "step");
+    else this.start("step");
   }
   send(mode) {
-    this.worker.postMessage({ what: "turn", mode });
-    this.mode = mode;
+    for (const run of this.active) {
+      run.worker.postMessage({ what: "turn", mode });
+      run.mode = mode;
+    }
     this.showPaused(mode === "pause");
-    if (!this.paused) this.status.textContent = this.phase === "shear" ? this.words.shearing : "";
+    if (!this.paused) this.status.textContent = this.run.phase === "shear" ? this.words.shearing : "";
   }
   showPaused(is) {
     this.paused = is;
     this.buttons.pause.textContent = is ? this.words.resume : this.words.pause;
     if (is) this.status.textContent = this.words.paused;
+    this.enable();
   }
   pause() {
     this.send(this.paused ? "run" : "pause");
   }
+  /// No worker goes on; what was measured stays.
   leave() {
-    this.worker?.terminate();
-    this.worker = null;
+    for (const run of this.runs) {
+      run.worker?.terminate();
+      run.worker = null;
+      if (run.phase) run.image ??= run === this.run && run.states.length ? this.snapshot() : undefined;
+      run.phase = "ended";
+    }
+    this.runs = this.runs.filter((run) => run.states.length);
+    this.queue = [];
     this.showPaused(false);
   }
   end(text) {
     this.leave();
-    this.queue = [];
-    this.enter("none", "", text || this.status.textContent);
+    if (text) this.status.textContent = text;
+    this.drawStates();
   }
   enable() {
-    const runs = this.phase === "compression" || this.phase === "shear";
-    this.buttons.pause.disabled = this.buttons.stop.disabled = !runs;
-    this.buttons.shear.disabled = this.phase !== "compressed";
-    this.buttons.csv.disabled = this.buttons.clear.disabled = !this.run?.states.length;
+    const busy = this.active.length > 0, measured = this.runs.some((run) => run.states.length);
+    this.buttons.pause.disabled = this.buttons.stop.disabled = !busy;
+    this.buttons.shear.disabled = busy || this.run?.phase !== "compressed";
+    this.buttons.csv.disabled = this.buttons.clear.disabled = !measured;
   }
 
-  hear(data) {
-    if (data.view && this.view) this.view.show(data.view);
-    if (data.what === "state" || data.what === "point") this.drawRose(data.view);
-    if (data.what === "compressing") {
-      this.viewed({ reference: this.run.states.length ? this.view?.data : null });
-      this.status.textContent = `${this.runs.length > 1 || this.queue.length ? `${nameOf(this.words, this.run)}: ` : ""}${filled(this.words.compressing, { p: written(data.pressure / 1e3) })}`;
+  hear(run, data) {
+    const current = run === this.run;
+    if (data.view && current && this.view) this.view.show(data.view);
+    if (current && (data.what === "state" || data.what === "point")) this.drawRose(data.view);
+    if (data.what === "compressing" && current) {
+      this.viewed({ reference: run.states.length ? this.view?.data : null });
+      this.status.textContent = `${this.runs.length > 1 || this.queue.length ? `${nameOf(this.words, run)}: ` : ""}${filled(this.words.compressing, { p: written(data.pressure / 1e3) })}`;
     }
     if (data.what === "failed") this.end(filled(this.words.failed, data));
-    if (data.what === "state") this.hearState(data);
-    if (data.what === "point") this.hearPoint(data);
+    if (data.what === "state") this.hearState(run, data);
+    if (data.what === "point") this.hearPoint(run, data);
   }
 
-  hearState({ numbers, last }) {
-    const run = this.run, state = Object.fromEntries(stateNames.map((name, k) => [name, numbers[k]]));
+  hearState(run, { numbers, last }) {
+    const state = Object.fromEntries(stateNames.map((name, k) => [name, numbers[k]]));
     run.states.push(state);
-    if (!state.atRest) this.notAtRest += ` ${filled(this.words.notAtRest, { p: written(state.pressure / 1e3) })}`;
+    if (!state.atRest) run.notAtRest += ` ${filled(this.words.notAtRest, { p: written(state.pressure / 1e3) })}`;
     run.done = last;
+    if (last) {
+      run.phase = "compressed";
+      if (run === this.run) run.image = this.snapshot();
+    }
     this.enable();
+    this.drawStates();
     if (!last) {
-      this.drawStates();
-      if (this.mode === "step") this.showPaused(true);
+      if (run.mode === "step") this.showPaused(true);
       return;
     }
-    run.image = this.snapshot();
-    this.drawStates();
-    if (this.queue.length) return this.make(this.queue.shift(), "run", NaN);
-    const first = run.states[0];
+    if (run.thenShear) {
+      this.shear(run, "run");
+      return;
+    }
+    if (this.queue.length) {
+      run.worker.terminate();
+      run.worker = null;
+      run.phase = "ended";
+      this.make(this.queue.shift(), "run");
+      return;
+    }
     this.showPaused(false);
-    this.enter("compressed", "", filled(this.words.done, { s: fixed(state.s, 3), error: fixed(state.sError, 3), contact: written(state.contactExponent), z0: written(first.z), z1: written(state.z),
-      from: written(first.pressure / 1e3), to: written(state.pressure / 1e3) }) + (Number.isFinite(run.guess) ? ` ${filled(this.words.guessed, { guess: written(run.guess) })}` : "") + this.notAtRest);
+    const first = run.states[0];
+    this.status.textContent = filled(this.words.done, { s: fixed(state.s, 3), error: fixed(state.sError, 3), contact: written(state.contactExponent), z0: written(first.z), z1: written(state.z),
+      from: written(first.pressure / 1e3), to: written(state.pressure / 1e3) }) + (Number.isFinite(run.guess) ? ` ${filled(this.words.guessed, { guess: written(run.guess) })}` : "") + run.notAtRest;
   }
   /// A small picture of the specimen in its current view.
   snapshot() {
@@ -244,22 +306,32 @@ class ExperimentPanel {
       `<p>${escapeText(filled(words.roseFinding, { a: fixed(anisotropy, 2) }))}</p>`;
   }
 
-  hearPoint({ point, paused }) {
-    this.curves.add(point);
-    if (point.event === 2) this.end(this.words.unstable);
-    else if (point.event === 1) this.end(this.curves.peakText(this.run.setup.grain.frictionAngle));
-    else if (paused) this.showPaused(true);
+  hearPoint(run, { point, paused }) {
+    run.points.push(point);
+    this.curves.draw();
+    if (point.event === 0) {
+      if (paused) this.showPaused(true);
+      return;
+    }
+    run.worker.terminate();
+    run.worker = null;
+    run.phase = "ended";
+    this.showPaused(false);
+    if (!this.active.length) this.status.textContent = `${this.runs.length > 1 ? `${nameOf(this.words, run)}: ` : ""}${point.event === 2 ? this.words.unstable : this.curves.peakText(run)}`;
   }
 
   drawStates() {
     this.picture.innerHTML = runsChart(this.granum, this.texts, this.runs, this.modulus);
-    const done = this.runs.some((run) => run.done);
-    this.compared.replaceChildren(...(done ? [runsTable(this.texts, this.runs), runsGallery(this.texts, this.runs)] : []));
+    const measured = this.runs.some((run) => run.states.length > 1);
+    document.getElementById("xpanes").classList.toggle("empty", !this.run);
+    this.compared.replaceChildren(...(measured ? [runsTable(this.texts, this.runs), runsGallery(this.texts, this.runs)] : []));
     const cell = (value) => element("td", {}, written(value, 4));
+    this.table.hidden = !this.run?.states.length;
     this.table.replaceChildren(element("table", {},
       element("thead", {}, element("tr", {}, ...this.words.columns.map((name) => element("th", { scope: "col" }, ...worded(name))))),
       element("tbody", { id: "xstates" }, ...(this.run?.states ?? []).map((s) => element("tr", {},
         ...[s.pressure / 1e3, s.voidRatio, s.contacts, s.z, 100 * s.rattlers, s.network / 1e6, s.bulk / 1e6, s.uniformStrain / 1e6, s.relaxed / 1e6].map(cell))))));
+    this.curves.draw();
   }
 }
 

@@ -16,7 +16,7 @@ function addHero(granum, texts) {
     return; // no pictures of grains in this browser
   }
   view.slice = 1.1;
-  const worker = new Worker(URL.createObjectURL(new Blob([document.getElementById("worker-source").textContent], { type: "text/javascript" })));
+  const worker = newWorker();
   let moves = !still, since = performance.now();
   const button = element("button", { onclick: () => {
     moves = !moves;

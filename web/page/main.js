@@ -17,27 +17,31 @@ async function unpacked(base64) {
 async function start() {
   const texts = JSON.parse(document.getElementById("texts").textContent);
   decimalSign = texts.decimalSign;
-  document.title = texts.title;
-  document.getElementById("title").textContent = texts.title;
   document.getElementById("question").append(...worded(texts.question));
   document.getElementById("intro").append(...worded(texts.intro));
   for (const [part, title] of Object.entries(texts.parts)) {
     document.getElementById(`${part}-title`).textContent = title;
-    document.getElementById("parts").append(element("a", { href: `#${part}`, onclick: (event) => {
-      event.preventDefault();
-      document.getElementById(part).scrollIntoView();
-    } }, title));
+    document.getElementById("parts").append(partLink(part, title));
   }
+  document.querySelector(".skip").replaceWith(partLink("lesson", texts.skip, { class: "skip" }));
   document.getElementById("tools").append(copyButton(texts.link, () => address.link()), element("button", { id: "reset", onclick: () => {
+    kept.forget();
     address.write(location.href.split("#")[0]);
     location.reload();
-  } }, texts.reset));
+  } }, texts.reset), ...Object.entries(texts.languages).filter(([name]) => name !== document.documentElement.lang).map(([name, { file, title }]) => {
+    const link = element("a", { href: file, lang: name, hreflang: name, class: "language" }, title);
+    const keep = () => link.setAttribute("href", `${file}${location.search}${address.values.size ? `#${address.values}` : ""}`);
+    address.heard.push(keep);
+    keep();
+    return link;
+  }));
   const compiled = await unpacked(document.getElementById("wasm").textContent);
   const granum = await Granum.create(compiled);
   for (const law of contactLaws) law.plural = filled(texts.shapes[law.name] ?? law.plural, Object.fromEntries(law.numbers.map(({ key, value }) => [key, written(value)])));
-  document.getElementById("footer").append(filled(texts.footer, { version: granum.call("version").notes[0] }),
-    ...Object.entries(texts.languages).filter(([name]) => name !== document.documentElement.lang).flatMap(([name, { file, title }]) => [" ", element("a", { href: file, lang: name }, title)]));
+  pageVersion = granum.call("version").notes[0];
+  document.getElementById("footer").append(filled(texts.footer, { version: pageVersion }));
   const [first, ...others] = lessonSteps.map((step, number) => () => addStep(granum, texts, step, number));
+  document.getElementById("loading").remove();
   first();
   const atTop = !location.hash && !address.only; // else a place below may be what is looked for
   performance.mark("first step");
@@ -50,6 +54,7 @@ async function start() {
   showPlace();
   document.documentElement.dataset.ready = "yes";
   performance.mark("ready");
+  for (const want of packingsWanted) want();
   if (!address.only) addHero(granum, texts);
 }
 
@@ -69,6 +74,7 @@ function showPlace() {
   }
   const step = document.getElementById(`step${address.values.get("step")}`);
   if (step?.classList.contains("step")) step.scrollIntoView();
+  else if (/^#[a-z]+$/.test(location.hash)) document.getElementById(location.hash.slice(1))?.scrollIntoView();
 }
 
 function addTeachersNotes(texts) {
@@ -79,6 +85,21 @@ function addTeachersNotes(texts) {
     section.append(element("details", {}, element("summary", {}, ...worded(question)), element("p", {}, ...worded(answer))));
 }
 
+// What is folded up is printed too.
+addEventListener("beforeprint", () => {
+  for (const part of document.querySelectorAll("details:not([open])")) {
+    part.open = true;
+    part.dataset.folded = "";
+  }
+});
+addEventListener("afterprint", () => {
+  for (const part of document.querySelectorAll("details[data-folded]")) {
+    part.open = false;
+    delete part.dataset.folded;
+  }
+});
+
 start().catch((error) => {
-  document.getElementById("intro").textContent = `This browser cannot run granum: ${error.message}`;
+  const place = document.getElementById("loading") ?? document.getElementById("intro");
+  place.textContent = filled(JSON.parse(document.getElementById("texts").textContent).cannot, { message: error.message });
 });

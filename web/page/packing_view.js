@@ -59,10 +59,15 @@ class PackingView {
     this.canvas = canvas;
     this.gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
     if (!this.gl) throw new Error("WebGL2 is not available");
-    this.spheres = this.program(sphereShaders, [["grain", 4], ["rattler", 1]]);
-    this.bars = this.program(barShaders, [["from", 3], ["to", 3], ["force", 1]]);
+    this.begin();
     Object.assign(this, { yaw: 0.5, pitch: 0.35, zoom: 1, forces: false, slice: 1, shape: "sphere", data: null, waiting: false, reference: null, exaggeration: 1 });
     this.listen();
+  }
+
+  /// What the graphics processor holds: made anew after it was lost, as on phones where another app was used.
+  begin() {
+    this.spheres = this.program(sphereShaders, [["grain", 4], ["rattler", 1]]);
+    this.bars = this.program(barShaders, [["from", 3], ["to", 3], ["force", 1]]);
   }
 
   program([vertex, fragment], attributes) {
@@ -129,7 +134,9 @@ class PackingView {
       if (before) zoomed(apart() / before);
       else turned((now.x - was.x) * 0.01, (now.y - was.y) * 0.01);
     });
+    // The wheel scrolls the page; with Ctrl, as where two fingers pinch on a touchpad, it zooms.
     canvas.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey) return;
       event.preventDefault();
       zoomed(Math.exp(-event.deltaY * 0.001));
     }, { passive: false });
@@ -141,6 +148,11 @@ class PackingView {
       event.preventDefault();
     });
     new ResizeObserver(() => this.ask()).observe(canvas);
+    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.begin();
+      this.ask();
+    });
   }
 
   show(data) {
@@ -158,6 +170,7 @@ class PackingView {
 
   draw() {
     const { gl, canvas, data } = this;
+    if (gl.isContextLost()) return;
     const ratio = Math.min(2, window.devicePixelRatio || 1);
     canvas.width = Math.max(1, Math.round(canvas.clientWidth * ratio));
     canvas.height = Math.max(1, Math.round(canvas.clientHeight * ratio));

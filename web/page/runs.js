@@ -8,7 +8,7 @@ const stateNames = ["pressure", "voidRatio", "contacts", "z", "rattlers", "overl
 /// Names of G and K in a state.
 const moduli = { G: { network: "network", uniformStrain: "uniformStrain", relaxed: "relaxed" }, K: { network: "bulk", uniformStrain: "bulkUniformStrain", relaxed: "bulkRelaxed" } };
 
-/// {setup: {grain, loose, sigma, grains, seed}, guess, states, image, done}
+/// {setup: {grain, loose, sigma, grains, seed}, guess, states, image, done, points: of its shear}
 const colourOf = (run) => shapeColour(run.setup.grain.shape);
 const lastOf = (run) => run.states.at(-1);
 const measuredS = (run) => `${fixed(lastOf(run).s, 3)} ± ${fixed(lastOf(run).sError, 3)}`;
@@ -20,31 +20,33 @@ const nameOf = (words, { setup }) => [lawNamed(setup.grain.shape).plural, ...(se
 /// Chart of all runs: the modulus of the network of each; for the last one also the closed forms and the contact alone.
 function runsChart(granum, texts, runs, modulus) {
   const words = texts.experiment, legend = texts.legend, names = moduli[modulus];
-  const shown = runs.filter((run) => run.states.length), last = shown.at(-1);
+  const shown = runs.filter((run) => run.states.length), last = shown.at(-1), several = shown.length > 1;
   const line = (run, key) => run.states.map((s) => [s.pressure / 1e3, s[key] / 1e6]);
   const ends = (run) => [run.states[0].pressure / 1e3, lastOf(run).pressure / 1e3];
   const fitted = modulus === "G" ? shown.filter((run) => run.states.length > 2) : [];
   const lineOf = (run) => [lastOf(run).lineFirst / 1e6, lastOf(run).lineLast / 1e6].map((G, k) => [ends(run)[k], G]);
-  const series = shown.flatMap((run, k) => [
-    { name: String(k + 1), label: shown.length > 1 ? `${k + 1}: ${nameOf(words, run)}` : legend.network, colour: shown.length > 1 ? colourOf(run) : colours.measured, points: line(run, names.network),
-      line: false, dots: true, hollow: run.setup.loose },
-    ...(fitted.includes(run) ? [{ colour: shown.length > 1 ? colourOf(run) : colours.measured, dash: run.setup.loose, faint: run !== last, points: lineOf(run) }] : [])]);
+  const colour = (run) => (several ? colourOf(run) : colours.measured);
+  const number = (run) => runs.indexOf(run) + 1, ofLast = (text) => (several ? `${number(last)}: ${text}` : text);
+  const series = shown.flatMap((run) => [
+    { name: several ? String(number(run)) : "", label: several ? `${number(run)}: ${nameOf(words, run)}${fitted.includes(run) ? `, ${filled(texts.slope, { s: measuredS(run) })}` : ""}` : legend.network, colour: colour(run),
+      points: line(run, names.network), line: false, dots: true, hollow: run.setup.loose },
+    ...(fitted.includes(run) ? [{ colour: colour(run), dash: run.setup.loose, points: lineOf(run) }] : [])]);
   if (last) series.unshift(
-    { label: legend.uniformStrain, colour: colours.uniform_strain, faint: shown.length > 1, points: line(last, names.uniformStrain) },
-    { label: legend.relaxed, colour: colours.closed_form, faint: shown.length > 1, points: line(last, names.relaxed) },
-    { label: legend.contact, colour: colours.grey, dash: true, points: last.states.map((s) => [s.pressure / 1e3, (last.states[0][names.network] / 1e6) * s.contactAlone]) });
+    { label: ofLast(legend.uniformStrain), colour: colours.uniform_strain, faint: several, points: line(last, names.uniformStrain) },
+    { label: ofLast(legend.relaxed), colour: colours.closed_form, faint: several, points: line(last, names.relaxed) },
+    { label: ofLast(legend.contact), colour: colours.grey, dash: "dots", points: last.states.map((s) => [s.pressure / 1e3, (last.states[0][names.network] / 1e6) * s.contactAlone]) });
   const all = series.flatMap(({ points }) => points.map(([, y]) => y)).filter(Number.isFinite);
-  const start = last && [ends(last)[0], last.states[0][names.network] / 1e6];
+  const start = last && [ends(last)[0], last.states[0][names.network] / 1e6], measured = fitted.at(-1);
   return chart({
     title: shown.length === 1 ? `${texts.axis[modulus]}: ${nameOf(words, last)}` : words.chart, finding: filled(words.finding, { count: last?.states.length ?? 0, runs: shown.length }),
     x: { label: texts.axis.pressure, min: 9, max: 115, log: true },
     y: { label: texts.axis[modulus], min: all.length ? 0.8 * Math.min(...all) : 10, max: all.length ? 1.3 * Math.max(...all) : 500, log: true },
     series, bands: last && modulus === "G" ? [sandBand(granum, texts, start, ...(last.states.length > 1 ? ends(last) : [10, 100]))] : [],
-    triangles: fitted.map((run) => {
+    triangles: measured ? [measured].map((run) => {
       const [[x0, y0], [x1, y1]] = lineOf(run), x = x0 * (x1 / x0) ** 0.55;
-      return { x0: x, x1, y: y0 * (y1 / y0) ** 0.55, slope: lastOf(run).s, colour: shown.length > 1 ? colourOf(run) : colours.measured, text: run === last ? filled(texts.slope, { s: measuredS(run) }) : "" };
-    }),
-    note: fitted.length ? filled(words.fittedOver, { from: written(ends(last)[0]), to: written(ends(last)[1]) }) : undefined,
+      return { x0: x, x1, y: y0 * (y1 / y0) ** 0.55, slope: lastOf(run).s, colour: colour(run), text: filled(texts.slope, { s: measuredS(run) }) };
+    }) : [],
+    note: measured ? filled(words.fittedOver, { from: written(ends(measured)[0]), to: written(ends(measured)[1]) }) : undefined,
   });
 }
 
@@ -53,7 +55,7 @@ function runsTable(texts, runs) {
   const words = texts.experiment;
   return element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": words.runs }, element("table", { id: "xruns" },
     element("thead", {}, element("tr", {}, ...words.runColumns.map((name) => element("th", { scope: "col" }, ...worded(name))))),
-    element("tbody", {}, ...runs.filter((run) => run.done).map((run) => element("tr", {},
+    element("tbody", {}, ...runs.filter((run) => run.done || (run.phase === "ended" && run.states.length > 2)).map((run) => element("tr", {},
       element("th", { scope: "row" }, element("span", { class: `swatch dot${run.setup.loose ? " hollow" : ""}`, style: `--colour:${colourOf(run)}` }), `${runs.indexOf(run) + 1}: ${nameOf(words, run)}`),
       ...[`${written(run.states[0].z)} → ${written(lastOf(run).z)}`, Number.isFinite(run.guess) ? written(run.guess) : "–", measuredS(run), written(lastOf(run).contactExponent)].map((text) => element("td", {}, text)))))));
 }
@@ -61,15 +63,24 @@ function runsTable(texts, runs) {
 const runsGallery = (texts, runs) => element("div", { class: "gallery" }, ...runs.filter((run) => run.image).map((run) => element("figure", {},
   element("img", { src: run.image, alt: filled(texts.experiment.specimen, { name: nameOf(texts.experiment, run) }) }), element("figcaption", {}, `${runs.indexOf(run) + 1}: ${nameOf(texts.experiment, run)}`))));
 
+/// What a file says of a run.
+const setupNames = ["specimen", "contact", "preparation", "lognormal_sigma", "grains", "seed", "roughness_m"];
+const setupOf = ({ setup }) => [setup.grain.shape, setup.loose ? "loose" : "dense", setup.sigma, setup.grains, setup.seed, setup.grain.numbers?.roughness ?? ""];
+/// "0.2.0-sphere-dense-200-seed1", or the number of specimens.
+function runsName(runs) {
+  if (runs.length !== 1) return `${runs.length}-specimens`;
+  const [shape, preparation, , grains, seed] = setupOf(runs[0]);
+  return `${shape}-${preparation}-${grains}-seed${seed}`;
+}
+/// The text of a file: rows of numbers of each run, by name, and what each is of.
+function fileOf(runs, columns, rowsOfRun) {
+  const rows = runs.flatMap((run, k) => rowsOfRun(run).map((row) => [...Object.values(columns).map((name) => row[name]), k + 1, ...setupOf(run)].join(",")));
+  return `# granum ${pageVersion}\n${[...Object.keys(columns), ...setupNames].join(",")}\n${rows.join("\n")}\n`;
+}
+const stateColumns = { p_Pa: "pressure", e: "voidRatio", C_n: "contacts", z_star: "z", rattler_fraction: "rattlers", mean_overlap_over_d: "overlap", K_network_Pa: "bulk", G_network_Pa: "network",
+  G_affine_Pa: "affine", G_uniform_strain_Pa: "uniformStrain", G_relaxed_Pa: "relaxed" };
 /// {name, text} of a file with all states; both contain the setup and the version of granum.
-function runsFile(version, runs) {
-  const names = ["p_Pa", "e", "C_n", "z_star", "rattler_fraction", "mean_overlap_over_d", "K_network_Pa", "G_network_Pa", "G_affine_Pa", "G_uniform_strain_Pa", "G_relaxed_Pa"];
-  const of = ({ setup }) => [setup.grain.shape, setup.loose ? "loose" : "dense", setup.sigma, setup.grains, setup.seed, setup.grain.numbers?.roughness ?? ""];
+function runsFile(runs) {
   const made = runs.filter((run) => run.states.length);
-  const rows = made.flatMap((run, k) => run.states.map((s) => [...names.map((_, n) => s[stateNames[n]]), k + 1, ...of(run)].join(",")));
-  const [shape, preparation, , grains, seed] = of(made[0]);
-  return {
-    name: made.length === 1 ? `granum-${version}-${shape}-${preparation}-${grains}-seed${seed}.csv` : `granum-${version}-${made.length}-specimens.csv`,
-    text: `# granum ${version}\n${[...names, "specimen", "contact", "preparation", "lognormal_sigma", "grains", "seed", "roughness_m"].join(",")}\n${rows.join("\n")}\n`,
-  };
+  return { name: `granum-${pageVersion}-${runsName(made)}.csv`, text: fileOf(made, stateColumns, (run) => run.states) };
 }

@@ -12,7 +12,7 @@ function sheetKinds(words, grains, seed) {
 }
 
 function sheetPages(texts, panel) {
-  const words = texts.sheet, grains = Number(panel.inputs.grains.value), seed = Number(panel.inputs.seed.value);
+  const words = texts.sheet, grains = panel.inputs.grains.typed, seed = panel.inputs.seed.typed;
   const kinds = sheetKinds(texts.experiment, grains, seed);
   const numbers = { grains, seed, from: written(experimentPressures[0] / 1e3), to: written(experimentPressures.at(-1) / 1e3), count: experimentPressures.length };
   const lines = (all) => element("ol", {}, ...all.map((text) => element("li", {}, ...worded(filled(text, numbers)), element("div", { class: "lines" }))));
@@ -26,10 +26,12 @@ function sheetPages(texts, panel) {
 }
 
 function answerPage(granum, texts, panel) {
-  const words = texts.sheet, grains = Number(panel.inputs.grains.value);
+  const words = texts.sheet, grains = panel.inputs.grains.typed;
   const measured = (setup) => panel.runs.filter((run) => run.done && run.setup.grain.shape === setup.grain.shape && run.setup.loose === setup.loose).map(measuredS).join("; ") || words.notRun;
-  const rows = sheetKinds(texts.experiment, grains, 1).map(([name, setup]) => [name, written(granum.contactCurve(setup.grain, 1e-7, 1).stiffnessExponent),
-    `± ${written(granum.call("exponent_scatter", grainNumbers(setup.grain)[0], setup.loose ? 1 : 0, grains).numbers[0], 2)}`, measured(setup)]);
+  const rows = sheetKinds(texts.experiment, grains, 1).map(([name, setup]) => {
+    const [scatter, mean] = granum.call("exponent_scatter", grainNumbers(setup.grain)[0], setup.loose ? 1 : 0, grains).numbers;
+    return [name, written(granum.contactCurve(setup.grain, 1e-7, 1).stiffnessExponent), `${fixed(mean, 2)} ± ${written(scatter, 2)}`, measured(setup)];
+  });
   return element("section", { class: "leaf" }, element("h2", {}, words.answersTitle), element("p", {}, ...worded(filled(words.answersText, { grains }))), tableRows(words.answerColumns, rows),
     element("ol", {}, ...words.answers.map((text) => element("li", {}, ...worded(text)))));
 }
@@ -38,12 +40,13 @@ function addSheet(granum, texts, panel) {
   const paper = element("div", { id: "sheet" });
   document.body.append(paper);
   const print = (what, pages) => {
-    paper.replaceChildren(...pages);
+    if (["grains", "seed"].some((name) => panel.asked(panel.inputs[name]) === undefined)) return;
+    paper.replaceChildren(...pages());
     document.documentElement.dataset.print = what;
     window.print();
   };
   addEventListener("afterprint", () => delete document.documentElement.dataset.print);
   document.getElementById("notes").append(element("p", {},
-    element("button", { id: "printsheet", onclick: () => print("sheet", sheetPages(texts, panel)) }, texts.sheet.print),
-    element("button", { id: "printanswers", onclick: () => print("answers", [answerPage(granum, texts, panel)]) }, texts.sheet.printAnswers)));
+    element("button", { id: "printsheet", onclick: () => print("sheet", () => sheetPages(texts, panel)) }, texts.sheet.print),
+    element("button", { id: "printanswers", onclick: () => print("answers", () => [answerPage(granum, texts, panel)]) }, texts.sheet.printAnswers)));
 }

@@ -62,6 +62,14 @@ const heard = {
     work = compressNext;
     goOn();
   },
+  /// A small packing at rest, and how its grains move in a shear.
+  async network({ compiled, setup: { grain, loose, sigma, grains, seed }, pressure }) {
+    granum = await Granum.create(compiled);
+    granum.call("experiment_begin", ...grainNumbers(grain), grain.frictionAngle, loose ? 1 : 0, sigma, grains, seed, pressure);
+    granum.call("experiment_prepare");
+    granum.call("experiment_compress", pressure);
+    postMessage({ what: "network", numbers: granum.call("experiment_motions").numbers });
+  },
   shear(data) {
     granum.call("experiment_shear_begin", data.largestStrain);
     mode = data.mode;

@@ -224,13 +224,13 @@ GRANUM_EXPORT(experiment_compress) void experiment_compress(double pressure) {
                     std::log(alone) / (e.ln_pressure.back() - e.ln_pressure.front())};
 }
 
-/// The standard deviation of s of the network between specimens of a kind.
+/// The standard deviation of s of the network between specimens of a kind, and its mean; NaN for a
+/// contact that was not measured.
 GRANUM_EXPORT(exponent_scatter) void exponent_scatter(double shape, double loose, double grains) {
-  web::numbers() = {
-      studies::exponent_scatter(web::shape_of(shape),
-                                loose != 0 ? triaxial::Density::loose : triaxial::Density::dense,
-                                studies::ExponentRoute::network, static_cast<std::size_t>(grains))
-          .deviation};
+  const studies::KnownScatter known = studies::exponent_scatter(
+      web::shape_of(shape), loose != 0 ? triaxial::Density::loose : triaxial::Density::dense,
+      studies::ExponentRoute::network, static_cast<std::size_t>(grains));
+  web::numbers() = {known.deviation, known.mean.value_or(effective::State::unset)};
 }
 
 GRANUM_EXPORT(view_grains) const float* view_grains() { return experiment().view.grains.data(); }

@@ -194,3 +194,23 @@ void carried_path(double shape, double shear_modulus, double poisson_ratio, doub
   validity.keep_each_once();
   web::say(validity);
 }
+
+/// s of G ~ p^s of an isotropic packing by uniform strain (rung 0), with a constant number of contacts, at
+/// `points` equal steps of ln p.
+GRANUM_EXPORT(exponent_path)
+void exponent_path(double shape, double shear_modulus, double poisson_ratio, double radius,
+                   double first_number, double second_number, double void_ratio, double coordination_number,
+                   double from, double to, double points) {
+  effective::State packing{
+      .law = web::law_of({shape, shear_modulus, poisson_ratio, radius, first_number, second_number}),
+      .tangential_ratio = contact::mindlin_stiffness_ratio(poisson_ratio),
+      .radius = radius,
+      .void_ratio = void_ratio,
+      .coordination_number = coordination_number};
+  const effective::Rung& rung = effective::rung(effective::RungName::isotropic);
+  for (double k = 0; k < points; ++k) {
+    packing.stress_v = packing.stress_h = from * std::pow(to / from, k / (points - 1));
+    const effective::RungAnswer answer = effective::answer_with_exponents(rung, packing);
+    web::numbers().push_back(answer.exponents ? answer.exponents->sum() : effective::State::unset);
+  }
+}

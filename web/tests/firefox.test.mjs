@@ -83,6 +83,18 @@ test("the page in Firefox: ready, steps, a specimen to its end, grains in sight"
     const [width, edge] = await page.value("[document.documentElement.scrollWidth, innerWidth]");
     assert.ok(width <= edge, `${width - edge} px beyond the edge`);
     assert.ok(await page.value("document.querySelector('#step1 math').getBoundingClientRect().height > 5"), "formulas are not drawn");
+    // A decimal comma, a guess, a slider on its logarithmic axis, arrows of the small packings, and the language that keeps settings.
+    const typed = (id, text) => page.value(`(() => { const field = document.getElementById('${id}'); field.value = '${text}'; field.dispatchEvent(new Event('input')); })()`);
+    await typed("cpressure", "12,5");
+    assert.match(await page.value("document.getElementById('clines').textContent"), /--pressure 12\.5kPa/);
+    await page.value("document.querySelector('#step3guess button').click()");
+    assert.equal(await page.value("document.querySelectorAll('.question [aria-pressed=true]').length"), 1);
+    await typed("3pressure", "1000");
+    assert.match(await page.value("document.querySelector('#step3 .finding').textContent"), /1000 kPa/);
+    assert.match(await page.value("document.querySelector('a.language').href"), /de\.html#.*3pressure=1000/);
+    await page.until("document.querySelectorAll('.pair svg').length === 4");
+    assert.ok(await page.value("document.querySelectorAll('#step5 .head.relaxed').length > 10"), "no arrows");
+    assert.ok(await page.value("document.querySelector('#step1 svg').getBoundingClientRect().height > 130"), "no contacts are drawn");
     await page.value("document.getElementById('xstart').click()");
     await page.until("document.getElementById('xpause').disabled && document.querySelectorAll('#xstates tr').length === 10");
     const s = Number((await page.value("document.getElementById('xstatus').textContent")).match(/s of the network is ([\d.]+)/)[1]);

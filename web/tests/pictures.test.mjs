@@ -149,7 +149,7 @@ test("the picture of the ladder", async () => {
   await check(path.join(root, "validation/ladder/ladder.svg"));
 });
 
-for (const name of ["analyse", "verify", "reproduce"])
+for (const [name, sentences] of [["analyse", 3], ["verify", 3], ["reproduce", 3], ["trade", 2]])
   test(`the report of ${name}`, async () => {
     const [file] = made(name, "report.html");
     await check(file);
@@ -164,7 +164,11 @@ for (const name of ["analyse", "verify", "reproduce"])
       }
     const page = await opened(file);
     assert.equal(await page.locator("header h1").count(), 1);
-    assert.equal(await page.locator("header .answer p").count(), 3);
+    assert.equal(await page.locator("header .answer p").count(), sentences);
+    // Labels of slopes have the colours of their triangles.
+    const slopes = await page.$$eval("text.slope", (all) => all.map((text) => [getComputedStyle(text).fill, getComputedStyle(text.previousElementSibling.previousElementSibling).stroke]));
+    for (const [text, line] of slopes) assert.equal(text, line);
+    assert.equal(slopes.length > 0, name === "verify" || name === "reproduce");
     assert.ok(await page.evaluate(() => document.querySelector("header svg").getBoundingClientRect().bottom <= innerHeight), "the first picture is not on the first screen");
     await page.context().close();
   });

@@ -16,6 +16,9 @@ namespace granum::plot {
 [[nodiscard]] std::string html_element(const std::string& tag, const std::string& content,
                                        const std::string& text_class = {});
 
+/// Content that may be wider than the screen: it scrolls, by keyboard too, and shows where more follows.
+[[nodiscard]] std::string html_wide(const std::string& content);
+
 /// Plain text, escaped, with printed_signs, as a paragraph.
 [[nodiscard]] std::string html_paragraph(std::string_view text, const std::string& text_class = {});
 
@@ -32,7 +35,8 @@ namespace granum::plot {
 /// Content that is folded away under its title until it is asked for. On paper it stays folded.
 [[nodiscard]] std::string html_folded(std::string_view title, const std::string& content);
 
-/// A table that scrolls sideways where it is too wide. Numbers are the cells that begin with a digit or sign.
+/// A table that scrolls sideways where it is too wide. Numbers are the cells that begin with a
+/// digit or sign and are no sentence.
 /// \param    rows    plain texts, as many in each as there are headings
 [[nodiscard]] std::string html_table(const std::vector<std::string>& headings,
                                      const std::vector<std::vector<std::string>>& rows);

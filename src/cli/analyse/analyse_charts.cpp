@@ -246,7 +246,7 @@ plot::Chart rung_chart(const FrameAnswer& frame) {
                     .width = 360,
                     .height = 300,
                     .legend_below = true};
-  plot::Series strained{.name = "uniform strain, \u00b1 stated error",
+  plot::Series strained{.name = "uniform strain",
                         .mark = plot::Mark::marker,
                         .style = 1,
                         .colour = plot::Colour::uniform_strain};

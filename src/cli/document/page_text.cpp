@@ -106,7 +106,7 @@ std::string html_sources(std::span<const Reference> sources) {
       cells += plot::html_element("td", html_linked(one.remark));
     rows += plot::html_element("tr", cells);
   }
-  return plot::html_element("div", plot::html_element("table", rows, "sources"), "wide");
+  return plot::html_wide(plot::html_element("table", rows, "sources"));
 }
 
 } // namespace granum::cli

@@ -14,6 +14,8 @@
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 
+#include "help.hpp"
+
 namespace granum::cli {
 
 namespace {
@@ -62,8 +64,9 @@ void say(std::string_view kind, std::string_view message) noexcept {
     std::string line = "granum: ";
     if (!kind.empty())
       line.append(kind).append(": ");
-    to_standard_error(line.append(printable(message)).append("\n"));
-  } catch (...) { // no memory for the line
+    line.append(printable(message)).append("\n");
+    to_standard_error(isatty(STDERR_FILENO) == 1 ? within_width(line) : line); // files keep one line each
+  } catch (...) {                                                              // no memory for the line
     to_standard_error(message);
   }
 }

@@ -34,7 +34,8 @@ struct TradeOptions {
   ResultOptions results;
 };
 
-constexpr const char* file_names[] = {"trade.csv", "samples.csv", "trade.svg", "manifest.json"};
+constexpr const char* file_names[] = {"trade.csv", "samples.csv", "trade.svg", "manifest.json",
+                                      "report.html"};
 
 studies::TradeScene scene_of(const TradeOptions& options) {
   studies::TradeScene trade = options.quick  ? studies::quick_trade()
@@ -62,13 +63,14 @@ TradeOutcome run_study(const studies::TradeScene& trade, const std::atomic<bool>
   return outcome;
 }
 
-void write_results(const fs::path& folder, const TradeOutcome& outcome, const ordered_json& manifest,
-                   io::Existing existing) {
+void write_results(const fs::path& folder, const TradeOutcome& outcome, const Document& document,
+                   const ordered_json& manifest, io::Existing existing) {
   const Document rows = rows_document(outcome.rows);
   io::write_file(folder / file_names[0], csv(rows), existing);
   io::write_file(folder / file_names[1], csv(samples_document(outcome)), existing);
   io::write_file(folder / file_names[2], picture(rows), existing);
   io::write_file(folder / file_names[3], json_text(manifest), existing);
+  io::write_file(folder / file_names[4], page(document), existing);
 }
 
 /// Draws the picture of a finished run again.
@@ -102,8 +104,9 @@ ExitCode run(const TradeOptions& options) {
   const ordered_json manifest = with_cost_of_sizes(
       with_warnings(json(document), likely_mistakes(outcome.trade.scene)), outcome.trade.scene);
   if (writes)
-    write_results(folder, outcome, manifest, results.existing());
-  const std::string where = writes ? "CSV, picture and manifest in " + folder.string() + "\n" : "";
+    write_results(folder, outcome, document, manifest, results.existing());
+  const std::string where =
+      writes ? "report.html, CSV, picture and manifest in " + folder.string() + "\n" : "";
   results.print(screen(document, false) + where, manifest);
   if (outcome.failures.empty())
     return ExitCode::ok;

@@ -231,6 +231,8 @@ void add_laws(Document& to, const TradeOutcome& outcome) {
   std::vector<NamedLaw> laws = named(outcome.trade, studies::laws_of(outcome.rows));
   to.add(Seen::data, table_of("laws", "", law_columns(), laws, Table::Form::named));
   std::erase_if(laws, [](const NamedLaw& law) { return !(law.law.size.scatter > 0); });
+  if (laws.empty())
+    return;
   to.add(
       Seen::always,
       table_of("",
@@ -292,6 +294,43 @@ Document samples_document(const TradeOutcome& outcome) {
   return out;
 }
 
+namespace {
+
+bool any_measured(const std::vector<TradeRow>& rows) {
+  return std::ranges::any_of(rows, [](const TradeRow& row) { return row.specimens > 0; });
+}
+
+/// Question, answer and picture of the page: the cheapest numbers of grains whose error is small.
+void add_answer(Document& to, const TradeOutcome& outcome) {
+  to.question = "How much accuracy does computing time buy on this machine?";
+  if (!any_measured(outcome.rows)) {
+    to.sentences.push_back("No specimen was finished before the run was stopped.");
+    to.add(Seen::always, Prose{{"no specimen was finished"}});
+    return;
+  }
+  constexpr double limit = 0.02;
+  for (const Density density : {Density::dense, Density::loose}) {
+    const TradeRow* best = nullptr;
+    for (const TradeRow& row : outcome.rows)
+      if (row.varied == Varied::grains && row.density == density && is_drawn(row) && error_of(row) <= limit &&
+          (best == nullptr || row.cpu_seconds < best->cpu_seconds))
+        best = &row;
+    const std::string kind(studies::name(density));
+    to.sentences.push_back(
+        best != nullptr
+            ? fmt::format("G of a {} packing within {} %: {} grains, {:.2g} s of one processor.", kind,
+                          short_text(100 * limit), short_text(best->value), best->cpu_seconds)
+            : fmt::format("No number of grains of this run had G of a {} packing within {} %.", kind,
+                          short_text(100 * limit)));
+  }
+  Picture picture = picture_of(outcome.rows);
+  picture.caption = "Error of G of one specimen over the processor time that it costs, each with one setting "
+                    "varied. Dots further left cost less; lower ones are more accurate.";
+  to.add(Seen::full, std::move(picture));
+}
+
+} // namespace
+
 Document trade_document(const TradeOutcome& outcome, const StudyOptions& options) {
   const std::size_t threads = studies::thread_count(outcome.trade.scene);
   Document out{.command = "trade"};
@@ -307,14 +346,22 @@ Document trade_document(const TradeOutcome& outcome, const StudyOptions& options
   out.add(Seen::data, Data{"scene", scene_json(outcome.trade)});
   out.add(Seen::data, Data{"threads_used", threads});
   out.add(Seen::data, table_of("rows", "", row_columns(), outcome.rows));
-  for (const Block& block : blocks)
+  add_answer(out, outcome);
+  // After a stop some rows have no specimens: they are left out, and tables without rows.
+  for (const Block& block : blocks) {
+    std::vector<TradeRow> rows = rows_of(block.varied, outcome.rows);
+    std::erase_if(rows, [](const TradeRow& row) { return row.specimens == 0; });
+    if (!rows.empty())
+      out.add(Seen::always,
+              table_of("", fmt::format(fmt::runtime(block.title), percent_text(outcome.trade.shear_strain)),
+                       row_columns(), rows));
+  }
+  if (any_measured(outcome.rows))
     out.add(Seen::always,
-            table_of("", fmt::format(fmt::runtime(block.title), percent_text(outcome.trade.shear_strain)),
-                     row_columns(), rows_of(block.varied, outcome.rows)));
-  out.add(Seen::always, Prose{{"n: specimens; bias: mean minus that of the reference (*), +- standard error;",
-                               "scatter: standard deviation of G between specimens, or between their",
-                               "differences from the reference, in %; s: of G ~ p^s; peak: largest q/p', its",
-                               "bias; CPU: processor time of the cost named above each table"}});
+            Prose{{"n: specimens; bias: mean minus that of the reference (*), +- standard error;",
+                   "scatter: standard deviation of G between specimens, or between their",
+                   "differences from the reference, in %; s: of G ~ p^s; peak: largest q/p', its",
+                   "bias; CPU: processor time of the cost named above each table"}});
   add_laws(out, outcome);
   return out;
 }

@@ -92,9 +92,9 @@ std::string dense_answer(const Compressions& all, const std::string& exponents) 
                  " (in brackets: s of a single contact of this shape, 1/(1+\u03b1) for the profile r^\u03b1)";
   if (const auto z = mean_ends(all, Density::dense, z_star))
     sentence +=
-        fmt::format("; pressure {}, {} per grain that carries load",
+        fmt::format("; pressure {}: {}, contacts per grain that carries load",
                     std::abs(z->second - z->first) < hardly ? "hardly adds contacts" : "changes the contacts",
-                    from_to(*z));
+                    "z* " + from_to(*z));
   return sentence + ".";
 }
 
@@ -106,12 +106,12 @@ std::string loose_answer(const Compressions& all, const std::string& exponents) 
   std::string sentence = "In loose packings s is " + exponents;
   if (const auto z = mean_ends(all, Density::loose, z_star))
     sentence += above && z->second > z->first
-                    ? ", larger than s of a single contact because pressure also adds contacts, " +
-                          from_to(*z) + " per grain that carries load"
-                    : "; a grain that carries load has " + from_to(*z) + " contacts";
+                    ? ", larger than s of a single contact because pressure also adds contacts: z* " +
+                          from_to(*z) + ", contacts per grain that carries load"
+                    : "; z*, the contacts per grain that carries load, goes " + from_to(*z);
   if (const auto share = mean_ends(all, Density::loose, softening))
-    sentence += "; G changes " + from_to(*share) +
-                " of its value under uniform strain (all grains move with the mean strain)";
+    sentence += "; G over its value under uniform strain (all grains move with the mean strain) goes " +
+                from_to(*share);
   return sentence + ".";
 }
 
@@ -256,7 +256,7 @@ void add_closed_forms(Panel& to, const studies::Scene& scene, const Compressions
 Panel contacts_panel(const Compressions& all) {
   Panel out = studies::panel("contacts", "Contacts of a grain", pressures(), {"z_star", {.title = "z*"}});
   add_specimens(out, all, plot::Mark::both, pressure, z_star);
-  out.chart.finding = "Contacts of a grain, z*, against p': " + from_to(all, z_star) + ".";
+  out.chart.finding = "Contacts of a grain, z*, against p': z* goes, for " + from_to(all, z_star) + ".";
   return out;
 }
 
@@ -265,8 +265,8 @@ Panel softening_panel(const studies::Scene& scene, const Compressions& all) {
                              {"G_over_uniform_strain", {.title = "G of network / uniform strain"}});
   add_specimens(out, all, plot::Mark::marker, z_star, softening);
   add_closed_forms(out, scene, all);
-  out.chart.finding =
-      "G of the network over G under uniform strain, against z*: " + from_to(all, softening) + ".";
+  out.chart.finding = "G of the network over G under uniform strain, against z*: this ratio goes, for " +
+                      from_to(all, softening) + ".";
   return out;
 }
 

@@ -77,7 +77,8 @@ std::vector<Verdict> verdicts_of(const ordered_json& results) {
     out.push_back({.claim = one.at("claim").get<std::string>(),
                    .holds = one.at("holds").get<bool>(),
                    .measured = one.at("measured").get<std::string>(),
-                   .finding = one.at("finding").get<bool>()});
+                   .finding = one.at("finding").get<bool>(),
+                   .decided = one.value("decided", true)});
   return out;
 }
 
@@ -232,17 +233,23 @@ ordered_json results_of(const studies::Scene& scene, const std::vector<studies::
 
 Table verdict_table(const std::vector<Verdict>& verdicts) {
   io::Columns<Verdict> columns = studies::verdict_columns();
-  columns.push_back({"", "", studies::word_of, io::ShownColumn{.heading = "", .width = -9}});
+  columns.push_back({"", "", studies::word_of, io::ShownColumn{.heading = "", .width = -11}});
   columns.push_back({"", "", [](const Verdict& v) { return v.claim + ": " + v.measured; },
                      io::ShownColumn{.heading = "", .width = -1}});
   Table out =
       table_of("verdicts", "agreement with the paper, and checks of granum itself", columns, verdicts);
   const auto findings = std::ranges::count_if(verdicts, &Verdict::finding);
-  const auto agree = std::ranges::count_if(verdicts, [](const Verdict& v) { return v.finding && v.holds; });
+  const auto of = [&](bool decided) {
+    return std::ranges::count_if(verdicts, [=](const Verdict& v) {
+      return v.finding && v.decided == decided && (v.holds || !decided);
+    });
+  };
   if (findings > 0)
-    out.remark = fmt::format("{} of {} results of the paper are reproduced; a difference is a result, not a "
-                             "failure",
-                             agree, findings);
+    out.remark = fmt::format(
+        "{} of {} results of the paper are reproduced{}; a difference is a result, not a "
+        "failure",
+        of(true), findings,
+        of(false) > 0 ? fmt::format(", {} undecided: the limit is within a standard error", of(false)) : "");
   return out;
 }
 

@@ -39,9 +39,11 @@ struct Verdict {
   bool holds = false;
   std::string measured;
   bool finding = false; ///< about packings, which the paper may see otherwise; else a check of granum itself
+  /// Whether the measured number is a standard error or more from the limit of the claim.
+  bool decided = true;
 };
 
-/// "holds", "differs", or "FAILS" for a check of granum itself.
+/// "holds" or "differs", "undecided" where that does not follow, or "FAILS" for a check of granum itself.
 [[nodiscard]] const char* word_of(const Verdict& verdict);
 /// Failed verdicts on granum itself.
 [[nodiscard]] std::vector<Verdict> failed_checks(const std::vector<Verdict>& verdicts);

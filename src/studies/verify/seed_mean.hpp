@@ -19,8 +19,9 @@ struct TableValue {
 
 /// Prior knowledge of the scatter between specimens of one kind.
 struct KnownScatter {
-  double deviation = 0; ///< standard deviation of one specimen
-  double degrees = 0;   ///< degrees of freedom of its measurement; 0: unknown
+  double deviation = 0;            ///< standard deviation of one specimen
+  double degrees = 0;              ///< degrees of freedom of its measurement; 0: unknown
+  std::optional<double> mean = {}; ///< of the same specimens; none for a contact that was not measured
 };
 
 /// Mean over several specimens. Its error is the larger of their scatter, pooled with what is known

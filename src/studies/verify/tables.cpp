@@ -109,7 +109,8 @@ io::Columns<Verdict> verdict_columns() {
           {"holds", "", [](const Verdict& verdict) { return verdict.holds ? "yes" : "no"; }},
           {"", "holds", &Verdict::holds},
           {"measured", "measured", &Verdict::measured},
-          {"", "finding", &Verdict::finding}};
+          {"", "finding", &Verdict::finding},
+          {"", "decided", &Verdict::decided}};
 }
 
 } // namespace granum::studies
