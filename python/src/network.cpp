@@ -116,10 +116,9 @@ void define_d2min(py::module_& module) {
        with_default("reach", "1.5", "float",
                     "Grains are neighbours if their centres before are closer than reach (R_i + R_j), 1 to "
                     "5 [1].")},
-      {"D2min of each grain: how far its neighbours moved between two frames otherwise than by one uniform "
-       "deformation.",
-       "ndarray\n    (N,) [m2], a sum over the neighbours, of the grains of after; 0 with up to three "
-       "neighbours, which one deformation explains, and for grains that are not in both.",
+      {"D2min of each grain: what its neighbours moved between two frames beside one uniform deformation.",
+       "ndarray\n    (N,) [m2], of the grains of after, a sum over the neighbours; 0 with up to three "
+       "neighbours, which one\n    deformation explains, and for grains that are not in both.",
        "For a reach out of range.", "[FalkLanger1998]", "analysis::d2min", "analysis/rearrangement.hpp"},
       [](const Arguments& a) -> py::object {
         const auto before = a.as<SharedPacking>(0), after = a.as<SharedPacking>(1);
