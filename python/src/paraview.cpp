@@ -27,6 +27,8 @@ std::vector<io::GrainField> fields_of(const Packing& packing, const py::handle& 
   if (given.is_none())
     return fields;
   for (const auto& [key, value] : given.cast<py::dict>()) {
+    if (!py::isinstance<py::str>(key))
+      throw py::type_error("write_vtk(): fields must be a dict of arrays by their names");
     const auto name = key.cast<std::string>();
     const py::array_t<double, py::array::c_style | py::array::forcecast> numbers =
         numbers_of(name.c_str(), value);

@@ -195,7 +195,7 @@ QuestionArguments::QuestionArguments(const Arguments& a)
 void QuestionArguments::take_sands(py::handle names) {
   const py::array all = py::array::ensure(names);
   const char kind = all ? all.dtype().kind() : ' ';
-  if (kind != 'U' && kind != 'O') {
+  if (kind != 'U' && kind != 'O' && !(all && all.size() == 0)) {
     PyErr_Clear();
     throw py::type_error("sand must be a string, or an array of them");
   }

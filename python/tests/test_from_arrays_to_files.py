@@ -67,6 +67,9 @@ def test_own_numbers_of_grains_are_written_too(tmp_path):
     for wrong in ([1.0, 2.0], np.ones((3, 1, 1)), 1.0):
         with pytest.raises(granum.InvalidArgument, match="speed has the shape"):
             granum.write_vtk(packing, path, fields={"speed": wrong})
+    for wrong in ([1.0], {1: [1.0, 2.0, 3.0]}):
+        with pytest.raises(TypeError, match="fields must be a dict"):
+            granum.write_vtk(packing, path, fields=wrong)
     with pytest.raises(granum.InvalidArgument, match="fields are of grains"):
         granum.write_vtk(packing, tmp_path / "c.vtp", fields={"speed": [1, 2, 3]})
     with pytest.raises(granum.InvalidArgument, match="must end in .vtu"):
@@ -102,6 +105,7 @@ def test_every_element_may_be_of_another_sand():
     np.testing.assert_array_equal(listed.shear_modulus.value, answer.shear_modulus.value[:, 0])
     with pytest.raises(granum.InvalidArgument, match="toyoura"):
         granum.packing_answer(**SAND, sand=["toyoura", "toyora"], void_ratio=0.7, pressure=1e5)
+    assert granum.packing_answer(**SAND, sand=[], void_ratio=0.7, pressure=1e5).shape == (0,)
     for wrong in (["toyoura", None], [1, 2], 3.0):
         with pytest.raises(TypeError, match="sand"):
             granum.packing_answer(**SAND, sand=wrong, void_ratio=0.7, pressure=1e5)
