@@ -96,7 +96,7 @@ TEST_CASE("reproduce: a result that contradicts the paper differs, and a check o
   const std::vector<Verdict> failed = failed_checks(experiment_verdicts(experiment));
   REQUIRE(failed.size() == 1);
   CHECK(failed[0].claim.starts_with("G_vh = G_hv"));
-  CHECK(has(screen(document(experiment).document, false), "\n  FAILS    G_vh = G_hv"));
+  CHECK(has(screen(document(experiment).document, false), "\n  FAILS      G_vh = G_hv"));
 }
 
 TEST_CASE("reproduce: our number with its error is next to the printed one, on screen, page and in files") {

@@ -41,13 +41,15 @@ TEST_CASE("verify: the screen names each specimen, its end, the exponents and th
   for (const char* part :
        {"some ended early", "\nsphere, dense, seed 7\n", "\nflat, loose, seed 8\n",
         "flat, loose, seed 8: ended early: stopped on request", "0.800", // G network over uniform strain
-        "0.340+-0.001", "0.349", "  holds    this: 1\n  FAILS    that: 2\n  differs  from theirs: 3\n",
+        "0.340+-0.001", "0.349", "  holds      this: 1\n  FAILS      that: 2\n  differs    from theirs: 3\n",
         "0 of 1 results of the paper are reproduced"})
     CHECK_MESSAGE(has(text, part), part, " is missing in\n", text);
 }
 
 TEST_CASE("verify: what is read again from its JSON gives the same page, and the same JSON") {
-  const Study found;
+  Study found;
+  found.verdicts.push_back(
+      {.claim = "near", .holds = true, .measured = "4", .finding = true, .decided = false});
   Validity slips;
   slips.add("beware");
   StudyOptions options;
@@ -56,6 +58,8 @@ TEST_CASE("verify: what is read again from its JSON gives the same page, and the
   const StudyDocument first = found.document(options, slips);
   const nlohmann::ordered_json manifest = with_warnings(json(first.document), slips);
   const StudyDocument again = study_document(found.scene, nlohmann::ordered_json::parse(json_text(manifest)));
+  CHECK(has(screen(first.document, false), "  undecided  near: 4\n"));
+  CHECK(has(page(first.document), "undecided"));
   CHECK(page(again.document) == page(first.document));
   CHECK(json(again.document) == json(first.document));
   CHECK(has(page(again.document), "beware"));

@@ -310,7 +310,7 @@ function addStep(granum, texts, step, number) {
       guessPart(texts, words.guess, name, step.guess(granum, { ...defaultGrain }, words.guess)), copyButton(texts.link, () => address.link({ step: number + 1 }, String(number + 1)))),
     element("div", { class: "play" }, ...controls, pictures[0], finding, save(pictures[0], 0), ...pictures.slice(1).flatMap((picture, k) => [picture, save(picture, k + 1)]), ...(small ? [small] : []))));
   drawnToSize(draw);
-  if (!small) return;
+  if (!small || (address.only && address.only !== name)) return;
   packingsWanted.push(() => packingsOf(granum).then((made) => {
     packings = made;
     small.innerHTML = packingPair(texts, made, step.packings);

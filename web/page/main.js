@@ -86,18 +86,16 @@ function addTeachersNotes(texts) {
 }
 
 // What is folded up is printed too.
-addEventListener("beforeprint", () => {
-  for (const part of document.querySelectorAll("details:not([open])")) {
-    part.open = true;
-    part.dataset.folded = "";
+const onPaper = matchMedia("print");
+function unfold(open) {
+  for (const part of document.querySelectorAll(open ? "details:not([open])" : "details[data-folded]")) {
+    part.open = open;
+    part.toggleAttribute("data-folded", open);
   }
-});
-addEventListener("afterprint", () => {
-  for (const part of document.querySelectorAll("details[data-folded]")) {
-    part.open = false;
-    delete part.dataset.folded;
-  }
-});
+}
+onPaper.addEventListener("change", () => unfold(onPaper.matches));
+addEventListener("beforeprint", () => unfold(true));
+addEventListener("afterprint", () => unfold(false));
 
 start().catch((error) => {
   const place = document.getElementById("loading") ?? document.getElementById("intro");

@@ -323,10 +323,12 @@ test("wide tables can be scrolled by keyboard, and show it", async () => {
 test("prints: no page is blank, dots are filled, answers are printed, and no empty experiment", async () => {
   const page = await opened();
   await page.emulateMedia({ media: "print" });
-  assert.ok(await page.isHidden("#xchart"), "an empty chart is printed");
+  await page.waitForFunction(() => document.querySelectorAll("#notes details:not([open])").length === 0);
+  assert.ok(await page.isHidden("#experiment"), "an empty experiment is printed");
   assert.equal(await page.$eval(".step .swatch, .legend .swatch", (one) => getComputedStyle(one).printColorAdjust), "exact");
   assert.ok(await page.isHidden("#step1guess"), "a question without a guess");
   await page.emulateMedia({ media: null });
+  await page.waitForFunction(() => document.querySelectorAll("#notes details[open]").length === 0);
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   assert.equal(await page.locator("#notes details:not([open])").count(), 0, "answers are folded up on paper");
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));

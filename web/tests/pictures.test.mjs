@@ -169,7 +169,7 @@ for (const [name, sentences] of [["analyse", 3], ["verify", 3], ["reproduce", 3]
     const slopes = await page.$$eval("text.slope", (all) => all.map((text) => [getComputedStyle(text).fill, getComputedStyle(text.previousElementSibling.previousElementSibling).stroke]));
     for (const [text, line] of slopes) assert.equal(text, line);
     assert.equal(slopes.length > 0, name === "verify" || name === "reproduce");
-    assert.ok(await page.evaluate(() => document.querySelector("header svg").getBoundingClientRect().bottom <= innerHeight), "the first picture is not on the first screen");
+    assert.ok(await page.evaluate(() => document.querySelector("header svg, .row svg").getBoundingClientRect().bottom <= innerHeight), "the first picture is not on the first screen");
     await page.context().close();
   });
 

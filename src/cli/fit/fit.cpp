@@ -43,8 +43,9 @@ double roughness_of_quartz(double transition_pressure) {
 std::string contacts_of(double s, double stress) {
   const double transition = effective::transition_pressure_of(s, stress);
   return fmt::format(" With a constant number of contacts, s = {} corresponds to tips of profile r^alpha "
-                     "with alpha = {} (cone 1, sphere 2), or to rough spheres whose roughness is flattened "
-                     "at a mean stress of about p* = {}: for quartz, a roughness u0 of about {} radii (u0: "
+                     "with alpha = {} (cone 1, sphere 2), or to rough spheres whose roughness is as stiff "
+                     "as smooth spheres at a mean stress of about p* = {}: for quartz, a roughness u0 of "
+                     "about {} radii (u0: "
                      "about 0.4 of the rms height).",
                      short_text(s, 3), short_text(1 / s - 1, 3), pretty(transition, Dimension::pressure),
                      short_text(roughness_of_quartz(transition), 2));
