@@ -59,7 +59,7 @@ TEST_CASE("the stiffness of an adhesive contact is the slope of its force over i
 
 TEST_CASE(
     "a JKR contact without load has (9 pi gamma R*^2/E*)^(1/3) as radius and 3/5 of what Hertz' has there") {
-  // a^3 = 9 pi gamma R*^2/E* at F = 0: q = s R*/a^(3/2) = 1/3, k_n = 2 E* a (1/2)/(5/6).          [Johnson1971]
+  // a^3 = 9 pi gamma R*^2/E* at F = 0: q = s R*/a^(3/2) = 1/3, k_n = 2 E* a (1/2)/(5/6). [Johnson1971]
   const double reduced = grain_radius / 2,
                modulus = soft_grain.shear_modulus / (1 - soft_grain.poisson_ratio);
   const AdhesiveContact c = adhesive_contact_at_force(both_models[0], soft_grain, grain_radius, 0);
@@ -93,7 +93,7 @@ TEST_CASE("a neck of the JKR theory reaches to its least overlap, softening belo
   const AdhesiveContact neck =
       adhesive_contact_at_overlap(both_models[0], soft_grain, grain_radius, 0.99 * least);
   CHECK(neck.stiffness < 0);
-  // 5/9 of the pull-off force where it breaks.                                                    [Johnson1971]
+  // 5/9 of the pull-off force where it breaks. [Johnson1971]
   CHECK(adhesive_contact_at_overlap(both_models[0], soft_grain, grain_radius, (1 - 1e-12) * least).force ==
         relative(-5 / 9. * contact::pull_off_force(both_models[0], grain_radius), 1e-5));
   CHECK(adhesive_contact_at_overlap(both_models[0], soft_grain, grain_radius, 1.01 * least).stiffness == 0);

@@ -72,6 +72,14 @@ TEST_CASE("D2min between two frames goes by the ids of the grains, of those that
   for (std::size_t g = 0; g < grains; ++g)
     CHECK(std::abs(all[g] - by_hand[g]) <= 1e-12 * all[4]);
   CHECK(studies::d2min(before, after, 1.1) != all);
+  io::ImportedPacking turned = after; // its grains in the reverse order
+  turned.assembly.contacts.clear();
+  std::reverse(turned.id.begin(), turned.id.end());
+  std::reverse(turned.assembly.position.begin(), turned.assembly.position.end());
+  std::reverse(turned.assembly.radius.begin(), turned.assembly.radius.end());
+  const std::vector<double> reversed = studies::d2min(before, turned);
+  for (std::size_t g = 0; g < grains; ++g)
+    CHECK(std::abs(reversed[grains - 1 - g] - all[g]) <= 1e-12 * all[4]);
 
   io::ImportedPacking later = after; // a grain came, and another went
   later.assembly.contacts.clear();

@@ -92,7 +92,7 @@ struct PackingFileOptions {
 /// One state of a packing, SI, compression positive, grains in the order of their ids.
 struct ImportedPacking {
   packing::Assembly assembly;
-  std::vector<long> id;        ///< of each grain, as the files name it, ascending
+  std::vector<long> id;        ///< of each grain, as the files name it, ascending; of arrays in their order
   std::vector<long> type = {}; ///< of each grain; empty unless all have one
   std::array<bool, 3> periodic{true, true, true};
   long step = 0;

@@ -49,8 +49,9 @@ void assign_hertz_stiffness(Assembly& assembly, const contact::GrainMaterial& gr
 void assign_hertz_stiffness(Assembly& assembly, std::span<const contact::GrainMaterial> materials,
                             std::optional<double> ratio, StiffnessFrom from = StiffnessFrom::overlap);
 
-/// The same for spheres that attract each other; k_t = ratio 2 E* a follows the contact area, not k_n. Between
-/// pull-off and separation k_n of the JKR theory is below 0, at a wall as with the grain's mirror image.
+/// The same for spheres that attract each other; k_t = ratio 2 E* a follows the contact area, not k_n.
+/// Between pull-off and separation k_n of the JKR theory is below 0, at a wall as with the grain's mirror
+/// image.
 /// \throws   InvalidArgument also for a surface energy out of range, or from = ratio
 /// Accuracy  that of contact::adhesive_contact_at_overlap.  Checked by tests/packing/test_stiffness.cpp
 void assign_adhesive_stiffness(Assembly& assembly, const contact::Adhesion& adhesion,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/rearrangement.hpp"
 
-#include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 #include <granum/analysis/rearrangement.hpp>
@@ -22,18 +22,17 @@ packing::Assembly grains_of(const packing::Assembly& all, const std::vector<std:
   return out;
 }
 
-/// Grains of both, by their ids, which ascend.
+/// Grains of both, by their ids, in the order of those after.
 std::pair<std::vector<std::size_t>, std::vector<std::size_t>> common(const std::vector<long>& before,
                                                                      const std::vector<long>& after) {
+  std::unordered_map<long, std::size_t> place;
+  for (std::size_t g = 0; g < before.size(); ++g)
+    place.emplace(before[g], g);
   std::pair<std::vector<std::size_t>, std::vector<std::size_t>> out;
-  for (std::size_t k = 0, l = 0; k < before.size() && l < after.size();)
-    if (before[k] == after[l]) {
-      out.first.push_back(k++);
-      out.second.push_back(l++);
-    } else if (before[k] < after[l]) {
-      ++k;
-    } else {
-      ++l;
+  for (std::size_t g = 0; g < after.size(); ++g)
+    if (const auto found = place.find(after[g]); found != place.end()) {
+      out.first.push_back(found->second);
+      out.second.push_back(g);
     }
   return out;
 }
