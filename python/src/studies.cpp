@@ -214,8 +214,10 @@ void bind_studies(py::module_& module) {
       .show("claim", "The claim.", &studies::Verdict::claim)
       .show("holds", "Whether it is confirmed.", &studies::Verdict::holds)
       .show("measured", "The result, as text.", &studies::Verdict::measured)
+      .show("decided", "Whether the result is a standard error or more from the limit of the claim.",
+            &studies::Verdict::decided)
       .def("__repr__", [](const studies::Verdict& v) {
-        return std::string(v.holds ? "<holds: " : "<does not hold: ") + v.claim + ": " + v.measured + ">";
+        return std::string("<") + studies::word_of(v) + ": " + v.claim + ": " + v.measured + ">";
       });
   ResultClass<Study>(module, "Study", "Results of verify: closed form, network and probe.")
       .show("states", "All states, a dict of columns with units in their names, as in states.csv.", &states)

@@ -110,6 +110,7 @@ def test_a_study_is_that_of_the_program(run_program, tmp_path):
     assert study.states["G_network_Pa"].tolist() == [state["G_network_Pa"] for state in states]
     assert np.isfinite(study.states["G_hh_probe_Pa"]).tolist() == [False, True, False]
     assert [v.claim for v in study.verdicts] == [v["claim"] for v in said["verdicts"]]
+    assert [v.decided for v in study.verdicts] == [v["decided"] for v in said["verdicts"]]
     assert seen == sorted(seen) and all(0 <= done <= 1 for done in seen)
 
 
