@@ -1,0 +1,233 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Planted faults: how many of them the tests catch.
+
+faults.tsv lists small faults, one a line of the sources: module, file, number of the operator's place in the line,
+operator, the line itself, and the reason if the fault changes nothing (then it does not count). All are compiled into
+one copy of the project, each asleep until the environment variable GRANUM_FAULT has its number (fault.hpp).
+
+  faults.py choose   a new list: places at random, spread over the modules by their lines
+  faults.py plant    the copy, with all faults of the list
+  faults.py build    builds it; faults that do not compile leave the list
+  faults.py run      each fault against the unit tests of its module, then all others; what survives is printed
+"""
+import argparse
+import collections
+import csv
+import os
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+LIST = pathlib.Path(__file__).with_name("faults.tsv")
+FIELDS = ["module", "file", "place", "operator", "line", "harmless"]
+
+NUMBER = r"(?<![\w.\"'])(\d+\.\d*(?:e-?\d+)?|\d+e-?\d+|\d+)(?![\w.\"'])"
+# Operator: pattern of its places in a line whose comments and strings are blank, and what is written there.
+OPERATORS = {
+    "sign": (re.compile(r" [-+] (?=[\w(])"), lambda m, n: f"{m[0]}granum::planted::sign({n}) * "),
+    "left out": (re.compile(r" [-+] (?=[\w(])"), lambda m, n: f"{m[0]}granum::planted::part({n}) * "),
+    "factor": (re.compile(r"(?<=[\w)] [*/] )" + NUMBER + "|" + NUMBER + r"(?= [*/] )"),
+               lambda m, n: f"granum::planted::number({n}, {m[0]})"),
+    "bound": (re.compile(r"(?<=[\w)\]] )(?:[<>]=?|==) " + NUMBER),
+              lambda m, n: m[0].replace(m[1], f"granum::planted::number({n}, {m[1]})")),
+    "constant": (re.compile(r"\bconstexpr (double|int|std::size_t) (\w+) = " + NUMBER),
+                 lambda m, n: f"const {m[1]} {m[2]} = granum::planted::number({n}, {m[1]}({m[3]}))"),
+    "index": (re.compile(r"(?<=\[)\d(?=\])"), lambda m, n: f"granum::planted::index({n}, {m[0]})"),
+    "unit": (re.compile(r"(?<![\w.])1e-?[369]\b"), lambda m, n: f"granum::planted::unit({n}, {m[0]})"),
+    "condition": (re.compile(r"(?<=\bif \()[^;]+(?=\)( \{| [\w].*;)?$)|(?<=\breturn )[^?;]+(?= \? )"),
+                  lambda m, n: f"granum::planted::flip({n}) != ({m[0]})"),
+    "extreme": (re.compile(r"\bstd::(max|min)\((?!\{)"),
+                lambda m, n: f"granum::planted::{'larger' if m[1] == 'max' else 'smaller'}({n}, "),
+}
+SKIPPED = re.compile(r"constexpr(?! (double|int|std::size_t) \w+ =)|static_assert|template|\bcase\b|\benum\b|\busing\b|^\s*#|\bwhile\b|operator|\bfor \(")
+
+
+def code_of(text):
+    """Lines with comments, strings and characters blank, of the same lengths."""
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
+    return pattern.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text).split("\n")
+
+
+def sources():
+    """Module and path of every source."""
+    tracked = subprocess.run(["git", "ls-files", "src", "include"], cwd=SOURCE, check=True, capture_output=True,
+                             text=True).stdout.split()
+    for name in tracked:
+        parts = pathlib.PurePath(name).parts
+        if name.endswith((".cpp", ".hpp")) and "coefficients" not in name:
+            inner = parts[1:-1] if parts[0] == "src" else parts[2:-1]
+            yield "/".join(inner[:2] if inner and inner[0] in ("cli", "studies", "io") else inner[:1]) or "main", name
+
+
+def places(line):
+    return [(place, name) for name, (pattern, _) in OPERATORS.items() for place, _ in enumerate(pattern.finditer(line))]
+
+
+def choose(options):
+    """One fault at most a line; as many a module as it has lines with places."""
+    chance = random.Random(options.seed)
+    found = collections.defaultdict(list)
+    for module, name in sources():
+        text = (SOURCE / name).read_text()
+        lines = text.split("\n")
+        alone = collections.Counter(map(str.strip, lines))
+        for code, line in zip(code_of(text), lines):
+            if SKIPPED.search(code) or alone[line.strip()] > 1:
+                continue
+            here = places(code)
+            if {name for _, name in here} == {"condition"} and chance.random() > options.conditions:
+                continue  # most lines with places have no other
+            if here:
+                operator = chance.choice(sorted({name for _, name in here}))
+                place = chance.choice([place for place, name in here if name == operator])
+                found[module].append([module, name, place, operator, line.strip(), ""])
+    total = sum(map(len, found.values()))
+    rows = []
+    for module, all_of in sorted(found.items()):
+        rows += chance.sample(all_of, max(1, round(options.number * len(all_of) / total)))
+    write(rows)
+
+
+def write(rows):
+    with LIST.open("w", newline="") as file:
+        out = csv.writer(file, delimiter="\t", lineterminator="\n")
+        out.writerow(FIELDS)
+        out.writerows(sorted(rows, key=lambda r: (r[0], r[1], r[4])))
+
+
+def faults():
+    """Rows of the list with their numbers, from 1."""
+    with LIST.open(newline="") as file:
+        return {k: row for k, row in enumerate(csv.reader(file, delimiter="\t")) if k > 0}
+
+
+def plant(options):
+    """Returns the file and the number of the line of each fault; writes files that changed alone."""
+    at, stale = {}, []
+    tracked = subprocess.run(["git", "ls-files"], cwd=SOURCE, check=True, capture_output=True, text=True).stdout
+    texts = {name: None for name in tracked.split("\n") if name}
+    for number, (_, name, place, operator, line, _) in faults().items():
+        text = texts.get(name) or ((SOURCE / name).read_text() if name in texts else "")
+        lines = text.split("\n")
+        where = [k for k, one in enumerate(lines) if one.strip() == line]
+        match = None
+        if len(where) == 1:
+            code = code_of(text)[where[0]]
+            match = next((m for k, m in enumerate(OPERATORS[operator][0].finditer(code)) if k == int(place)), None)
+        if match is None:
+            stale.append(f"{name}: {line}")
+            continue
+        old = lines[where[0]]
+        real = OPERATORS[operator][0].pattern and old[match.start():match.end()]
+        written = OPERATORS[operator][1](_Real(match, real), number)
+        lines[where[0]] = old[:match.start()] + written + old[match.end():]
+        texts[name] = "\n".join(lines)
+        at[number] = (name, where[0] + 1)
+    for name, text in texts.items():
+        target = options.copy / name
+        content = text.encode() if text is not None else (SOURCE / name).read_bytes()
+        if not target.exists() or target.read_bytes() != content:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content)
+            shutil.copymode(SOURCE / name, target)
+    for line in stale:
+        print("no longer there:", line)
+    return at
+
+
+class _Real:
+    """A match whose text is that of the source, with its strings."""
+
+    def __init__(self, match, text):
+        self.match, self.text = match, text
+
+    def __getitem__(self, group):
+        return self.text if group == 0 else self.match[group]
+
+
+def build(options):
+    """Until it builds: faults in lines that do not compile leave the list."""
+    tree = options.copy / "build"
+    while True:
+        at = plant(options)
+        if not (tree / "build.ninja").exists():
+            subprocess.run(["cmake", "-S", options.copy, "-B", tree, "-G", "Ninja", *options.define,
+                            f"-DCMAKE_CXX_FLAGS=-include {SOURCE}/tests/mutation/fault.hpp -w"], check=True)
+        done = subprocess.run(["cmake", "--build", tree, "--", "-k", "0", f"-j{options.jobs}", *options.targets],
+                              capture_output=True, text=True)
+        if done.returncode == 0:
+            return
+        wrong = {(pathlib.Path(os.path.relpath(m[1], options.copy)).as_posix(), int(m[2]))
+                 for m in re.finditer(r"(/\S+?):(\d+):\d+: (?:error|  +required)", done.stdout)}
+        drop = {number for number, place in at.items() if place in wrong}
+        if not drop:
+            sys.exit(done.stdout[-8000:])
+        print(f"{len(drop)} faults do not compile")
+        write([row for number, row in faults().items() if number not in drop])
+
+
+def caught(options, number, program):
+    """Whether a test program fails with the fault."""
+    try:
+        return subprocess.run([program, "--abort-after=1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                              cwd=program.parent, timeout=options.longest,
+                              env={**os.environ, "GRANUM_FAULT": str(number)}).returncode != 0
+    except subprocess.TimeoutExpired:
+        return True
+
+
+def run(options):
+    """What catches each fault, in the file of results; what is there is not run again."""
+    programs = {p.name[len("test_"):]: p for p in sorted((options.copy / "build/tests").glob("*/test_*"))
+                if os.access(p, os.X_OK) and p.is_file()}
+    done = {}
+    if options.results.exists():
+        done = {tuple(row[:5]): row[5] for row in csv.reader(options.results.open(newline=""), delimiter="\t")}
+
+    def judge(item):
+        number, row = item
+        if row[5] or tuple(row[:5]) in done:
+            return
+        own = row[0].split("/")[0]
+        order = sorted(programs, key=lambda name: (name != own, name))
+        by = next((name for name in order if caught(options, number, programs[name])), "-")
+        with options.results.open("a", newline="") as file:
+            csv.writer(file, delimiter="\t", lineterminator="\n").writerow([*row[:5], by])
+        done[tuple(row[:5])] = by
+
+    with ThreadPoolExecutor(options.jobs) as pool:
+        list(pool.map(judge, faults().items()))
+    counted = [(row, done[tuple(row[:5])]) for row in faults().values() if not row[5]]
+    for row, by in counted:
+        if by == "-":
+            print(f"survives: {row[1]} ({row[3]} {row[2]}): {row[4]}")
+    of_module = collections.Counter(row[0] for row, _ in counted)
+    for module, all_of in sorted(of_module.items()):
+        print(f"{module}: {sum(by != '-' for row, by in counted if row[0] == module)} of {all_of} caught")
+    print(f"{sum(by != '-' for _, by in counted)} of {len(counted)} caught")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("step", choices=["choose", "plant", "build", "run"])
+    parser.add_argument("--copy", type=pathlib.Path, default=SOURCE / "build/planted")
+    parser.add_argument("--number", type=int, default=400, help="of faults to choose")
+    parser.add_argument("--conditions", type=float, default=0.3, help="share of lines with a condition alone")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--define", action="append", default=[], help="passed to cmake, such as -DNAME=VALUE")
+    parser.add_argument("--targets", nargs="*", default=[])
+    parser.add_argument("--longest", type=float, default=120, help="seconds of a test program that ends")
+    parser.add_argument("--results", type=pathlib.Path, default=SOURCE / "build/planted/results.tsv")
+    options = parser.parse_args()
+    {"choose": choose, "plant": plant, "build": build, "run": run}[options.step](options)
+
+
+if __name__ == "__main__":
+    main()
