@@ -189,7 +189,7 @@ class Stub:
     def overloads(self, name, function, indent=""):
         """All lines of a function; one of arrays has two."""
         if "(..., 6, 6) array_like" in section(inspect.getdoc(function) or "", "Parameters"):
-            # Of one matrix or a stack of them, which types do not tell apart.
+            # Of one matrix or a stack of them, which have one type.
             line = self.signature(name, function, "ArrayLike").replace("[ArrayLike]", "[Any]")
             lines = [line.replace("stiffness: ArrayLike", "stiffness: _Matrices")]
         elif name in KINDS and not indent:

@@ -5,11 +5,9 @@
 // both, the program's start and the module's compilation included); in Chromium the time from the opening of the page, by its own
 // clock, until the first step can be used and until all is there, that of the paper's six specimens, and frames a second of 1,000 grains that turn.
 import { execFileSync } from "node:child_process";
-import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
-import { grain, pageFile, program, startModule } from "./tests/native.mjs";
+import { grain, launched, pageFile, program, startModule } from "./tests/native.mjs";
 
-const { chromium } = createRequire(new URL("./tests/", import.meta.url))("playwright-core");
 const rounds = Number(process.argv[2] ?? 5);
 const median = (all) => [...all].sort((a, b) => a - b)[Math.floor(all.length / 2)];
 const line = (what, all, unit) => console.log(`${what}: ${median(all).toFixed(2)} ${unit} (${Math.min(...all).toFixed(2)} to ${Math.max(...all).toFixed(2)}, ${all.length} rounds)`);
@@ -54,10 +52,7 @@ for (const loose of [0, 1]) {
   line(`${name}, speed over native`, programs.map((native, k) => native / modules[k].processor), "");
 }
 
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
+const browser = await launched();
 const top = [], ready = [], frames = [], six = [];
 for (let round = 0; round < rounds; ++round) {
   let page = await browser.newPage({ viewport: { width: 1280, height: 900 } });

@@ -228,8 +228,7 @@ std::optional<contact::Adhesion> adhesion_of(const Arguments& a, std::size_t at)
   const auto [model, energy] = a.as<std::pair<std::string, double>>(at, "a pair, such as ('jkr', 0.05)");
   if (model != "jkr" && model != "dmt")
     throw InvalidArgument("adhesion is ('jkr', J/m2) or ('dmt', J/m2), not of '" + model + "'");
-  return contact::Adhesion{.model = model == "jkr" ? jkr : dmt,
-                           .surface_energy = require_non_negative("adhesion", energy, "J/m2")};
+  return contact::Adhesion{.model = model == "jkr" ? jkr : dmt, .surface_energy = energy};
 }
 
 /// The part of the packing used for the closed forms: the interior, the whole, or three ranges.

@@ -16,9 +16,9 @@
 #include "members.hpp"
 #include "rows.hpp"
 #include "shared_keywords.hpp"
+#include "studies/analyse/grain_fields.hpp"
 #include "studies/analyse/measured_frame.hpp"
 #include "studies/analyse/overlaps.hpp"
-#include "studies/analyse/rearrangement.hpp"
 
 namespace granum::python {
 

@@ -195,6 +195,7 @@ class Measuring {
 
   /// What adhesion changes is known of spheres whose material is given.
   void require_spheres_of_material() {
+    contact::require_valid(*given_.adhesion);
     const contact::NormalLaw any = of_any_modulus();
     if (given_.law || any.power_law() == nullptr || any.power_law()->alpha() != 2)
       throw InvalidArgument("adhesion is of spheres of a material: the contact law is another");

@@ -20,16 +20,12 @@ struct Pair {
   double attraction; ///< 4 pi gamma R*, of DMT [N]
 };
 
-double checked_energy(const Adhesion& adhesion) {
-  return require_finite("surface energy",
-                        require_non_negative("surface energy", adhesion.surface_energy, "J/m2"), "J/m2");
-}
-
 Pair pair_of(const Adhesion& adhesion, const GrainMaterial& grain, double pair_radius) {
   require_positive("grain_shear_modulus", grain.shear_modulus, "Pa");
   require_poisson_ratio("grain_poisson_ratio", grain.poisson_ratio);
   require_positive("pair_radius", pair_radius, "m");
-  const double gamma = checked_energy(adhesion), E = grain.shear_modulus / (1 - grain.poisson_ratio);
+  require_valid(adhesion);
+  const double gamma = adhesion.surface_energy, E = grain.shear_modulus / (1 - grain.poisson_ratio);
   const bool jkr = adhesion.model == AdhesionModel::jkr;
   return {.model = adhesion.model,
           .R = pair_radius / 2,
@@ -38,7 +34,7 @@ Pair pair_of(const Adhesion& adhesion, const GrainMaterial& grain, double pair_r
           .attraction = jkr ? 0 : 4 * std::numbers::pi * gamma * (pair_radius / 2)};
 }
 
-/// The state at (a)^(1/2), of which all are powers.
+/// The state of a contact area, from the root of its radius: all numbers are powers of a^(1/2).
 AdhesiveContact state_at(const Pair& p, double root_a) {
   const double a = root_a * root_a, root_a3 = root_a * a;
   if (root_a == 0)
@@ -49,15 +45,20 @@ AdhesiveContact state_at(const Pair& p, double root_a) {
           .overlap = a * a / p.R - 2 * p.s * root_a,
           .force = 4 * p.E * root_a3 * (root_a3 / (3 * p.R) - p.s) - p.attraction,
           .stiffness = 2 * p.E * a * (1 - 1.5 * q) / (1 - q / 2),
-          .across_scale = 2 * p.E * a};
+          .hertz_stiffness = 2 * p.E * a};
 }
 
 } // namespace
 
+void require_valid(const Adhesion& adhesion) {
+  require_finite("adhesion", require_non_negative("adhesion", adhesion.surface_energy, "J/m2"), "J/m2");
+}
+
 double pull_off_force(const Adhesion& adhesion, double pair_radius) {
   require_positive("pair_radius", pair_radius, "m");
+  require_valid(adhesion);
   const double factor = adhesion.model == AdhesionModel::jkr ? 3 : 4;
-  return factor * std::numbers::pi * checked_energy(adhesion) * (pair_radius / 2);
+  return factor * std::numbers::pi * adhesion.surface_energy * (pair_radius / 2);
 }
 
 AdhesiveContact adhesive_contact_at_force(const Adhesion& adhesion, const GrainMaterial& grain,

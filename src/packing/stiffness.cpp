@@ -108,7 +108,7 @@ void assign_adhesive_stiffness(Assembly& assembly, const contact::Adhesion& adhe
               ? adhesive_contact_at_overlap(adhesion, grain, radius, copies * c.overlap)
               : adhesive_contact_at_force(adhesion, grain, radius, c.normal_force);
       c.normal_stiffness = copies * state.stiffness;
-      c.tangential_stiffness = k_ratio * copies * state.across_scale;
+      c.tangential_stiffness = k_ratio * copies * state.hertz_stiffness;
     };
   };
   assign_of_materials(assembly, materials, ratio, assign_with(1), assign_with(2));

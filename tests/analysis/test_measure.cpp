@@ -360,4 +360,6 @@ TEST_CASE("adhesion without a material, of cones, and with k_n = 1.5 f/d is refu
   };
   CHECK_THROWS_AS((void)measure(cubic(), given), InvalidArgument);
   CHECK_THROWS_AS((void)measure(cubic(), {.law = law, .adhesion = adhesion}), InvalidArgument);
+  const Given negative{.grain_shear_modulus = 1e9, .adhesion = contact::Adhesion{.surface_energy = -1}};
+  CHECK_THROWS_AS((void)measure(cubic(), negative), InvalidArgument); // without a network, too
 }

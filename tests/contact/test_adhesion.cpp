@@ -34,7 +34,7 @@ TEST_CASE("without surface energy both both_models of adhesion are Hertz' contac
       const AdhesiveContact c = adhesive_contact_at_overlap({model, 0}, soft_grain, grain_radius, overlap);
       CHECK(c.force == relative(hertz.force(overlap), 1e-14));
       CHECK(c.stiffness == relative(hertz.stiffness_at_overlap(overlap), 1e-14));
-      CHECK(c.across_scale == relative(c.stiffness, 1e-14));
+      CHECK(c.hertz_stiffness == relative(c.stiffness, 1e-14));
       const AdhesiveContact again = adhesive_contact_at_force({model, 0}, soft_grain, grain_radius, c.force);
       CHECK(again.stiffness == relative(c.stiffness, 1e-14));
     }

@@ -119,9 +119,9 @@ TEST_CASE("grains with adhesion have its k_n, Mindlin's k_t of the contact area,
     assign_adhesive_stiffness(a, adhesion, same, 0.5);
     const auto state = adhesive_contact_at_overlap(adhesion, glass, 0.5e-3, 2e-7);
     CHECK(a.contacts[1].normal_stiffness == state.stiffness);
-    CHECK(a.contacts[1].tangential_stiffness == 0.5 * state.across_scale);
+    CHECK(a.contacts[1].tangential_stiffness == 0.5 * state.hertz_stiffness);
     CHECK(a.wall_contacts[0].normal_stiffness == 2 * state.stiffness); // F(2 d)
-    CHECK(a.wall_contacts[0].tangential_stiffness == state.across_scale);
+    CHECK(a.wall_contacts[0].tangential_stiffness == state.hertz_stiffness);
     packing::Assembly by_force = a;
     by_force.contacts[1].normal_force = state.force;
     assign_adhesive_stiffness(by_force, adhesion, same, 0.5, packing::StiffnessFrom::force);

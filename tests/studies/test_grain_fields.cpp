@@ -12,7 +12,6 @@
 
 #include "packing/sample_packings.hpp"
 #include "relative.hpp"
-#include "studies/analyse/rearrangement.hpp"
 
 using namespace granum;
 

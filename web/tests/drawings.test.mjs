@@ -4,16 +4,12 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
-import { close, grain, pageFile, startModule } from "./native.mjs";
+import { close, grain, launched, pageFile, startModule } from "./native.mjs";
 
 let browser, granum;
 before(async () => {
   granum = await startModule();
-  browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-  });
+  browser = await launched();
 });
 after(() => browser?.close());
 

@@ -6,6 +6,7 @@ import fs from "node:fs";
 import path from "node:path";
 import vm from "node:vm";
 import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 export const pageFile = path.join(root, "web/dist/granum.html");
@@ -71,3 +72,9 @@ export async function experiment(loose, seed) {
   assert.ok(frames > 0, "nothing was shown");
   return { rows, s: rows.at(-1)[11], error: rows.at(-1)[12], z: rows.at(-1)[3], e: rows.at(-1)[1] };
 }
+
+/// A browser that draws without a graphics processor.
+export const launched = () => chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+});

@@ -107,7 +107,7 @@ const worded = [
   ["steps.6.text", /many decades/, () => assert.ok(sOf("rough", 1e4, { roughness: 1e-7 }) > 0.7 && sOf("rough", 1e6, { roughness: 1e-7 }) < 0.45 && sOf("rough", 1e3, { roughness: 1e-7 }) < 0.99)],
 ];
 
-/// Where the value of s stands in an answer.
+/// The place of s among the values of an answer.
 const sandS = () => 3 * granum.call("answer_keys").notes.indexOf("stress_exponent");
 const sands = () => granum.call("sand_exponents").numbers;
 /// A number of the table of results in a folder of validation.

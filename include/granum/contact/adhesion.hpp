@@ -22,12 +22,16 @@ struct Adhesion {
 
 /// One state of an adhesive contact.
 struct AdhesiveContact {
-  double radius = 0;       ///< a of the contact area [m]
-  double overlap = 0;      ///< full approach; below 0 for a neck of the JKR theory [m]
-  double force = 0;        ///< compression positive, with the attraction [N]
-  double stiffness = 0;    ///< k_n = df/dd [N/m]; of JKR below 0 between pull-off and separation
-  double across_scale = 0; ///< 2 E* a, of which k_t is k_t/k_n of Hertz' contact [N/m; Mindlin1949]
+  double radius = 0;    ///< a of the contact area [m]
+  double overlap = 0;   ///< full approach; below 0 for a neck of the JKR theory [m]
+  double force = 0;     ///< compression positive, with the attraction [N]
+  double stiffness = 0; ///< k_n = df/dd [N/m]; of JKR below 0 between pull-off and separation
+  /// 2 E* a, k_n of a Hertz contact of this radius; k_t is the same part of it [N/m; Mindlin1949]
+  double hertz_stiffness = 0;
 };
+
+/// \throws   InvalidArgument for a surface energy that is negative or not finite
+void require_valid(const Adhesion& adhesion);
 
 /// The largest tension that a contact carries: 3 pi gamma R* (JKR), 4 pi gamma R* (DMT).
 /// \param    pair_radius  2 R* > 0 (grains.hpp) [m]

@@ -198,24 +198,14 @@ studies::MaterialsByType parse_materials(const std::vector<std::string>& texts) 
   return out;
 }
 
-namespace {
-
-/// "2e4N/m" as 2e4, if it is a number, and "N/m".
-std::pair<std::optional<double>, std::string> number_and_unit(const std::string& text) {
-  const std::size_t end = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
-  return {parse_number(text.substr(0, end)),
-          text.substr(std::min(text.find_first_not_of(' ', end), text.size()))};
-}
-
-} // namespace
-
 std::optional<packing::TurningSpring> parse_turning(const std::string& name, const std::string& text) {
   using Of = packing::TurningSpring::Of;
   if (text.empty())
     return std::nullopt;
   if (text == "marshall")
     return packing::TurningSpring{.value = 0, .of = Of::marshall};
-  const auto [value, unit] = number_and_unit(text);
+  const auto number = leading_number(trimmed(text));
+  const std::string unit(number ? trimmed(number->rest) : "");
   static const std::map<std::string, std::pair<Of, double>> units = {{"", {Of::normal, 1}},
                                                                      {"N/m", {Of::displacement, 1}},
                                                                      {"kN/m", {Of::displacement, 1e3}},
@@ -225,12 +215,12 @@ std::optional<packing::TurningSpring> parse_turning(const std::string& name, con
                                                                      {"Nmm", {Of::angle, 1e-3}},
                                                                      {"kNm", {Of::angle, 1e3}}};
   const auto found = units.find(unit);
-  if (!value || !(*value >= 0) || found == units.end())
+  if (!number || !(number->value >= 0) || found == units.end())
     throw InvalidArgument(fmt::format("{} takes 2e4N/m (times R*^2, as LAMMPS' kroll), 1e-3Nm (per radian, "
                                       "as YADE's kr), a number (times k_n "
                                       "R*^2) or marshall, not \"{}\"",
                                       name, text));
-  return packing::TurningSpring{.value = found->second.second * *value, .of = found->second.first};
+  return packing::TurningSpring{.value = found->second.second * number->value, .of = found->second.first};
 }
 
 std::optional<contact::Adhesion> parse_adhesion(const std::string& text) {
@@ -242,14 +232,14 @@ std::optional<contact::Adhesion> parse_adhesion(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string model = text.substr(0, colon);
   const bool is_jkr = same_word(model, "jkr");
-  const auto [value, word] = number_and_unit(colon == std::string::npos ? "" : text.substr(colon + 1));
-  const auto unit = units.find(word);
-  if (!(is_jkr || same_word(model, "dmt")) || !value || !(*value >= 0) || !std::isfinite(*value) ||
-      unit == units.end())
+  const std::string_view energy = colon == std::string::npos ? "" : std::string_view(text).substr(colon + 1);
+  const auto number = leading_number(trimmed(energy));
+  const auto unit = units.find(number ? std::string(trimmed(number->rest)) : "");
+  if (!(is_jkr || same_word(model, "dmt")) || !number || !(number->value >= 0) || unit == units.end())
     throw InvalidArgument(fmt::format("--adhesion takes jkr or dmt and the surface energy of the grains, not "
                                       "below 0, such as jkr:0.05J/m2 or dmt:50mJ/m2, not \"{}\"",
                                       text));
-  return contact::Adhesion{.model = is_jkr ? jkr : dmt, .surface_energy = unit->second * *value};
+  return contact::Adhesion{.model = is_jkr ? jkr : dmt, .surface_energy = unit->second * number->value};
 }
 
 studies::MeasureOptions measure_options(const AnalyseOptions& o) {
