@@ -274,7 +274,8 @@ const lessonSteps = [
 const shapeChoice = (name, legend, laws, chosen, change) => element("fieldset", {}, element("legend", {}, legend), ...laws.map(({ name: shape, plural }) =>
   element("label", {}, element("input", { type: "radio", name, value: shape, checked: shape === chosen, onchange: () => change(shape) }), ` ${plural}`)));
 
-function addStep(granum, texts, step, number) {
+/// `whenThere` takes what draws its pictures: now, or once all of the page can be used.
+function addStep(granum, texts, step, number, whenThere) {
   const words = texts.steps[number], name = `step${number + 1}`;
   const grain = { ...defaultGrain }, at = {};
   const finding = element("p", { class: "finding" });
@@ -309,7 +310,7 @@ function addStep(granum, texts, step, number) {
     element("div", {}, element("h3", {}, `${number + 1}. `, ...worded(words.title)), ...filled(words.text, step.facts?.(granum, grain) ?? {}).split("\n").map((part) => element("p", {}, ...worded(part))),
       guessPart(texts, words.guess, name, step.guess(granum, { ...defaultGrain }, words.guess)), copyButton(texts.link, () => address.link({ step: number + 1 }, String(number + 1)))),
     element("div", { class: "play" }, ...controls, pictures[0], finding, save(pictures[0], 0), ...pictures.slice(1).flatMap((picture, k) => [picture, save(picture, k + 1)]), ...(small ? [small] : []))));
-  drawnToSize(draw);
+  whenThere(() => drawnToSize(draw));
   if (!small || (address.only && address.only !== name)) return;
   packingsWanted.push(() => packingsOf(granum).then((made) => {
     packings = made;

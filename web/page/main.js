@@ -7,11 +7,12 @@ const defaultGrain = {
   frictionAngle: (26.5 * Math.PI) / 180,
 };
 
+/// The module, compiled while it is unpacked.
 async function unpacked(base64) {
   const text = atob(base64), packed = new Uint8Array(text.length);
   for (let k = 0; k < text.length; ++k) packed[k] = text.charCodeAt(k);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+  return WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }));
 }
 
 async function start() {
@@ -40,20 +41,27 @@ async function start() {
   for (const law of contactLaws) law.plural = filled(texts.shapes[law.name] ?? law.plural, Object.fromEntries(law.numbers.map(({ key, value }) => [key, written(value)])));
   pageVersion = granum.call("version").notes[0];
   document.getElementById("footer").append(filled(texts.footer, { version: pageVersion }));
-  const [first, ...others] = lessonSteps.map((step, number) => () => addStep(granum, texts, step, number));
+  const [first, ...others] = lessonSteps.map((step, number) => (whenThere) => addStep(granum, texts, step, number, whenThere));
   document.getElementById("loading").remove();
-  first();
-  const atTop = !location.hash && !address.only; // else a place below may be what is looked for
+  const atOnce = (draw) => draw();
+  first(atOnce);
   performance.mark("first step");
+  const atTop = !location.hash && !address.only; // else a place below may be what is looked for
+  const below = [];
   if (atTop) await drawn(); // what is below the first screen follows
-  for (const add of others) add();
+  for (const add of others) add(atTop ? (draw) => below.push(draw) : atOnce);
   addCalculator(granum, texts);
   const panel = addExperiment(granum, texts);
   addTeachersNotes(texts);
   addSheet(granum, texts, panel);
   showPlace();
-  document.documentElement.dataset.ready = "yes";
   performance.mark("ready");
+  for (const draw of below) {
+    await drawn();
+    draw();
+  }
+  performance.mark("drawn");
+  document.documentElement.dataset.ready = "yes";
   for (const want of packingsWanted) want();
   if (!address.only) addHero(granum, texts);
 }

@@ -47,7 +47,7 @@ void look_at_fabric(const packing::Assembly& packing, View& view) {
 
 void look_at(const packing::Assembly& packing, double unit, View& view) {
   look_at_fabric(packing, view);
-  const packing::MechanicalCoordination bearing =
+  const packing::MechanicalCoordination mechanical =
       packing::mechanical_coordination(packing, packing::ContactKind::frictional);
   view.grains.clear();
   const auto add = [unit](std::vector<float>& to, const Vec3& at) {
@@ -57,7 +57,7 @@ void look_at(const packing::Assembly& packing, double unit, View& view) {
   for (std::size_t g = 0; g < packing.grain_count(); ++g) {
     add(view.grains, packing.position[g]);
     view.grains.push_back(static_cast<float>(packing.radius[g] / unit));
-    view.grains.push_back(bearing.rattler[g] ? 1.0f : 0.0f);
+    view.grains.push_back(mechanical.rattler[g] ? 1.0f : 0.0f);
   }
   double mean = 0;
   for (const packing::Contact& contact : packing.contacts)

@@ -98,7 +98,7 @@ GRANUM_EXPORT(experiment_motions) void experiment_motions() {
   const auto modulus = [](const elastic::VoigtStiffness& C) {
     return (C.matrix(0, 0) + C.matrix(2, 2) - 2 * C.matrix(0, 2)) / 4;
   };
-  const packing::MechanicalCoordination bearing =
+  const packing::MechanicalCoordination mechanical =
       packing::mechanical_coordination(packing, packing::ContactKind::frictional);
   const double unit = e.recipe.radius;
   std::vector<double>& row = web::numbers();
@@ -107,7 +107,7 @@ GRANUM_EXPORT(experiment_motions) void experiment_motions() {
   std::vector<packing::Contact> kept;
   double stiffness = 0;
   for (const packing::Contact& contact : packing.contacts) {
-    if (bearing.rattler[contact.i] || bearing.rattler[contact.j] || !(contact.normal_force > 0))
+    if (mechanical.rattler[contact.i] || mechanical.rattler[contact.j] || !(contact.normal_force > 0))
       continue;
     ++contacts_of[contact.i];
     ++contacts_of[contact.j];
@@ -115,7 +115,7 @@ GRANUM_EXPORT(experiment_motions) void experiment_motions() {
     kept.push_back(contact);
   }
   row = {modulus(response.affine()),      modulus(response.relaxed()),
-         bearing.coordination_number,     packing::coordination_number(packing),
+         mechanical.coordination_number,  packing::coordination_number(packing),
          packing.cell(0, 0) / unit,       packing.cell(1, 1) / unit,
          packing.cell(2, 2) / unit,       static_cast<double>(grains),
          static_cast<double>(kept.size())};
