@@ -2,9 +2,6 @@
 granum_cli_test("version" EXIT 0 STDOUT "^granum ${PROJECT_VERSION} \\(.+\\)\n$" ARGS --version)
 granum_cli_test("help" EXIT 0 STDOUT "Exit codes: 0 ok" ARGS --help)
 granum_cli_test("help of a subcommand" EXIT 0 STDOUT "atmospheric-pressure PRESSURE" ARGS fit --help)
-add_test(NAME "cli: help in 80 columns and groups"
-  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_help.cmake")
-set_tests_properties("cli: help in 80 columns and groups" PROPERTIES LABELS cli)
 granum_cli_test("no subcommand" EXIT 2 STDERR "^granum: error: .*subcommand.*\n  estimate .*\n  export " ARGS)
 granum_cli_test("unknown subcommand" EXIT 2 STDERR "^granum: error: .*fitt" ARGS fitt)
 
@@ -29,6 +26,3 @@ add_test(NAME "cli: exit codes of every command and event"
   COMMAND "${CMAKE_CURRENT_SOURCE_DIR}/check_exit_codes.sh" "$<TARGET_FILE:granum_cli>"
     "${CMAKE_CURRENT_SOURCE_DIR}/exit_codes.txt" "${CMAKE_CURRENT_SOURCE_DIR}/data" "${CMAKE_CURRENT_BINARY_DIR}/exit codes")
 set_tests_properties("cli: exit codes of every command and event" PROPERTIES LABELS cli TIMEOUT 1200)
-add_test(NAME "cli: exit codes of networks that are not solved"
-  COMMAND "${CMAKE_CURRENT_SOURCE_DIR}/check_unsolved.sh" "$<TARGET_FILE:granum_cli>" "${CMAKE_CURRENT_BINARY_DIR}/unsolved")
-set_tests_properties("cli: exit codes of networks that are not solved" PROPERTIES LABELS cli)
