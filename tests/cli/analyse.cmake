@@ -254,11 +254,6 @@ granum_analyse_refuses("a slope without cones" 2 "--slope goes with --contact co
 granum_cli_test("analyse: a warning fails under --strict" EXIT 4 STDOUT "C_n" STDERR "granum: error: coordinates have"
   ARGS analyse ${chain} --strict)
 
-add_test(NAME "cli: hostile files" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
-  "-DDATA=${CMAKE_CURRENT_SOURCE_DIR}/data" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/hostile_files"
-  -P "${CMAKE_CURRENT_SOURCE_DIR}/check_hostile_files.cmake")
-set_tests_properties("cli: hostile files" PROPERTIES LABELS cli)
-
 # Unequal grains of LAMMPS (validation/sizes): what the closed forms take of them is counted, and said.
 set(unequal "${PROJECT_SOURCE_DIR}/validation/sizes/lognormal_dense")
 granum_cli_test("analyse: unequal grains" EXIT 0 BELOW "frames/0/" JSON

@@ -17,7 +17,7 @@ ROOT = CLI.parents[1]
 def pytest_addoption(parser):
     parser.addoption("--granum", type=pathlib.Path, required=True, help="the program")
     parser.addoption("--reference", type=pathlib.Path, help="the folder of its manual pages")
-    parser.addoption("--preloaded", type=pathlib.Path, help="the library that makes calls of the system fail")
+    parser.addoption("--preloaded", type=pathlib.Path, help="a library that is loaded before those of the program")
     parser.addoption("--calls", type=int, default=3, help="how many calls of a kind fail, one after the other")
     parser.addoption("--update", action="store_true", help="writes the golden sentences anew")
 
@@ -51,8 +51,8 @@ class Program:
     def __call__(self, *words, code=0, at=DATA, input="", env=None, timeout=300):
         """A run with these arguments; it must end with the exit code, unless that is None."""
         words = [str(word) for word in words]
-        done = subprocess.run([self.path, *words], input=input, capture_output=True, text=True, cwd=at, timeout=timeout,
-                              env={**os.environ, **(env or {})})
+        done = subprocess.run([self.path, *words], input=input, capture_output=True, text=True, errors="surrogateescape", cwd=at,
+                              timeout=timeout, env={**os.environ, **(env or {})})
         run = Run(words, done.returncode, done.stdout, done.stderr)
         assert code is None or run.code == code, f"expected exit code {code}\n{run}"
         return run
@@ -69,3 +69,10 @@ class Program:
 @pytest.fixture(scope="session")
 def granum(pytestconfig):
     return Program(pytestconfig.getoption("--granum").resolve())
+
+
+@pytest.fixture(scope="session")
+def preloaded(pytestconfig):
+    """The environment of a run that loads the library first."""
+    library = pytestconfig.getoption("--preloaded") or pytest.skip("--preloaded is not given")
+    return {"LD_PRELOAD": str(library.resolve())}

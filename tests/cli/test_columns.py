@@ -35,11 +35,9 @@ def test_column_of_a_sand(read, heading, value, option, words):
     assert not any(name in note.split(": ")[-1].split(", ") for note in by_column["notes"] for name in heading.split(","))
 
 
-def test_kind_of_grains_of_a_table(read):
+def test_kinds_of_rows(read):
+    """The kind of grains; relative densities and K_0 may differ from row to row."""
     assert read("infer", "p_kPa,e,V_s_m/s,grain_shape|100,0.6,250,sand").json["grain_shape"] == "sand"
-
-
-def test_k0_of_rows(read):
     found = read("infer", "sigma'v (kPa),K0,D_r,V_s_m/s|100,0.5,60%,230|200,0.4,70%,280", "--sand toyoura --grain-shape sphere").json
     assert [row["stress_h"] for row in found["measurements"]] == [50000, 80000]
 
@@ -52,9 +50,8 @@ def test_one_material_in_a_table(read, heading, option, one, other):
 
 
 @pytest.mark.parametrize("table, option, code", [
-    ("p_kPa,e,V_s_m/s,S_r|100,0.6,250,1", "--saturation 50%", 2), (PLAIN, "--unit-weight 18kN/m3", 2),
-    ("depth_m,e,V_s_m/s|-5,0.6,250", "--unit-weight 18kN/m3", 3)])
-def test_columns_that_contradict_options(read, table, option, code):
+    (PLAIN, "--unit-weight 18kN/m3", 2), ("depth_m,e,V_s_m/s|-5,0.6,250", "--unit-weight 18kN/m3", 3)])
+def test_ground_needs_depths(read, table, option, code):
     read("infer", table, option, code=code)
 
 
@@ -65,9 +62,6 @@ def test_headings_of_stresses(read, stresses):
     assert inferred["sand"]["predictions"][0]["stress_v"] == 100000
     read("sweep", f"{stresses},Gmax (MPa),e{measured}", "--grain-shape sand")
     assert 0.3 < read("fit", f"{stresses},G0 [MPa],e{measured}").json["n"] < 0.4
-
-
-def test_heading_of_the_mean_stress(read):
     read("infer", "p′_kPa,e,G_0 [MPa]|100,0.6,100", "--grain-shape sand")
 
 

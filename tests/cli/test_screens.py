@@ -15,18 +15,6 @@ def assert_narrow(text):
     assert [line for line in text.splitlines() if len(line) > 80] == []
 
 
-def groups(help):
-    """The options of each group of a help text, by the line above them."""
-    found = {}
-    for line in help.splitlines():
-        if re.fullmatch(r"[A-Z][A-Za-z ]*:", line):
-            group = found.setdefault(line, [])
-        option = re.match(r"  (?:-\w, )?(--[a-z0-9-]+)", line)
-        if option:
-            group.append(option[1])
-    return found
-
-
 # one option of each group, in the order of the groups
 @pytest.mark.parametrize("command, first", [
     ("estimate", "--void-ratio --coordination-number --grain --contact --sieve --bounds --out"),
@@ -41,7 +29,8 @@ def test_help(granum, command, first):
     run = granum.line(f"{command} --help")
     assert_narrow(run.out)
     assert run.err == ""
-    found = [group for group in groups(run.out).values() if group]
+    groups = re.split("^[A-Z][A-Za-z ]*:$", run.out, flags=re.M)[1:]
+    found = [options for options in (re.findall(r"^  (?:-\w, )?(--[a-z0-9-]+)", group, re.M) for group in groups) if options]
     every = [option for group in found for option in group]
     assert len(every) == len(set(every))
     places = [next(k for k, group in enumerate(found) if option in group) for option in first.split()]
@@ -100,31 +89,23 @@ def test_first_screen(granum, stress, grains):
     assert [number for number in re.findall(r"\d+\.\d+", first) if number not in full] == []
 
 
-def said(*words):
-    run = subprocess.run(words, capture_output=True, text=True)
-    return run.stdout + run.stderr
-
-
 @pytest.fixture
 def pages(pytestconfig):
-    folder = pytestconfig.getoption("--reference")
-    return folder / "man1" if folder else pytest.skip("the pages were not made")
+    return (pytestconfig.getoption("--reference") or pytest.skip("--reference is not given")) / "man1"
 
 
 @pytest.mark.parametrize("command", ["", *COMMANDS, "export"])
 def test_manual_page(granum, pages, command):
     """It has all options of help; groff and mandoc find no fault. Pages have no date, so that every build makes the same."""
-    page = pages / "-".join(["granum", *command.split()])
-    page = page.with_name(page.name + ".1")
+    page = pages / ("-".join(["granum", *command.split()]) + ".1")
     text = page.read_text().replace("\\-", "-")
     options = re.findall(r"^  (--[a-z0-9-]+)", granum.line(f"{command} --help").out, re.M)
     assert [option for option in options if not re.search(rf"[^a-z-]{option}[^a-z-]", text)] == []
     assert "\n.SH NAME\n" in text
-    if shutil.which("groff"):
-        assert said("groff", "-ww", "-man", "-Tutf8", "-z", page) == ""
-    if shutil.which("mandoc"):
-        faults = said("mandoc", "-T", "lint", "-W", "warning", page).splitlines()
-        assert [fault for fault in faults if "missing date" not in fault] == []
+    for reader in "groff -ww -man -Tutf8 -z", "mandoc -T lint -W warning":
+        if shutil.which(reader.split()[0]):
+            said = subprocess.run([*reader.split(), page], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
+            assert [fault for fault in said.splitlines() if "missing date" not in fault] == []
 
 
 def test_no_other_manual_pages(pages):

@@ -26,10 +26,6 @@ def texts(svg):
     return ["".join(text.itertext()) for text in xml.etree.ElementTree.fromstring(svg).iter(SVG + "text")]
 
 
-def circles(svg):
-    return svg.count("<circle")
-
-
 def without_times(text):
     """A text without what depends on the speed of the machine."""
     lines = [line for line in text.splitlines() if not re.search(r'seconds"|wall_time_s|^  time ', line)]
