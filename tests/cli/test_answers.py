@@ -36,30 +36,24 @@ def assert_rungs_estimated(granum, state, text):
 
 @pytest.mark.parametrize("known", [
     "--grain-shape sphere", "--grain-shape sphere --preparation loose", "--rattler-fraction 3%", "--coordination-number 5.1",
-    "--mechanical-coordination-number 5.2 --rattler-fraction 2%", "--grain-shape sand --strain 0.02%", "--sand toyoura --strain 0.02%"])
+    "--mechanical-coordination-number 5.2 --rattler-fraction 2%", "--grain-shape sand --strain 0.02%",
+    "--sand toyoura --strain 0.02%"])
 def test_path_depth_and_table(granum, tmp_path, known):
     packing = f"--grain quartz --radius 0.2mm --fabric 0.05 {known}"
     state = f"{packing} --void-ratio 0.65"
-    fields = BOTH + (STRAINED if "--strain" in known else SPHERES)
-
-    def assert_by_table(found, v, h, saturation):
-        (tmp_path / "state.csv").write_text(f"e,sigma_v_Pa,sigma_h_Pa,saturation\n0.65,{v!r},{h!r},{saturation}\n")
-        assert_same(states(granum, packing, "--table", tmp_path / "state.csv")[0]["answer"], found["answer"], fields)
-
-    # ground of equal stresses, whose stress is the beginning of a path
-    at_depth = states(granum, f"{state} --depth 5m..9m --points 2 --k0 1")[0]
-    p = at_depth["stress_v"]
-    assert p == at_depth["stress_h"]
-    on_path = states(granum, f"{state} --from {p!r}Pa --to 1MPa --points 2")[0]
-    for found in at_depth, on_path:
-        assert_estimated(granum, found, f"{state} --pressure {p!r}Pa")
-        assert_by_table(found, p, p, 0)
-    # unequal stresses at the end of a path
-    end = states(granum, f"{state} --path txc --from 80kPa --eta 0.6 --points 2 --saturation 100%")[1]
-    v, h = end["sigma_v"], end["sigma_h"]
-    assert v > h
-    assert_estimated(granum, end, f"{state} --stress-v {v!r}Pa --stress-h {h!r}Pa --saturation 1")
-    assert_by_table(end, v, h, 1)
+    found = states(granum, f"{state} --depth 0m..24m --points 5 --water-table 7m --k0 0.5")[1:]  # 6 m is dry, 12 m is not
+    found += states(granum, f"{state} --from 80kPa --to 1MPa --points 2")
+    found += states(granum, f"{state} --path txc --from 80kPa --eta 0.6 --points 2 --saturation 100%")[1:]
+    rows = "e,sigma_v_Pa,sigma_h_Pa,saturation\n"
+    for one in found:
+        v, h = (one.get(f"stress_{axis}", one.get(f"sigma_{axis}")) for axis in "vh")
+        saturation = one["answer"]["saturation"]
+        assert_estimated(granum, one, f"{state} --stress-v {v!r}Pa --stress-h {h!r}Pa --saturation {saturation!r}")
+        rows += f"0.65,{v!r},{h!r},{saturation}\n"
+    assert [one["answer"]["saturation"] for one in found] == [0, 1, 1, 1, 0, 0, 1]
+    (tmp_path / "rows.csv").write_text(rows)
+    for one, by_table in zip(found, states(granum, packing, "--table", tmp_path / "rows.csv")):
+        assert_same(by_table["answer"], one["answer"], BOTH + (STRAINED if "--strain" in known else SPHERES))
 
 
 def test_rungs_on_a_path(granum):
@@ -73,27 +67,18 @@ def test_rungs_on_a_path(granum):
 def test_rows_of_tables(granum):
     """Whether rows share or tell contacts, preparation and sizes."""
     row = states(granum, "--table sweep_states.csv", code=1)  # some of whose rows are refused
-    at = "--contact sphere --void-ratio 0.558"
-    first = f"{at} --coordination-number 5.73 --fabric 0.1 --stress-v 200kPa --stress-h 100kPa"
-    assert_rungs_estimated(granum, row[0], first)
-    assert_rungs_estimated(granum, row[1], "--contact cone --slope 0.4 --void-ratio 0.558 --coordination-number 5.9 --pressure 100kPa")
-    assert_rungs_estimated(granum, row[8], "--void-ratio 0.558 --coordination-number 3.5 --fabric -0.2 --stress-v 50kPa --stress-h 80kPa")
-    assert_estimated(granum, row[0], first)
-    assert_estimated(granum, row[3], f"{at} --fabric 0 --pressure 100kPa")
+    first = "--coordination-number 5.73 --fabric 0.1 --stress-v 200kPa --stress-h 100kPa"
+    for k, text in {0: first, 1: "--contact cone --slope 0.4 --coordination-number 5.9 --pressure 100kPa",
+                    8: "--coordination-number 3.5 --fabric -0.2 --stress-v 50kPa --stress-h 80kPa"}.items():
+        assert_rungs_estimated(granum, row[k], f"--void-ratio 0.558 {text}")
+    for k, text in {0: first, 3: "--fabric 0 --pressure 100kPa"}.items():
+        assert_estimated(granum, row[k], f"--contact sphere --void-ratio 0.558 {text}")
     row = states(granum, "--table sweep_people.csv --grain quartz")
     for k, text in {0: "--void-ratio 0.65 --stress-v 100kPa --stress-h 50kPa --preparation dense",
                     1: "--void-ratio 0.7 --stress-v 150kPa --stress-h 75kPa --mechanical-coordination-number 5.2",
                     2: "--void-ratio 0.6 --stress-v 200kPa --stress-h 100kPa --uniformity 2",
                     4: "--void-ratio 0.62 --stress-v 80kPa --stress-h 60kPa --preparation friction:0.3"}.items():
         assert_estimated(granum, row[k], f"--grain quartz {text}")
-
-
-def test_depths_in_water(granum):
-    packing = "--grain-shape sphere --grain quartz --radius 0.2mm --void-ratio 0.65 --fabric 0.05 --preparation loose"
-    ground = states(granum, f"{packing} --depth 0m..24m --points 5 --unit-weight 18kN/m3 --water-table 5m --k0 0.5")
-    for k in 0, 1, 2, 4:
-        v, h, saturation = ground[k]["stress_v"], ground[k]["stress_h"], ground[k]["answer"]["saturation"]
-        assert_estimated(granum, ground[k], f"{packing} --stress-v {v!r}Pa --stress-h {h!r}Pa --saturation {saturation!r}")
 
 
 @pytest.mark.parametrize("columns", ["usual", "all"])
@@ -113,14 +98,15 @@ def test_rungs_of_the_contacts_of_the_answer(granum, known):
     state = "estimate --void-ratio 0.6 --stress-v 200kPa --stress-h 100kPa --json"
     first = granum.line(f"{state} {known}").json
     answer = first["answer"]
-    contacts = "--coordination-number {coordination_number[value]!r} --mechanical-coordination-number {mechanical_coordination_number[value]!r}"
+    contacts = f"--coordination-number {answer['coordination_number']['value']!r}"
+    contacts += f" --mechanical-coordination-number {answer['mechanical_coordination_number']['value']!r}"
     more = known if "preparation" in known else ""  # which knows more than the contacts
-    again = granum.line(f"{state} {contacts.format(**answer)} {more}").json
+    again = granum.line(f"{state} {contacts} {more}").json
     for form in "uniform_strain", "uniform_stress", "relaxed":
         for key in "C11 C33 C12 C13 C44 K G_hh G_vh E_v E_h m n s".split():
             assert first[form][key] == again[form][key] is not None, (form, key)
-    relaxed = [first["relaxed"][key] for key in ("G_vh", "G_hh", "K", "E_v")]
-    assert relaxed == [answer[field]["value"] for field in ("shear_modulus", "horizontal_shear_modulus", "bulk_modulus", "young_modulus")]
+    fields = "shear_modulus", "horizontal_shear_modulus", "bulk_modulus", "young_modulus"
+    assert [first["relaxed"][key] for key in ("G_vh", "G_hh", "K", "E_v")] == [answer[field]["value"] for field in fields]
 
 
 SOIL = "--unit-weight 15kN/m3 --saturated-unit-weight 18.8kN/m3 --k0 0.5 --sand toyoura"

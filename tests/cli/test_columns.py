@@ -28,7 +28,8 @@ PLAIN = "p_kPa,e,V_s_m/s|100,0.6,250"
 ])
 def test_column_of_a_sand(read, heading, value, option, words):
     """What a table says of the sand counts as the option does, and is no column that is not used."""
-    without, by_option = (read("infer", PLAIN, f"{words} {more}").json for more in ("--grain-shape sand" if not words else "", option))
+    without = read("infer", PLAIN, "--grain-shape sand").json
+    by_option = read("infer", PLAIN, f"{words} {option}").json
     by_column = read("infer", PLAIN.replace("|", f",{heading}|") + f",{value}", words).json
     levels = [answer["sand"]["level"]["value"] for answer in (without, by_option, by_column)]
     assert levels[2] == levels[1] != levels[0]
@@ -38,12 +39,14 @@ def test_column_of_a_sand(read, heading, value, option, words):
 def test_kinds_of_rows(read):
     """The kind of grains; relative densities and K_0 may differ from row to row."""
     assert read("infer", "p_kPa,e,V_s_m/s,grain_shape|100,0.6,250,sand").json["grain_shape"] == "sand"
-    found = read("infer", "sigma'v (kPa),K0,D_r,V_s_m/s|100,0.5,60%,230|200,0.4,70%,280", "--sand toyoura --grain-shape sphere").json
+    found = read("infer", "sigma'v (kPa),K0,D_r,V_s_m/s|100,0.5,60%,230|200,0.4,70%,280",
+                 "--sand toyoura --grain-shape sphere").json
     assert [row["stress_h"] for row in found["measurements"]] == [50000, 80000]
 
 
 @pytest.mark.parametrize("heading, option, one, other", [
-    ("rho_s_kg/m3", "--grain-density", "2600", "2700"), ("sand", "--sand", "toyoura", "nevada"), ("grain_shape", "--grain-shape", "sand", "")])
+    ("rho_s_kg/m3", "--grain-density", "2600", "2700"), ("sand", "--sand", "toyoura", "nevada"),
+    ("grain_shape", "--grain-shape", "sand", "")])
 def test_one_material_in_a_table(read, heading, option, one, other):
     said = read("infer", f"p_kPa,e,V_s_m/s,{heading}|100,0.6,250,{one}|200,0.6,300,{other}", code=3).err
     assert ":3:" in said and heading in said and option in said
@@ -55,7 +58,8 @@ def test_ground_needs_depths(read, table, option, code):
     read("infer", table, option, code=code)
 
 
-@pytest.mark.parametrize("stresses", ["sigma'v (kPa),sigma'h (kPa)", "σ′v [kPa],σ′h [kPa]", "sigma_v'_kPa,sigma_h'_kPa", "stress v (kPa),stress h (kPa)"])
+@pytest.mark.parametrize("stresses", [
+    "sigma'v (kPa),sigma'h (kPa)", "σ′v [kPa],σ′h [kPa]", "sigma_v'_kPa,sigma_h'_kPa", "stress v (kPa),stress h (kPa)"])
 def test_headings_of_stresses(read, stresses):
     measured = "|100,50,90,0.6|200,100,125,0.6|100,80,100,0.6|300,100,150,0.6"
     inferred = read("infer", f"{stresses},Gmax (MPa),e{measured}", "--grain-shape sand").json

@@ -33,8 +33,8 @@ class Disk:
         given = self.before / "in"
         given.mkdir(parents=True)
         (self.before / "out").mkdir()
-        for file in *CHAIN, *(DATA / name for name in ("sieve.csv", "layers.csv", "isotropic.csv", "analyse_states.csv", "scene_small.toml")):
-            shutil.copy(file, given)
+        for name in "sieve.csv", "layers.csv", "isotropic.csv", "analyse_states.csv", "scene_small.toml", *CHAIN:
+            shutil.copy(DATA / name, given)
         (given / "packed.gz").write_bytes(gzip.compress(CHAIN[1].read_bytes()))
         lines = (given / "isotropic.csv").read_text().splitlines(keepends=True)  # many reads long, with rows at both ends
         (given / "long.csv").write_text("".join([*lines[:5], *30000 * ["# a comment between the rows\n"], *lines[5:]]))
@@ -100,27 +100,19 @@ def test_reading_and_writing(disk, fault, text, there, code):
     disk.attack(text, fault, there, code)
 
 
+SHORT_RUN = f"reproduce {SMALL} --set shear.paths=TXC --set shear.largest_strain=0.001 --out disk/out/r"
+
+
+# a run before, what fails, and files that are there
 @pytest.mark.parametrize("fault", FAULTS)
-class TestStudies:
-    def test_verify(self, disk, fault):
-        disk.attack(f"verify {SMALL} --out disk/out --force", fault, ["report.html"])
-
-    def test_report_of_verify(self, disk, granum, fault):
-        granum.line(f"verify {SMALL} --out", disk.before / "out/v", code=None)
-        disk.attack("verify --report disk/out/v", fault)
-
-    def test_redrawn_trade(self, disk, granum, fault):
-        granum.line("trade --quick --grains 60 --threads 1 --set study.densities=dense --out", disk.before / "out/t")
-        disk.attack("trade --redraw disk/out/t", fault)
-
-    def test_deck(self, disk, fault):
-        disk.attack(f"export lammps {SMALL} --out disk/out/deck", fault)
-
-    def test_reproduce(self, disk, fault):
-        disk.attack(f"reproduce {SMALL} --set shear.paths=TXC --set shear.largest_strain=0.001 --out disk/out/r", fault)
-
-    def test_resumed(self, disk, fault):
-        disk.run(f"reproduce {SMALL} --set shear.paths=TXC --set shear.largest_strain=0.001 --out disk/out/r", fault, "none", code=0)
-        shutil.rmtree(disk.before / "out")
-        shutil.copytree(disk.folder / "out", disk.before / "out")
-        disk.attack("reproduce --threads 1 --resume disk/out/r", fault)
+@pytest.mark.parametrize("earlier, text, there", [
+    ("", f"verify {SMALL} --out disk/out --force", ["report.html"]),
+    (f"verify {SMALL} --out disk/out/v", "verify --report disk/out/v", []),
+    ("trade --quick --grains 60 --threads 1 --set study.densities=dense --out disk/out/t", "trade --redraw disk/out/t", []),
+    ("", f"export lammps {SMALL} --out disk/out/deck", []),
+    ("", SHORT_RUN, []), (SHORT_RUN, "reproduce --threads 1 --resume disk/out/r", [])])
+def test_studies(disk, fault, earlier, text, there):
+    if earlier:
+        disk.run(earlier, fault, "none", code=0)
+        shutil.copytree(disk.folder / "out", disk.before / "out", dirs_exist_ok=True)
+    disk.attack(text, fault, there)

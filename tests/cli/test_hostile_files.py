@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Names, headings and files that are meant to do harm, and what is more than the machine has."""
-import gzip
-import json
 import os
-import subprocess
 
 import pytest
 
-from conftest import DATA, ROOT
+from conftest import DATA
 from written import names
 
 SWEEP = "sweep --void-ratio 0.6 --path iso --from 10kPa --to 20kPa"
-FRAME = "ITEM: TIMESTEP\n%d\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\nITEM: ATOMS id radius x y z\n1 0.4 0.5 0.5 0.5\n"
+FRAME = ("ITEM: TIMESTEP\n%d\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n"
+         "ITEM: ATOMS id radius x y z\n1 0.4 0.5 0.5 0.5\n")
 OBEYED = "\x1b", "\x9b", "\u202e"  # what a terminal obeys: escapes, and a change of the direction of text
 HOSTILE = os.fsdecode(b"n\xff\x1b[2J\xc2\x9b\xe2\x80\xae.csv")
 
@@ -50,13 +48,6 @@ def test_hostile_headings(attack, tmp_path, command, table):
     attack(*command, "t\u202e.csv", code=3)
 
 
-def test_formula_for_a_spreadsheet(attack, tmp_path):
-    (tmp_path / "f.csv").write_text('e,p_kPa,"=note"\n0.6,100,=1+1\n0.6,200,-1.5\n')
-    lines = attack("sweep", "--table", "f.csv").out.splitlines()
-    heading, first, second = (line.split(",") for line in lines if not line.startswith("#"))
-    assert (heading[2], first[2], second[2]) == ("'=note", "'=1+1", "-1.5")
-
-
 def test_long_names(attack, hostile):
     attack("analyse", hostile, "--out", "1" * 5000, code=3)
     attack("analyse", "1" * 5000, code=3)
@@ -67,28 +58,10 @@ def test_command_for_a_name(attack, tmp_path):
     assert names(tmp_path) == ["< touch x; cat a.csv", "a.svg"]
 
 
-def test_dangling_link(attack, tmp_path):
-    (tmp_path / "link.csv").symlink_to("nowhere")
-    attack(*SWEEP.split(), "--out", "link.csv", code=3)
-    assert (tmp_path / "link.csv").is_symlink() and not (tmp_path / "nowhere").exists()
-
-
-def piped(granum, data, *words):
-    done = subprocess.run([granum.path, "analyse", "/dev/stdin", *words], input=data, capture_output=True)
-    assert done.returncode == 0, done.stderr
-    return done
-
-
-@pytest.mark.parametrize("packer", [bytes, gzip.compress])
-def test_pipe(granum, packer):
-    data = packer((ROOT / "tests/io/data/lammps_chain.data").read_bytes())
-    assert json.loads(piped(granum, data, "--json").stdout)["frames"][0]["counts"]["grains"] == 3
-
-
 def test_frames_without_end(granum):
     """No more of them are held than one answer has."""
-    done = piped(granum, "".join(FRAME % k for k in range(10500)).encode())
-    for told, name in (done.stdout.decode(), "frame 9999"), (done.stderr.decode(), "--frames"):
+    done = granum("analyse", "/dev/stdin", input="".join(FRAME % k for k in range(10500)))
+    for told, name in (done.out, "frame 9999"), (done.err, "--frames"):
         assert name in told and "10000" in told
 
 

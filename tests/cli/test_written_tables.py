@@ -83,7 +83,8 @@ def test_numbers_of_depths(granum, tmp_path):
     for row, state in zip(table(granum, tmp_path, f"{DEPTHS} --units si"), granum.line(f"{DEPTHS} --json").json["states"]):
         answer = state["answer"]
         assert float(row["sigma_v_Pa"]) == state["stress_v"]
-        for column, field in {"G_{}_Pa": "shear_modulus", "V_s_{}_m/s": "shear_wave_speed", "V_p_{}_m/s": "compression_wave_speed"}.items():
+        for column, field in [("G_{}_Pa", "shear_modulus"), ("V_s_{}_m/s", "shear_wave_speed"),
+                              ("V_p_{}_m/s", "compression_wave_speed")]:
             assert [float(row[column.format(part)]) for part in ("answer", "low", "high")] == \
                 [answer[field][part] for part in ("value", "low", "high")]
 
