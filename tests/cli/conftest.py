@@ -48,7 +48,7 @@ class Program:
     def __init__(self, path):
         self.path = path
 
-    def __call__(self, *words, code=0, at=DATA, input="", env=None, timeout=300):
+    def __call__(self, *words, code=0, at=DATA, input="", env=None, timeout=3600):
         """A run with these arguments; it must end with the exit code, unless that is None."""
         words = [str(word) for word in words]
         done = subprocess.run([self.path, *words], input=input, capture_output=True, text=True, errors="surrogateescape", cwd=at,
