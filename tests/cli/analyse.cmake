@@ -254,28 +254,6 @@ granum_analyse_refuses("a slope without cones" 2 "--slope goes with --contact co
 granum_cli_test("analyse: a warning fails under --strict" EXIT 4 STDOUT "C_n" STDERR "granum: error: coordinates have"
   ARGS analyse ${chain} --strict)
 
-# dense and loose apart, by the names of their files, in the order of the numbers in them
-add_test(NAME "cli: analyse: series" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
-  "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/series" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_series.cmake")
-set_tests_properties("cli: analyse: series" PROPERTIES LABELS cli)
-add_test(NAME "cli: analyse: files" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DIO=${io}"
-  "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/analysis" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_analysis_files.cmake")
-set_tests_properties("cli: analyse: files" PROPERTIES LABELS cli)
-add_test(NAME "cli: analyse: every option of the readers with every format" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
-  "-DIO=${io}" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/reader_options" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_reader_options.cmake")
-set_tests_properties("cli: analyse: every option of the readers with every format" PROPERTIES LABELS cli)
-add_test(NAME "cli: hostile files" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
-  "-DDATA=${CMAKE_CURRENT_SOURCE_DIR}/data" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/hostile_files"
-  -P "${CMAKE_CURRENT_SOURCE_DIR}/check_hostile_files.cmake")
-set_tests_properties("cli: hostile files" PROPERTIES LABELS cli)
-add_test(NAME "cli: analyse: 10,000 grains of LAMMPS" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
-  "-DDATA=${PROJECT_SOURCE_DIR}/examples/data" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_real_packing.cmake")
-set_tests_properties("cli: analyse: 10,000 grains of LAMMPS" PROPERTIES LABELS slow)
-add_test(NAME "cli: analyse: the same with any number of threads" COMMAND "${CMAKE_COMMAND}"
-  "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DDATA=${PROJECT_SOURCE_DIR}/examples/data"
-  -P "${CMAKE_CURRENT_SOURCE_DIR}/check_analyse_threads.cmake")
-set_tests_properties("cli: analyse: the same with any number of threads" PROPERTIES LABELS cli)
-
 # Unequal grains of LAMMPS (validation/sizes): what the closed forms take of them is counted, and said.
 set(unequal "${PROJECT_SOURCE_DIR}/validation/sizes/lognormal_dense")
 granum_cli_test("analyse: unequal grains" EXIT 0 BELOW "frames/0/" JSON

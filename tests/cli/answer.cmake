@@ -111,14 +111,3 @@ granum_cli_test("answer: C_u of the laws" EXIT 0 STDOUT "C_u = 1\\.4; bias" ARGS
   --pressure 100kPa)
 granum_cli_test("answer: bounds only on request" EXIT 0 STDOUT "beads .*uniform strain +uniform stress"
   ARGS ${beads} --bounds)
-
-# One state, one answer, whoever asks; ranges that hold their value; lines that fit a screen.
-function(granum_answer_check name)
-  add_test(NAME "cli: answer: ${name}"
-    COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" ${ARGN})
-  set_tests_properties("cli: answer: ${name}" PROPERTIES LABELS cli)
-endfunction()
-granum_answer_check("the same of estimate, path, depth and table" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/one answer"
-  -P "${CMAKE_CURRENT_SOURCE_DIR}/check_one_answer.cmake")
-granum_answer_check("every range holds its value" "-DFILE=${CMAKE_CURRENT_BINARY_DIR}/ranges.csv"
-  -P "${CMAKE_CURRENT_SOURCE_DIR}/check_ranges.cmake")

@@ -62,7 +62,3 @@ granum_depth_refuses("saturated weight without water" "--saturated-unit-weight g
   --depth 0m..3m --saturated-unit-weight 20kN/m3)
 granum_depth_refuses("a path as well" "--depth excludes --from|--from excludes --depth" --void-ratio 0.6 --depth 0m..3m --from 1kPa)
 granum_depth_refuses("K_0 of 0" "--k0 = 0 is outside" --void-ratio 0.6 --depth 0m..3m --k0 0)
-add_test(NAME "cli: depth: files, and the same numbers as estimate"
-  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/depth files"
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_depth.cmake")
-set_tests_properties("cli: depth: files, and the same numbers as estimate" PROPERTIES LABELS cli)

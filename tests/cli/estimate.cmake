@@ -106,9 +106,6 @@ granum_cli_test("estimate: assumed punch" EXIT 0 JSON "inputs/punch_radius=^5\\.
 granum_cli_test("estimate: rungs have the contacts of the answer" EXIT 0
   STDOUT "\n  G +156\\.8 MPa .*C_n = 5\\.379, z\\* = 5\\.489[^\n]*\n.*G_vh = C44 +[0-9.]+ MPa +[0-9.]+ MPa +156\\.8 MPa \\+- .*C_n = 5\\.38 .*--coordination-number"
   ARGS estimate --bounds --full --void-ratio 0.6 --pressure 100kPa --rattler-fraction 2%)
-add_test(NAME "cli: estimate: rungs with given contacts and with those of the answer"
-  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_rungs.cmake")
-set_tests_properties("cli: estimate: rungs with given contacts and with those of the answer" PROPERTIES LABELS cli)
 granum_cli_test("estimate: table" EXIT 0
   STDOUT "\n  K +208 MPa +208 MPa +186\\.2 MPa .*\n  s = m . n +0\\.3333 +0\\.3333 +0\\.3331"
   ARGS estimate --bounds --void-ratio 0.6 --pressure 100kPa --coordination-number 5.73)

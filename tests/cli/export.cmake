@@ -15,13 +15,3 @@ granum_cli_test("export: a path without steps" EXIT 2 STDERR "^granum: error: pa
   ARGS export lammps --set study.contacts=sphere --path TXC --eta-step 0 --out refused)
 granum_cli_test("export: folder within a file" EXIT 3 STDERR "^granum: error: isotropic\\.csv/dense-1: cannot be made"
   ARGS export lammps --set study.contacts=sphere --out isotropic.csv)
-# granum_export_test(<what> <start> <grains> <sizes>)
-function(granum_export_test what start grains sizes)
-  add_test(NAME "cli: export: a deck is written, kept, and replaced (${what})"
-    COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" -DSTART=${start} -DGRAINS=${grains} -DSIZES=${sizes}
-      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/export_${what}" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_export.cmake")
-  set_tests_properties("cli: export: a deck is written, kept, and replaced (${what})" PROPERTIES LABELS cli)
-endfunction()
-granum_export_test("packed" packed 60 equal)
-granum_export_test("scattered" scattered 60 equal)
-granum_export_test("unequal grains" scattered 300 lognormal:0.35)

@@ -76,10 +76,6 @@ granum_cli_test("fit: m and n that cannot be separated name --sum-only" EXIT 2 S
   ARGS fit isotropic.csv)
 granum_cli_test("fit: picture of another kind" EXIT 2 STDERR "--picture = 'a\\.png' must end in \\.svg"
   ARGS fit isotropic_by_hand.csv --picture a.png)
-add_test(NAME "cli: fit: picture" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
-  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/fit picture"
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_fit_picture.cmake")
-set_tests_properties("cli: fit: picture" PROPERTIES LABELS cli)
 
 # V_s: G = density V_s^2. s is twice that of V_s, here 2 log(341/205)/log(8) with little scatter.
 granum_cli_test("fit: V_s with a density" EXIT 0 JSON "inputs/by_speed=^(ON|true)$" "inputs/modulus_column=^Vs$" "inputs/void_ratio_column=^e_c$"

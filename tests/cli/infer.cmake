@@ -99,11 +99,6 @@ granum_cli_test("infer: a row without a stress" EXIT 3 STDERR "infer_no_stress\\
 granum_cli_test("infer: existing output is kept" EXIT 3 STDERR "isotropic\\.csv: exists already and is kept"
   ARGS infer ${packing} --shear-modulus 100MPa --out isotropic.csv)
 
-add_test(NAME "cli: infer: files" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
-  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/infer files"
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_infer.cmake")
-set_tests_properties("cli: infer: files" PROPERTIES LABELS cli)
-
 # What contacts speeds imply: more numbers than z*, each with its error, and what data cannot tell.
 set(quartz --grain quartz --radius 0.1mm)
 granum_cli_test("infer: contacts of both speeds" EXIT 0 STDERR "larger than in packings of spheres" JSON "contacts/kind=^power-law$" "contacts/numbers/0/key=^z\\*$" "contacts/numbers/0/value=^4\\.99"
@@ -127,8 +122,3 @@ foreach(case "--grain-shape sand --growth fixed" "--sand toyoura --growth packin
   granum_cli_test("infer: ${case}" EXIT 2 STDERR "^granum: error: --growth [^\n]*${shape} " ARGS ${speed} ${words})
 endforeach()
 granum_cli_test("infer: the growth of the same kind" EXIT 0 JSON "grain_shape=^sand$" ARGS ${speed} --sand ottawa-20-30 --growth sand --json)
-
-add_test(NAME "cli: infer, fit and sweep read the same columns"
-  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/columns"
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_columns.cmake")
-set_tests_properties("cli: infer, fit and sweep read the same columns" PROPERTIES LABELS cli)

@@ -2,14 +2,9 @@
 # Manual pages and completion, which the build lets the program make of its own options.
 if(TARGET granum_reference)
   set(reference "${PROJECT_BINARY_DIR}/reference")
-  find_program(GRANUM_GROFF groff)
-  find_program(GRANUM_MANDOC mandoc)
   find_program(GRANUM_BASH bash)
   find_program(GRANUM_ZSH zsh)
-  add_test(NAME "cli: manual pages contain every option and have no fault"
-    COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DPAGES=${reference}/man1" "-DGROFF=${GRANUM_GROFF}"
-      "-DMANDOC=${GRANUM_MANDOC}" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_manual.cmake")
-  set_tests_properties("cli: manual pages contain every option and have no fault" PROPERTIES LABELS cli)
+  set(pages --reference "${reference}") # of test_screens.py
   if(GRANUM_BASH)
     add_test(NAME "cli: completion in bash" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
       COMMAND "${GRANUM_BASH}" "${CMAKE_CURRENT_SOURCE_DIR}/check_completion.sh" "$<TARGET_FILE:granum_cli>" "${reference}/bash/granum")

@@ -50,14 +50,6 @@ granum_cli_test("sands: rungs are of spheres" EXIT 2 STDERR "Use grain shape sph
 granum_cli_test("sands: but beads stay beads" EXIT 0 STDOUT "beads \\(spheres of the model\\)" ARGS sweep --depth 1m..20m --points 2
   --void-ratio 0.6 --grain glass)
 
-add_test(NAME "cli: sands: content of pictures" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
-  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/sand_pictures"
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_sand_pictures.cmake")
-set_tests_properties("cli: sands: content of pictures" PROPERTIES LABELS cli)
-add_test(NAME "cli: sands: reports as a client reads them" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
-  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/reports"
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_reports.cmake")
-set_tests_properties("cli: sands: reports as a client reads them" PROPERTIES LABELS cli)
 granum_cli_test("sands: JSON has the inputs of a sand" EXIT 0 JSON "inputs/grain_shape=^sand$" "inputs/uniformity=^2" "inputs/d50=^0\\.0002999"
   "inputs/contact=MISSING" "inputs/radius=MISSING" "inputs/stress_v=^100000" "sand_inputs=MISSING" "assumed=MISSING"
   "sources/Lo2021/reference=^Lo, M\\. K\\., " ARGS estimate --void-ratio 0.7 --grain-shape sand --uniformity 2 --d50 0.3mm --pressure 100kPa --json)
@@ -71,10 +63,6 @@ granum_cli_test("sands: JSON of a depth has the inputs of the sand" EXIT 0 JSON 
 granum_cli_test("sands: JSON of infer has the inputs of each kind of grains" EXIT 0 JSON "inputs/contact=^sphere$" "sand_inputs/void_ratio=^0\\.(6|59999)"
   ARGS infer --void-ratio 0.6 --pressure 100kPa --vs 280m/s+-2% --json)
 
-add_test(NAME "cli: sands: layers, and depths in tables" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
-  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/layers"
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_layers.cmake")
-set_tests_properties("cli: sands: layers, and depths in tables" PROPERTIES LABELS cli)
 set(deep --depth 1m..20m --points 3)
 granum_cli_test("sands: layers on the screen" EXIT 0 STDOUT "10 m +e = 0\\.65, 17 kN/m3.*from 4 m: Hostun" ARGS sweep --layers layers.csv ${deep})
 granum_cli_test("sands: a column that is an option too" EXIT 2 STDERR "--void-ratio is given as an option and by the column 'e'" ARGS sweep --layers layers.csv

@@ -136,10 +136,6 @@ granum_sweep_refuses("option and column" "--void-ratio is given as an option and
 granum_sweep_refuses("picture of another kind" "--picture = 'a\\.png' must end in \\.svg"
   ${packing} --from 1kPa --to 2kPa --out a.csv --picture a.png)
 
-# what a row leaves empty has its default, as without the column
-add_test(NAME "cli: sweep: empty fields"
-  COMMAND "${CMAKE_CURRENT_SOURCE_DIR}/check_empty_fields.sh" "$<TARGET_FILE:granum_cli>" "${CMAKE_CURRENT_BINARY_DIR}/empty fields")
-set_tests_properties("cli: sweep: empty fields" PROPERTIES LABELS cli)
 granum_cli_test("sweep: thousands or decimals" EXIT 3 STDERR "sweep_thousands\\.csv:3: column 'p \\(kPa\\)'"
   ARGS sweep --table sweep_thousands.csv)
 granum_cli_test("sweep: missing table" EXIT 3 STDERR "none\\.csv: cannot be read: No such file" ARGS sweep --table none.csv)
@@ -152,11 +148,6 @@ granum_cli_test("sweep: unwritable output" EXIT 3 STDERR "no such folder/s\\.csv
   ARGS ${iso} --out "no such folder/s.csv")
 granum_cli_test("sweep: existing output is kept" EXIT 3 STDERR "isotropic\\.csv: exists already and is kept"
   ARGS sweep --table isotropic.csv --out isotropic.csv)
-
-add_test(NAME "cli: sweep: files, and the same numbers as estimate" WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/data"
-  COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/sweep files"
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/check_sweep.cmake")
-set_tests_properties("cli: sweep: files, and the same numbers as estimate" PROPERTIES LABELS cli)
 
 granum_cli_test("sweep: all rungs of a path" EXIT 0 STDOUT ",s_rung2,G_hh_rung3_MPa,"
   ARGS sweep --void-ratio 0.56 --from 10kPa --to 100kPa --points 2)

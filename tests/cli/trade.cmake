@@ -16,15 +16,3 @@ granum_trade_refuses("redraw of nothing" 3 "none/trade\\.csv: " --redraw none)
 granum_trade_refuses("folder that is a file" 3 "isotropic\\.csv: cannot be " --out isotropic.csv)
 
 granum_trade_refuses("too few grains for their sizes" 2 "grains = 250 is outside \\[294, 1e7\\]" --quick --set grain.sizes=lognormal:0.35)
-
-# runs that write, in folders of their own
-# granum_trade_test(<name> <check> <definition>...)
-function(granum_trade_test name check)
-  add_test(NAME "cli: trade: ${name}"
-    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/trade ${name}"
-      ${ARGN} -P "${CMAKE_CURRENT_SOURCE_DIR}/check_trade_${check}.cmake")
-  set_tests_properties("cli: trade: ${name}" PROPERTIES LABELS cli)
-endfunction()
-granum_trade_test("files" files -DGRAINS=60 -DSIZES=equal)
-granum_trade_test("files, unequal grains" files -DGRAINS=300 -DSIZES=lognormal:0.35)
-granum_trade_test("stop" stop)

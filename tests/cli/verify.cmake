@@ -84,11 +84,3 @@ set(reproduced "${CMAKE_CURRENT_BINARY_DIR}/reproduced")
 file(WRITE "${reproduced}/manifest.json" "{\"command\": \"reproduce\"}")
 granum_cli_test("verify: --report of another command's run" EXIT 3 STDERR "/reproduced: [^\n{}]*reproduce[^\n{}]*verify\n$"
   ARGS verify --report "${reproduced}")
-
-# runs that write, in folders of their own
-foreach(what files stop)
-  add_test(NAME "cli: verify: ${what}"
-    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:granum_cli>"
-      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/verify ${what}" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_study_${what}.cmake")
-  set_tests_properties("cli: verify: ${what}" PROPERTIES LABELS cli)
-endforeach()

@@ -45,7 +45,7 @@ struct CommandGroup {
 [[nodiscard]] std::string help_text(const Command& command);
 
 /// A text for a terminal: lines longer than 80 characters continue in the next line, below their last column.
-/// Longer words are not broken. Checked by tests/cli/check_width.cmake
+/// Longer words are not broken. Checked by tests/cli/test_screens.py
 [[nodiscard]] std::string within_width(std::string_view text);
 
 } // namespace granum::cli

@@ -7,7 +7,7 @@
 #include "cli/document/document.hpp"
 #include "depth.hpp"
 
-/// What a profile of V_s is for the response of a site. Checked by tests/cli/check_site.cmake
+/// What a profile of V_s is for the response of a site. Checked by tests/cli/test_site.cpp
 namespace granum::cli {
 
 /// Depth to which building codes average V_s [m].
