@@ -19,7 +19,13 @@ def pytest_addoption(parser):
     parser.addoption("--reference", type=pathlib.Path, help="the folder of its manual pages")
     parser.addoption("--preloaded", type=pathlib.Path, help="a library that is loaded before those of the program")
     parser.addoption("--calls", type=int, default=3, help="how many calls of a kind fail, one after the other")
+    parser.addoption("--table", action="append", help="rows of this table alone")
+    parser.addoption("--said", type=pathlib.Path, help="folder for the sentences that rows say")
     parser.addoption("--update", action="store_true", help="writes the golden sentences anew")
+
+
+def pytest_configure(config):
+    config.addinivalue_line("markers", "sanitized: runs under the sanitizers too")
 
 
 @dataclasses.dataclass

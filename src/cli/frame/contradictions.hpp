@@ -10,7 +10,7 @@
 
 #include "command_line.hpp"
 
-/// Options that exclude each other, according to their rows. Checked by tests/cli/people.cmake
+/// Options that exclude each other, according to their rows. Checked by tests/cli/rows/people.txt
 namespace granum::cli {
 
 /// "--slope goes with --contact cone, not with --contact sphere".

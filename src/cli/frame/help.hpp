@@ -8,7 +8,7 @@
 #include "option_row.hpp"
 
 /// Texts of options for help, manual pages and completion, all derived from the option rows.
-/// Checked by tests/cli/help.cmake
+/// Checked by tests/cli/test_screens.py
 namespace granum::cli {
 
 struct OptionText {

@@ -6,7 +6,7 @@
 
 #include "option_row.hpp"
 
-/// Suggestions for unknown words. Checked by tests/cli/people.cmake
+/// Suggestions for unknown words. Checked by tests/cli/rows/people.txt
 namespace granum::cli {
 
 /// The message for an unknown option of a command.

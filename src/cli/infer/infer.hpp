@@ -104,7 +104,7 @@ void note_assumed_error(const InferOptions& options, InferCase& question, bool s
 /// given.
 /// \return   notes on the validity of the predictions, from the answer for each state
 /// \throws   InvalidArgument if growing overlaps would leave no pores, and as estimate::answer()
-/// Checked by tests/cli/infer.cmake
+/// Checked by tests/cli/rows/infer.txt
 [[nodiscard]] Validity complete_predictions(InferCase& question, const inverse::Inference& fit);
 
 /// The value of --growth for measured sands.

@@ -16,7 +16,7 @@ namespace granum::cli {
 /// Gives least_void_ratio: the mean void ratio of eight packings of 1000 of these grains or more, compressed
 /// without friction to the pressure of preparation, or to 10 kPa. Takes seconds.
 /// \throws   InvalidArgument unless the grains are spheres; as the recipe of a specimen
-/// Accuracy  void ratios of the packings differ by 0.003. Checked by tests/cli/answer.cmake
+/// Accuracy  void ratios of the packings differ by 0.003. Checked by tests/cli/rows/answer.txt
 void make_densest(estimate::InputValues& completed);
 
 } // namespace granum::cli

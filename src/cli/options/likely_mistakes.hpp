@@ -8,7 +8,7 @@
 #include "studies/scene/scene.hpp"
 
 /// Warnings for inputs that are possible, but more likely a mistake in unit or symbol.
-/// Checked by tests/cli/people.cmake
+/// Checked by tests/cli/rows/people.txt
 namespace granum::cli {
 
 /// Checks given values only, in the order of the options: void ratio, z*, stress, size, modulus and density

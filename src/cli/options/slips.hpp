@@ -9,7 +9,7 @@
 
 /// Checks for numbers that are possible, but more likely a mistake in unit or symbol, by their value only.
 /// The program checks given numbers (likely_mistakes.hpp), the page for browsers all that it shows.
-/// Checked by tests/cli/people.cmake and web/tests/numbers.test.mjs
+/// Checked by tests/cli/rows/people.txt and web/tests/numbers.test.mjs
 namespace granum::cli {
 
 /// A number and the name of its option or key, as used in messages.

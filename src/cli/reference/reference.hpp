@@ -5,7 +5,7 @@
 
 #include "cli/frame/option_row.hpp"
 
-/// Manual pages and completion, derived from the option rows. Checked by tests/cli/reference.cmake
+/// Manual pages and completion, derived from the option rows. Checked by tests/cli/test_screens.py
 namespace granum::cli {
 
 /// The manual page of the program or of a command, for section 1, in the macros of man(7).
