@@ -21,17 +21,14 @@ def redirected(granum, streams, text, **how):
 
 # by the time that something is said to the last but one, its reader is gone
 @pytest.mark.parametrize("streams", ["2>&-", "2>/dev/full", "2</dev/null", "2> >(exec true)", "2>&- <&-"])
-def test_without_standard_error(granum, streams):
+def test_without_standard_error(granum, tmp_path, streams):
     expected = granum.line(WARNED)
     assert "granum: warning: " in expected.err
     assert redirected(granum, streams, WARNED).out == expected.out
+    redirected(granum, streams, f"{WARNED} --out kept", at=tmp_path)  # a file does not take the place of the stream
+    assert (tmp_path / "kept").read_text() == expected.out
     redirected(granum, streams, "estimate --void-ratio -1 --pressure 100kPa", code=2)
     redirected(granum, streams, "nonsense", code=2)
-
-
-def test_no_file_takes_the_place_of_a_stream(granum, tmp_path):
-    redirected(granum, "2>&-", f"{WARNED} --out kept", at=tmp_path)
-    assert (tmp_path / "kept").read_text() == granum.line(WARNED).out
 
 
 @pytest.mark.parametrize("streams", [">&-", ">/dev/full", "</dev/null >&0"])
