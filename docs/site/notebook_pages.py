@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pages of the site out of notebooks: words, cells, what they print and draw, as the notebooks hold it.
+"""Pages of the site out of notebooks, which are run: words, cells, what they print and draw.
 
     python3 docs/site/notebook_pages.py <source tree> <folder of pages> <folder of pictures>
 
-That they hold what they print and draw is tested by python/tests/test_plots.py.
+Tested by python/tests/test_documentation.py; that notebooks print what they hold by test_plots.py.
 """
 
 import base64
-import json
 import pathlib
+import runpy
 import sys
 
 
@@ -29,10 +29,11 @@ def outputs(cell, stem, pictures, count):
 def write(root, folder, pictures):
     pictures.mkdir(parents=True, exist_ok=True)
     folder.mkdir(parents=True, exist_ok=True)
+    executed = runpy.run_path(str(root / "examples" / "notebooks" / "run.py"))["executed"]
     index = ["# Notebooks {#notebooks}", "", "Jupyter opens them from the folder `examples/notebooks`.", ""]
     for path in sorted((root / "examples" / "notebooks").glob("*.ipynb")):
         label, count, lines = f"notebook_{path.stem}", [0], []
-        for cell in json.loads(path.read_text())["cells"]:
+        for cell in executed(path)["cells"]:
             source = "".join(cell["source"])
             if cell["cell_type"] == "markdown":
                 title, _, rest = source.partition("\n")

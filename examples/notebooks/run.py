@@ -2,7 +2,9 @@
 """Runs the notebooks of this folder without a server: all of them, or those that are named.
 
     PYTHONPATH=build/python python3 examples/notebooks/run.py --check   # do they print what they hold?
-    PYTHONPATH=build/python python3 examples/notebooks/run.py --write   # puts what they print and draw into them
+    PYTHONPATH=build/python python3 examples/notebooks/run.py --write   # puts what they print into them
+
+Their pictures are not kept: the site draws them (docs/site/notebook_pages.py).
 """
 
 from __future__ import annotations
@@ -51,31 +53,31 @@ def printed(cell_outputs):
     return "".join("".join(output["text"]) for output in cell_outputs if output["output_type"] == "stream")
 
 
-def drawn(cell_outputs):
-    return sum(output["output_type"] == "display_data" for output in cell_outputs)
+def executed(path):
+    """The notebook with all that its cells print and draw, each run after the one before."""
+    notebook = json.loads(path.read_text())
+    names = {"__name__": "__main__"}
+    cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    for number, cell in enumerate(cells, 1):
+        cell["outputs"], cell["execution_count"] = outputs("".join(cell["source"]), names), number
+    return notebook
 
 
 def run(path, write):
-    """Runs one notebook, each cell after the one before. Returns what differs from what it holds."""
-    notebook = json.loads(path.read_text())
-    names = {"__name__": "__main__"}
-    faults, count = [], 0
-    for cell in notebook["cells"]:
-        if cell["cell_type"] != "code":
-            continue
-        count += 1
-        found = outputs("".join(cell["source"]), names)
-        if write:
-            cell["outputs"], cell["execution_count"] = found, count
-        elif printed(found) != printed(cell["outputs"]):
-            faults.append(
-                f"{path.name}, cell {count} prints\n{printed(found)}where it holds\n{printed(cell['outputs'])}"
-            )
-        elif drawn(found) != drawn(cell["outputs"]):
-            faults.append(f"{path.name}, cell {count} draws {drawn(found)} pictures")
+    """Runs one notebook. Returns what differs from what it holds."""
+    held, found = json.loads(path.read_text()), executed(path)
     if write:
-        path.write_text(json.dumps(notebook, indent=1, ensure_ascii=False) + "\n")
-    return faults
+        for cell in found["cells"]:
+            if cell["cell_type"] == "code":
+                cell["outputs"] = [output for output in cell["outputs"] if output["output_type"] == "stream"]
+        path.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n")
+        return []
+    return [
+        f"{path.name}, cell {new['execution_count']} prints\n{printed(new['outputs'])}where it holds\n"
+        f"{printed(old['outputs'])}"
+        for old, new in zip(held["cells"], found["cells"])
+        if old["cell_type"] == "code" and printed(old["outputs"]) != printed(new["outputs"])
+    ]
 
 
 def main(arguments):
