@@ -11,6 +11,7 @@
 #include <granum/core/stop.hpp>
 #include <gsl/gsl_errno.h>
 #include <relative.hpp>
+#include <thresholds.hpp>
 
 using namespace granum;
 using namespace granum::hardin;
@@ -211,6 +212,15 @@ TEST_CASE("a proportional path gives only s, with a note") {
   CHECK_FALSE(report.fit().exponent_i.has_value());
   CHECK(report.fit().parameters == std::vector<std::string>{"C", "s"});
   CHECK(report.fit().validity.notes.size() == 1);
+
+  // A stress ratio other than 1, and one that changes from row to row, are noted from 1 % on.
+  for (const bool all : {true, false})
+    granum::test::check_threshold(1.01005, [&](double ratio) { // ln 0.01
+      auto rows = measured(truth, isotropic_path());
+      for (std::size_t k = all ? 0 : 4; k < (all ? rows.size() : 5); ++k)
+        rows[k].state.stress_j *= ratio;
+      return fit_exponent_sum(rows, with(Weights::absolute)).fit().validity.notes.size();
+    });
 
   // one stress alone changes: m is known, n and s are not
   states.clear();

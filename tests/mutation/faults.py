@@ -9,7 +9,7 @@ one copy of the project, each asleep until the environment variable GRANUM_FAULT
   faults.py choose   a new list: places at random, spread over the modules by their lines
   faults.py plant    the copy, with all faults of the list
   faults.py build    builds it; faults that do not compile leave the list
-  faults.py run      each fault against the unit tests of its module, then all others; what survives is printed
+  faults.py run      each fault against the tests of its module, then the unit tests of others; what survives is printed
 """
 import argparse
 import collections
@@ -21,6 +21,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 from concurrent.futures import ThreadPoolExecutor
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
@@ -50,7 +51,7 @@ SKIPPED = re.compile(r"constexpr(?! (double|int|std::size_t) \w+ =)|static_asser
 
 def code_of(text):
     """Lines with comments, strings and characters blank, of the same lengths."""
-    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
     return pattern.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text).split("\n")
 
 
@@ -172,38 +173,58 @@ def build(options):
         write([row for number, row in faults().items() if number not in drop])
 
 
-def caught(options, number, program):
-    """Whether a test program fails with the fault."""
+def seconds(command, number, longest):
+    """How long a test command takes that passes with the fault; none if it fails."""
+    start = time.monotonic()
     try:
-        return subprocess.run([program, "--abort-after=1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              cwd=program.parent, timeout=options.longest,
-                              env={**os.environ, "GRANUM_FAULT": str(number)}).returncode != 0
+        code = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=longest,
+                              cwd=pathlib.Path(command[0]).parent,
+                              env={**os.environ, "GRANUM_FAULT": str(number)}).returncode
     except subprocess.TimeoutExpired:
-        return True
+        return None
+    return time.monotonic() - start if code == 0 else None
+
+
+def commands(options):
+    """Test programs by module; the runs of the program granum, in one, are "runs"."""
+    tree = options.copy / "build"
+    found = {p.name[len("test_"):]: [p, "--abort-after=1"] for p in sorted((tree / "tests").glob("*/test_*"))
+             if os.access(p, os.X_OK) and p.is_file()}
+    if (tree / "src/cli/granum").exists():
+        found["runs"] = [shutil.which("ctest"), "--test-dir", tree, "-L", "^cli$", "-LE", "slow", "--stop-on-failure",
+                         f"-j{options.jobs}"]
+    return found
 
 
 def run(options):
     """What catches each fault, in the file of results; what is there is not run again."""
-    programs = {p.name[len("test_"):]: p for p in sorted((options.copy / "build/tests").glob("*/test_*"))
-                if os.access(p, os.X_OK) and p.is_file()}
+    tests = commands(options)
+    healthy = {name: seconds(command, 0, 1000) for name, command in tests.items() if options.only in ("", name)}
+    for name in [name for name, time_of in healthy.items() if time_of is None]:
+        print("fails without a fault, not used:", name)
+        del healthy[name]
+    print("seconds without a fault:", {name: round(one, 1) for name, one in healthy.items()}, flush=True)
     done = {}
     if options.results.exists():
         done = {tuple(row[:5]): row[5] for row in csv.reader(options.results.open(newline=""), delimiter="\t")}
 
     def judge(item):
         number, row = item
-        if row[5] or tuple(row[:5]) in done:
+        if row[5] or done.get(tuple(row[:5]), "-") != "-" or (tuple(row[:5]) in done and not options.again):
             return
         own = row[0].split("/")[0]
-        order = sorted(programs, key=lambda name: (name != own, name))
-        by = next((name for name in order if caught(options, number, programs[name])), "-")
+        first = {"cli": ["document", "runs"], "studies": ["studies", "document"]}.get(own, [own])
+        order = [name for name in first if name in healthy]
+        order += [name for name in sorted(healthy, key=healthy.get)
+                  if name not in first and name != "runs" and healthy[name] <= options.longest]
+        by = next((name for name in order if seconds(tests[name], number, 20 + 4 * healthy[name]) is None), "-")
         with options.results.open("a", newline="") as file:
             csv.writer(file, delimiter="\t", lineterminator="\n").writerow([*row[:5], by])
         done[tuple(row[:5])] = by
 
     with ThreadPoolExecutor(options.jobs) as pool:
         list(pool.map(judge, faults().items()))
-    counted = [(row, done[tuple(row[:5])]) for row in faults().values() if not row[5]]
+    counted = [(row, done.get(tuple(row[:5]), "-")) for row in faults().values() if not row[5]]
     for row, by in counted:
         if by == "-":
             print(f"survives: {row[1]} ({row[3]} {row[2]}): {row[4]}")
@@ -223,7 +244,9 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--define", action="append", default=[], help="passed to cmake, such as -DNAME=VALUE")
     parser.add_argument("--targets", nargs="*", default=[])
-    parser.add_argument("--longest", type=float, default=120, help="seconds of a test program that ends")
+    parser.add_argument("--longest", type=float, default=1e9, help="seconds of a test program of another module")
+    parser.add_argument("--only", default="", help="the test program to run")
+    parser.add_argument("--again", action="store_true", help="what survived is run again")
     parser.add_argument("--results", type=pathlib.Path, default=SOURCE / "build/planted/results.tsv")
     options = parser.parse_args()
     {"choose": choose, "plant": plant, "build": build, "run": run}[options.step](options)
