@@ -39,11 +39,11 @@ PairRow row_of(const PackingBuilder& builder, std::uint32_t a, std::uint32_t b) 
           .tangential_force = {0, a < b ? 0.5 : -0.5, 0}};
 }
 
-/// What the number at the begin of a note is; 0 without the note.
+/// The first number of a note; 0 without the note.
 std::size_t counted(const ImportedPacking& packing, Finding finding) {
   for (const ImportNote& note : packing.notes)
     if (note.finding == finding)
-      return std::stoul(note.text);
+      return std::stoul(note.text.substr(note.text.find_first_of("0123456789")));
   return 0;
 }
 
