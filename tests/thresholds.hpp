@@ -3,8 +3,6 @@
 
 #include <doctest/doctest.h>
 
-namespace granum::test {
-
 /// One note comes or goes, and nothing else changes, as a value passes a threshold.
 /// \param    notes   number of notes at a value
 template <class Notes>
@@ -13,5 +11,3 @@ void check_threshold(double threshold, const Notes& notes) {
   const auto below = notes(0.995 * threshold), above = notes(1.005 * threshold);
   CHECK((below < above ? above - below : below - above) == 1);
 }
-
-} // namespace granum::test

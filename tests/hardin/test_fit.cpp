@@ -215,7 +215,7 @@ TEST_CASE("a proportional path gives only s, with a note") {
 
   // A stress ratio other than 1, and one that changes from row to row, are noted from 1 % on.
   for (const bool all : {true, false})
-    granum::test::check_threshold(1.01005, [&](double ratio) { // ln 0.01
+    check_threshold(1.01005, [&](double ratio) { // ln 0.01
       auto rows = measured(truth, isotropic_path());
       for (std::size_t k = all ? 0 : 4; k < (all ? rows.size() : 5); ++k)
         rows[k].state.stress_j *= ratio;

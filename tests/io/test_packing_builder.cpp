@@ -89,7 +89,7 @@ TEST_CASE("packing builder: rows of a pair from either side and in any order mak
 TEST_CASE("packing builder: what is refused, and from where on") {
   using Change = std::function<void(PairRow&, double)>;
   const auto threshold = [](double at, const Change& change, bool states_branch = false) {
-    test::check_threshold(at, [&](double value) {
+    check_threshold(at, [&](double value) {
       PackingBuilder builder = chain(2);
       PairRow row = row_of(builder, 0, 1);
       change(row, value);
@@ -107,13 +107,13 @@ TEST_CASE("packing builder: what is refused, and from where on") {
                                         &PairRow::tangential_stiffness})
     threshold(1e60, [member](PairRow& row, double x) { row.*member = x; });
   threshold(1e60, [](PairRow& row, double x) { row.tangential_force.z = x; });
-  test::check_threshold(1e60, [](double x) {
+  check_threshold(1e60, [](double x) {
     const auto change = [x](std::size_t, GrainRow& grain) { grain.radius = x; };
     return refused([&] { (void)chain(2, {.box = CsvBox{Mat3::identity(), {}}}, change); });
   });
   // Two rows of a pair state the same up to rounding.
   for (Vec3 PairRow::*const member : {&PairRow::branch, &PairRow::tangential_force})
-    test::check_threshold(1e-5, [member](double x) {
+    check_threshold(1e-5, [member](double x) {
       PackingBuilder builder = chain(2);
       PairRow row = row_of(builder, 0, 1);
       row.normal_force = 0;
@@ -125,7 +125,7 @@ TEST_CASE("packing builder: what is refused, and from where on") {
       return contacts;
     });
   // A given box is that of the file, to 1e-4 of its longest edge.
-  test::check_threshold(4e-4, [](double x) {
+  check_threshold(4e-4, [](double x) {
     PackingBuilder builder("grains", "contacts", {.box = CsvBox{Mat3::diagonal(4 + x, 3, 2), {}}});
     return refused([&] { builder.set_cell(Mat3::diagonal(4, 3, 2), {}, 1); });
   });
@@ -184,7 +184,7 @@ TEST_CASE("packing builder: sums of the forces beside those that the file of gra
       builder.add(row_of(builder, k, k + 1));
     return counted(builder.finish(0, {}), Finding::unbalanced_rows);
   };
-  test::check_threshold(0.01, [&](double off) { return noted(1, off); });
+  check_threshold(0.01, [&](double off) { return noted(1, off); });
   CHECK(noted(5, 1) == 5);
   CHECK(noted(6, 1) == 0); // weight
 }

@@ -91,7 +91,7 @@ TEST_CASE("a law reports values outside of its tests") {
     const SandState usual{0.7, 100e3};
     CHECK(shear_modulus(law, usual).validity.ok());
     const auto threshold = [&](double at, double SandState::*member) {
-      granum::test::check_threshold(at, [&](double value) {
+      check_threshold(at, [&](double value) {
         SandState sand = usual;
         sand.*member = value;
         return shear_modulus(law, sand).validity.notes.size();

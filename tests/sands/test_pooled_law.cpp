@@ -140,7 +140,7 @@ TEST_CASE("pooled law: what is refused or noted, and from where on") {
   const Sand limited{.least_void_ratio = 0.55, .largest_void_ratio = 0.95};
   using Change = void (*)(Sand&, double&, double&, double);
   const auto threshold = [](double at, const Sand& sand, Change change, bool refused = false) {
-    test::check_threshold(at, [&](double value) {
+    check_threshold(at, [&](double value) {
       Sand changed = sand;
       double e = 0.7, p = 100e3;
       change(changed, e, p, value);

@@ -100,7 +100,7 @@ TEST_CASE("strain: damping of the centre, and each of its parts moved") {
 
 TEST_CASE("strain: notes if cycles matter or laws end, impossible strains are refused") {
   CHECK(strained(sand(1e-4, 100e3)).validity.ok());
-  test::check_threshold(2e-4, [](double x) { return strained(sand(x, 100e3)).validity.notes.size(); });
+  check_threshold(2e-4, [](double x) { return strained(sand(x, 100e3)).validity.notes.size(); });
   CHECK(strained(sand(0.0101, 100e3)).validity.notes != strained(sand(0.0099, 100e3)).validity.notes);
   CHECK_NOTHROW((void)strained(sand(0.0499, 100e3)));
   CHECK_THROWS_AS((void)strained(sand(0.0501, 100e3)), InvalidArgument);
