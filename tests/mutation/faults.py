@@ -8,12 +8,13 @@ one copy of the project, each asleep until the environment variable GRANUM_FAULT
 
   faults.py choose   a new list: places at random, spread over the modules by their lines
   faults.py plant    the copy, with all faults of the list
-  faults.py build    builds it; faults that do not compile leave the list
+  faults.py build    builds it; faults that do not compile are marked
   faults.py run      each fault against the tests of its module, then the unit tests of others; what survives is printed
 """
 import argparse
 import collections
 import csv
+import json
 import os
 import pathlib
 import random
@@ -26,6 +27,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 LIST = pathlib.Path(__file__).with_name("faults.tsv")
+uncompilable = "does not compile"  # instead of a reason: these keep their numbers while a copy is in use
 FIELDS = ["module", "file", "place", "operator", "line", "harmless"]
 
 NUMBER = r"(?<![\w.\"'])(\d+\.\d*(?:e-?\d+)?|\d+e-?\d+|\d+)(?![\w.\"'])"
@@ -113,7 +115,9 @@ def plant(options):
     at, stale = {}, []
     tracked = subprocess.run(["git", "ls-files"], cwd=SOURCE, check=True, capture_output=True, text=True).stdout
     texts = {name: None for name in tracked.split("\n") if name}
-    for number, (_, name, place, operator, line, _) in faults().items():
+    for number, (_, name, place, operator, line, harmless) in faults().items():
+        if harmless == uncompilable:
+            continue
         text = texts.get(name) or ((SOURCE / name).read_text() if name in texts else "")
         lines = text.split("\n")
         where = [k for k, one in enumerate(lines) if one.strip() == line]
@@ -153,7 +157,7 @@ class _Real:
 
 
 def build(options):
-    """Until it builds: faults in lines that do not compile leave the list."""
+    """Until it builds: faults in lines that do not compile are marked."""
     tree = options.copy / "build"
     while True:
         at = plant(options)
@@ -169,8 +173,8 @@ def build(options):
         drop = {number for number, place in at.items() if place in wrong}
         if not drop:
             sys.exit(done.stdout[-8000:])
-        print(f"{len(drop)} faults do not compile")
-        write([row for number, row in faults().items() if number not in drop])
+        print(f"{len(drop)} faults do not compile", flush=True)
+        write([row[:5] + [uncompilable if number in drop else row[5]] for number, row in faults().items()])
 
 
 def seconds(command, number, longest):
@@ -196,13 +200,28 @@ def commands(options):
     return found
 
 
+def own_tests(row):
+    """Of the module of a fault."""
+    own = row[0].split("/")[0]
+    return {"cli": ["document", "runs"], "studies": ["studies", "document"]}.get(own, [own])
+
+
 def run(options):
     """What catches each fault, in the file of results; what is there is not run again."""
     tests = commands(options)
-    healthy = {name: seconds(command, 0, 1000) for name, command in tests.items() if options.only in ("", name)}
-    for name in [name for name, time_of in healthy.items() if time_of is None]:
-        print("fails without a fault, not used:", name)
-        del healthy[name]
+    wanted = {own for row in faults().values() for own in own_tests(row)} if options.own else set(tests)
+    times = options.results.with_suffix(".json")  # of programs without a fault; measured again where they are newer
+    known = json.loads(times.read_text()) if times.exists() else {}
+    healthy = {}
+    for name in sorted(wanted & set(tests)):
+        built = pathlib.Path(tests[name][0]).stat().st_mtime
+        if known.get(name, [0, 0])[0] != built:
+            known[name] = [built, seconds(tests[name], 0, 1000)]
+            times.write_text(json.dumps(known))
+        if known[name][1] is None:
+            print("fails without a fault, not used:", name)
+        else:
+            healthy[name] = known[name][1]
     print("seconds without a fault:", {name: round(one, 1) for name, one in healthy.items()}, flush=True)
     done = {}
     if options.results.exists():
@@ -210,17 +229,17 @@ def run(options):
 
     def judge(item):
         number, row = item
-        if row[5] or done.get(tuple(row[:5]), "-") != "-" or (tuple(row[:5]) in done and not options.again):
+        key = tuple(row[:5])
+        order = [name for name in own_tests(row) if name in healthy]
+        if row[5] or not order or (key in done and not (options.again and done[key] == "-")):
             return
-        own = row[0].split("/")[0]
-        first = {"cli": ["document", "runs"], "studies": ["studies", "document"]}.get(own, [own])
-        order = [name for name in first if name in healthy]
-        order += [name for name in sorted(healthy, key=healthy.get)
-                  if name not in first and name != "runs" and healthy[name] <= options.longest]
+        if not options.own:
+            order += [name for name in sorted(healthy, key=healthy.get)
+                      if name not in order and name != "runs" and healthy[name] <= options.longest]
         by = next((name for name in order if seconds(tests[name], number, 20 + 4 * healthy[name]) is None), "-")
         with options.results.open("a", newline="") as file:
-            csv.writer(file, delimiter="\t", lineterminator="\n").writerow([*row[:5], by])
-        done[tuple(row[:5])] = by
+            csv.writer(file, delimiter="\t", lineterminator="\n").writerow([*key, by])
+        done[key] = by
 
     with ThreadPoolExecutor(options.jobs) as pool:
         list(pool.map(judge, faults().items()))
@@ -245,7 +264,7 @@ def main():
     parser.add_argument("--define", action="append", default=[], help="passed to cmake, such as -DNAME=VALUE")
     parser.add_argument("--targets", nargs="*", default=[])
     parser.add_argument("--longest", type=float, default=1e9, help="seconds of a test program of another module")
-    parser.add_argument("--only", default="", help="the test program to run")
+    parser.add_argument("--own", action="store_true", help="the tests of the fault's module alone")
     parser.add_argument("--again", action="store_true", help="what survived is run again")
     parser.add_argument("--results", type=pathlib.Path, default=SOURCE / "build/planted/results.tsv")
     options = parser.parse_args()
