@@ -13,6 +13,7 @@
 
 #include "packing/sample_packings.hpp"
 #include "relative.hpp"
+#include "thresholds.hpp"
 
 using namespace granum;
 using namespace granum::analysis;
@@ -362,4 +363,31 @@ TEST_CASE("adhesion without a material, of cones, and with k_n = 1.5 f/d is refu
   CHECK_THROWS_AS((void)measure(cubic(), {.law = law, .adhesion = adhesion}), InvalidArgument);
   const Given negative{.grain_shear_modulus = 1e9, .adhesion = contact::Adhesion{.surface_energy = -1}};
   CHECK_THROWS_AS((void)measure(cubic(), negative), InvalidArgument); // without a network, too
+}
+
+TEST_CASE("measure: from how clear forces the material follows, and what is said of rolling stiffness") {
+  const auto part = [](std::size_t k) { return static_cast<double>(k % 3) - 1; }; // -1, 0 and 1
+  packing::Assembly packing = cubic();
+  const Given cones{.law_family = [](const contact::GrainMaterial& grain, double) {
+    return contact::NormalLaw(contact::PowerLaw::cone(grain, 0.4));
+  }};
+  check_threshold(0.01, [&](double off) { // of the forces of two thirds
+    for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
+      packing::Contact& c = packing.contacts[k];
+      c.overlap = (2 * R - edge) * (1 + 0.01 * static_cast<double>(k));
+      c.normal_force = contact::PowerLaw::cone({30e9, 0.15}, 0.4).force(c.overlap) * (1 + off * part(k));
+    }
+    return measure(packing, cones).grain.has_value() ? 1 : 0;
+  });
+  const auto notes = [&](double ratio, double deviation, const char* words) {
+    packing::Assembly rolling = cubic();
+    for (std::size_t k = 0; k < rolling.contacts.size(); ++k)
+      rolling.contacts[k].rolling_stiffness =
+          k_n * R * R / 4 * ratio * (1 + std::sqrt(1.5) * deviation * part(k));
+    const std::vector<std::string> all = measure(rolling, own).notes;
+    return std::count_if(all.begin(), all.end(),
+                         [&](const std::string& note) { return note.find(words) != std::string::npos; });
+  };
+  check_threshold(0.05, [&](double x) { return notes(0.1, x, "%"); });
+  check_threshold(1, [&](double x) { return notes(x, 0, "up to 1"); });
 }
