@@ -137,6 +137,20 @@ TEST_CASE("a part is measured where it is wanted, and not elsewhere") {
   CHECK(full.forces->distribution.mean == relative(f_n, 1e-14));
 }
 
+TEST_CASE("contacts are in the interior where their middles are") {
+  packing::Assembly middle = row();
+  for (Vec3& x : middle.position)
+    x.y = x.z = 2e-3;
+  middle.contacts[0].sliding = true;
+  const auto mechanical = mechanical_coordination(middle, packing::ContactKind::frictional);
+  const auto sliding = [&](double layer) { // along x, contacts have theirs at about 1.5 and 2.5 mm
+    return part_measures(middle, mechanical, packing::Interior(middle.cell, layer)).micro.sliding_fraction;
+  };
+  CHECK(sliding(1.49e-3) == 0.5);
+  middle.contacts[0].branch *= 1 + 2e-9; // as well where numbers do not end evenly
+  CHECK(sliding(1.49e-3) == 0.5);
+}
+
 TEST_CASE("a cubic lattice has the stiffness, the stress and the bounds of its springs") {
   const Measurement m = measure(cubic(), own, {.network = network::ResponseOptions{}});
   const elastic::Matrix6& c = m.solved_network().response.relaxed().matrix;

@@ -187,26 +187,38 @@ TEST_CASE("relaxation: stated errors are those of coefficients and scatter, carr
       error = std::hypot(error, one.base, one.gain * slope);
     return error;
   };
-  for (const double r : {0.3, 1.0})
-    for (const double b : {0.0, 1.0 / 3, 0.5})
-      for (const double z : {4.3, 5.5, 7.0}) {
-        const auto G = [&](double at) {
-          return [=](const auto& c) { return std::log(k::shear_relaxation(at, r, b, c)); };
-        };
-        const auto K = [&](double at) {
-          return [=](const auto& c) { return std::log(k::bulk_relaxation(z, at, b, c)); };
-        };
-        const auto& [of_G, of_K] = std::pair(k::shear_coefficients, k::bulk_coefficients);
-        const double G_by_z = (G(z + h)(of_G) - G(z - h)(of_G)) / (2 * h),
-                     K_by_r = (K(r * (1 + h))(of_K) - K(r * (1 - h))(of_K)) / (2 * h),
-                     near = 1 / (1 + 2 * (z - of_G.back())),
-                     shear_error = with(error_of(G(z), of_G, k::shear_covariance), k::shear_scatter, G_by_z),
-                     bulk_error = with(error_of(K(r), of_K, k::bulk_covariance), k::bulk_scatter, K_by_r);
-        const effective::Relaxation stated = relaxation(z, r, b);
-        CHECK(stated.shear.relative_error == relative(shear_error, 1e-6));
-        CHECK(stated.bulk.relative_error ==
-              relative(std::hypot(bulk_error, k::bulk_codes * near * near), 1e-6));
-      }
+  for (const double alpha : {1.0, 2.0, infinity})
+    for (const double z : {4.3, 5.5, 7.0})
+      for (const double r : {0.3, 1.0})
+        for (const double k_r : {0.0, 0.1, 1.0}) {
+          State s = state_of(alpha, 0, 0.15, 1e5, 1e5);
+          s.tangential_ratio = r;
+          s.rolling = k_r;
+          const double b = s.law.constant_exponent().value();
+          const auto G = [&](double at, double rolling) {
+            return [=](const auto& c) { return std::log(k::rolled_shear_relaxation(at, r, b, c, rolling)); };
+          };
+          const auto K = [&](double at, double rolling) {
+            return [=](const auto& c) {
+              return std::log(k::stiffened_bulk(z, at, k::own_exponent(b), c, rolling));
+            };
+          };
+          const auto& [of_G, of_K] = std::pair(k::shear_coefficients, k::bulk_coefficients);
+          const double G_by_z = (G(z + h, k_r)(of_G) - G(z - h, k_r)(of_G)) / (2 * h),
+                       K_by_r = (K(r * (1 + h), k_r)(of_K) - K(r * (1 - h), k_r)(of_K)) / (2 * h),
+                       near = 1 / (1 + 2 * (z - of_G.back())),
+                       G_rolled = std::sqrt(1 - std::exp(G(z, 0)(of_G) - G(z, k_r)(of_G))),
+                       K_rolled = std::sqrt(1 - std::exp(K(r, 0)(of_K) - K(r, k_r)(of_K))),
+                       shear = with(error_of(G(z, k_r), of_G, k::shear_covariance), k::shear_scatter, G_by_z),
+                       bulk = with(error_of(K(r, k_r), of_K, k::bulk_covariance), k::bulk_scatter, K_by_r);
+          const auto stated = relaxed(s, z).relative_error;
+          CAPTURE(k_r);
+          CHECK(stated.G_vh == relative(std::hypot(shear, k::rolling_errors[0] * G_rolled), 1e-6));
+          CHECK(stated.G_hh == relative(stated.G_vh, 1e-12));
+          CHECK(
+              stated.bulk_modulus ==
+              relative(std::hypot(bulk, k::bulk_codes * near * near, k::rolling_errors[1] * K_rolled), 1e-6));
+        }
   // Fabric and stress along the axis stretch it, with an error of which G_hh has a third and G_vh a sixth.
   for (const double a : {-0.2, 0.2})
     for (const double ratio : {0.6, 1.0, 2.0}) {

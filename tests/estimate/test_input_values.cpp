@@ -259,6 +259,16 @@ TEST_CASE("input values: what laws of sands assume is among the notes until it i
   CHECK(names(given) == std::vector<std::string>{"G_hh"});
 }
 
+TEST_CASE("input values: a packing is the same by its void ratio, its porosity and its share of solid") {
+  for (const auto& [input, number] :
+       {std::pair(Input::void_ratio, 0.6), {Input::porosity, 0.375}, {Input::solid_fraction, 0.625}}) {
+    InputValues values;
+    values.give(input, number);
+    values.give(Input::pressure, 1e5);
+    CHECK(question_of(completed(values)).state.void_ratio == doctest::Approx(0.6).epsilon(1e-14));
+  }
+}
+
 TEST_CASE("input values: what an answer rests on has a note each, where it applies") {
   const auto count = [](GrainShape shape, double p, const auto& change) {
     InputValues values;

@@ -31,6 +31,19 @@ uncompilable = "does not compile"  # instead of a reason: these keep their numbe
 FIELDS = ["module", "file", "place", "operator", "line", "harmless"]
 
 NUMBER = r"(?<![\w.\"'])(\d+\.\d*(?:e-?\d+)?|\d+e-?\d+|\d+)(?![\w.\"'])"
+
+
+def as_condition(text):
+    """A name alone may be that of a value that is there or not."""
+    return ("bool" if re.fullmatch(r"[\w.]+", text) else "") + f"({text})"
+
+
+def other_constant(kind, value, n):
+    """As fault.hpp's number, but not known when it is compiled, where a constant would stay as it is."""
+    other = value + " + 1" if kind != "double" or float(value) == 0 else "1.25 * " + value
+    return f"(granum::planted::awake() == {n} ? {kind}({other}) : {kind}({value}))"
+
+
 # Operator: pattern of its places in a line whose comments and strings are blank, and what is written there.
 OPERATORS = {
     "sign": (re.compile(r" [-+] (?=[\w(])"), lambda m, n: f"{m[0]}granum::planted::sign({n}) * "),
@@ -40,11 +53,11 @@ OPERATORS = {
     "bound": (re.compile(r"(?<=[\w)\]] )(?:[<>]=?|==) " + NUMBER),
               lambda m, n: m[0].replace(m[1], f"granum::planted::number({n}, {m[1]})")),
     "constant": (re.compile(r"\bconstexpr (double|int|std::size_t) (\w+) = " + NUMBER),
-                 lambda m, n: f"const {m[1]} {m[2]} = granum::planted::number({n}, {m[1]}({m[3]}))"),
+                 lambda m, n: f"const {m[1]} {m[2]} = {other_constant(m[1], m[3], n)}"),
     "index": (re.compile(r"(?<=\[)\d(?=\])"), lambda m, n: f"granum::planted::index({n}, {m[0]})"),
     "unit": (re.compile(r"(?<![\w.])1e-?[369]\b"), lambda m, n: f"granum::planted::unit({n}, {m[0]})"),
     "condition": (re.compile(r"(?<=\bif \()[^;]+(?=\)( \{| [\w].*;)?$)|(?<=\breturn )[^?;]+(?= \? )"),
-                  lambda m, n: f"granum::planted::flip({n}) != ({m[0]})"),
+                  lambda m, n: f"granum::planted::flip({n}) != {as_condition(m[0])}"),
     "extreme": (re.compile(r"\bstd::(max|min)\((?!\{)"),
                 lambda m, n: f"granum::planted::{'larger' if m[1] == 'max' else 'smaller'}({n}, "),
 }
