@@ -11,6 +11,7 @@
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 
+#include "analysis/materials.hpp"
 #include "packing/sample_packings.hpp"
 #include "relative.hpp"
 #include "thresholds.hpp"
@@ -404,4 +405,25 @@ TEST_CASE("measure: from how clear forces the material follows, and what is said
   };
   check_threshold(0.05, [&](double x) { return notes(0.1, x, "%"); });
   check_threshold(1, [&](double x) { return notes(x, 0, "up to 1"); });
+}
+
+TEST_CASE(
+    "measure: types of grains differ by their factors of forces from 2 % on, of five contacts or more") {
+  packing::Assembly packing = cubic();
+  std::vector<long> type(27, 1);
+  for (std::size_t g = 9; g < 18; ++g)
+    type[g] = 2; // nine contacts among these layers of a plane, and nine to either side
+  const auto differ = [&](double factor, std::size_t few) {
+    std::size_t between = 0;
+    for (packing::Contact& c : packing.contacts) {
+      c.normal_force = law.force(c.overlap);
+      if (type[c.i] == 2 && type[c.j] == 2)
+        c.normal_force *= ++between <= few ? factor : 0;
+    }
+    return analysis::factors_differ(packing, type) ? 1 : 0;
+  };
+  check_threshold(1.02, [&](double factor) { return differ(factor, 18); });
+  check_threshold(1 / 1.02, [&](double factor) { return differ(factor, 18); });
+  CHECK(differ(2, 5) == 1);
+  CHECK(differ(2, 4) == 0);
 }

@@ -8,8 +8,10 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/core/text.hpp>
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/notes.hpp>
+#include <granum/sands/pooled_law.hpp>
 
 #include "thresholds.hpp"
 
@@ -298,6 +300,13 @@ TEST_CASE("input values: what an answer rests on has a note each, where it appli
               static_cast<int>(count(GrainShape::sand, 1e5, none)) ==
           more);
   check_threshold(25e3, [&](double p) { return count(GrainShape::sand, p, none); });
+  InputValues sand = usual(); // E_h as E_v within the deviation of young_anisotropy
+  sand.grain_shape = GrainShape::sand;
+  const std::string within = "+- " + short_text(100 * sands::young_anisotropy_deviation) + " %";
+  const InputValues whole = completed(sand);
+  const std::vector<Note> notes = notes_of(whole, question_of(whole), {}, true);
+  CHECK(std::count_if(notes.begin(), notes.end(),
+                      [&](const Note& note) { return note.reason.find(within) != std::string::npos; }) == 1);
   const auto by_density = [&](bool limits) {
     InputValues values;
     values.give(Input::relative_density, 0.5);
