@@ -9,6 +9,7 @@
 #include <granum/core/error.hpp>
 #include <relative.hpp>
 
+#include "estimate/parts.hpp"
 #include "questions.hpp"
 #include "thresholds.hpp"
 
@@ -170,4 +171,21 @@ TEST_CASE("question: stresses that no friction can hold are refused, those of no
         check_threshold(least(50),
                         [&](double k0) { return estimate::answer(at(k0)).validity().notes.size(); });
     }
+}
+
+TEST_CASE("question: what a deviation leads to is refused where no packing has it") {
+  using Change = void (*)(Question&);
+  for (const Change change :
+       {Change{[](Question& q) { q.grain_density = -1; }}, Change{[](Question& q) { q.saturation = 1.01; }},
+        Change{[](Question& q) { q.shear_strain = 1e-4; }},
+        Change{[](Question& q) { q.sand.uniformity = 4.01; }}}) {
+    Question q = test::grains_of(2, 0, 100e3, 100e3);
+    CHECK_NOTHROW((void)estimate::possible_answer(q));
+    change(q);
+    CHECK_THROWS_AS((void)estimate::possible_answer(q), InvalidArgument);
+  }
+  Question weightless = test::grains_of(2, 0, 100e3, 100e3);
+  weightless.grain_density = -1;
+  weightless.grain_density.reset();
+  CHECK_NOTHROW((void)estimate::possible_answer(weightless));
 }
