@@ -3,6 +3,7 @@
 #include <granum/inverse/inference.hpp>
 
 #include <cmath>
+#include <cstdio>
 #include <random>
 
 #include <doctest/doctest.h>
@@ -313,6 +314,9 @@ TEST_CASE("inference: measurements that no coordination number explains") {
   soft.value.value *= 0.5;
   const auto too_soft = infer(std::span(&soft, 1), options_with());
   CHECK_FALSE(too_soft.together);
+  char value[40];
+  std::snprintf(value, sizeof value, "%.4g MPa at %.4g kPa", soft.value.value / 1e6, 1e3);
+  CHECK(too_soft.validity.notes.front().find(value) != std::string::npos);
   CHECK(too_soft.validity.notes.front().find("loosest rigid network") != std::string::npos);
   // Beside one that is explained, the fit goes on and the note stays.
   const std::vector<Observation> both{measurement(Quantity::G_vh, beads(1e6), 5), soft};

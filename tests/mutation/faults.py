@@ -207,7 +207,7 @@ def commands(options):
     tree = options.copy / "build"
     found = {p.name[len("test_"):]: [p, "--abort-after=1"] for p in sorted((tree / "tests").glob("*/test_*"))
              if os.access(p, os.X_OK) and p.is_file()}
-    if (tree / "src/cli/granum").exists():
+    if (tree / "granum").exists():
         found["runs"] = [shutil.which("ctest"), "--test-dir", tree, "-L", "^cli$", "-LE", "slow", "--stop-on-failure",
                          f"-j{options.jobs}"]
     return found
@@ -216,6 +216,7 @@ def commands(options):
 # Of a room of the program, the runs that begin so; of others those with its name.
 RUNS = {"document": "answer|estimate|export", "frame": "help|estimate|completion|unknown|no sub", "sweep": "sweep|depth|curves",
         "estimate": "answer|estimate|sands", "options": "people|units|scene|sands", "reference": "manual|completion"}
+RUNS["all"] = "|".join(["analyse|fit|infer|plan|reproduce|trade|verify", *RUNS.values()])
 
 
 def told(command, name, row):
@@ -233,15 +234,17 @@ def own_tests(row):
 def run(options):
     """What catches each fault, in the file of results; what is there is not run again."""
     tests = commands(options)
-    wanted = {own for row in faults().values() for own in own_tests(row)} if options.own else set(tests)
+    wanted = set(tests)
+    if options.own:
+        wanted = {own for row in faults().values() if row[0].startswith(options.module) for own in own_tests(row)}
     times = options.results.with_suffix(".json")  # of programs without a fault; measured again where they are newer
     known = json.loads(times.read_text()) if times.exists() else {}
     healthy = {}
     for name in sorted(wanted & set(tests)):
-        program = options.copy / "build/src/cli/granum" if name == "runs" else pathlib.Path(tests[name][0])
+        program = options.copy / "build/granum" if name == "runs" else pathlib.Path(tests[name][0])
         built = program.stat().st_mtime
         if known.get(name, [0, 0])[0] != built:
-            known[name] = [built, seconds(tests[name], 0, 2000)]
+            known[name] = [built, seconds(told(tests[name], name, ["cli/all"]), 0, 2000)]
             times.write_text(json.dumps(known))
         if known[name][1] is None:
             print("fails without a fault, not used:", name)
@@ -256,7 +259,7 @@ def run(options):
         number, row = item
         key = tuple(row[:5])
         order = [name for name in own_tests(row) if name in healthy]
-        if row[5] or not order or (key in done and not (options.again and done[key] == "-")):
+        if row[5] or not order or not row[0].startswith(options.module) or (key in done and not (options.again and done[key] == "-")):
             return
         if not options.own:
             order += [name for name in sorted(healthy, key=healthy.get)
@@ -291,6 +294,7 @@ def main():
     parser.add_argument("--targets", nargs="*", default=[])
     parser.add_argument("--longest", type=float, default=1e9, help="seconds of a test program of another module")
     parser.add_argument("--own", action="store_true", help="the tests of the fault's module alone")
+    parser.add_argument("--module", default="", help="whose faults are run, by the first letters of its name")
     parser.add_argument("--again", action="store_true", help="what survived is run again")
     parser.add_argument("--results", type=pathlib.Path, default=SOURCE / "build/planted/results.tsv")
     options = parser.parse_args()
