@@ -222,7 +222,7 @@ RUNS["all"] = "|".join(["analyse|fit|infer|plan|reproduce|trade|verify", *RUNS.v
 def told(command, name, row):
     """A test command for a fault."""
     room = row[0].split("/")[-1]
-    return [*command, "-R", f"^cli: ({RUNS.get(room, room)})"] if name == "runs" else command
+    return [*command, "-R", f"^cli: ({RUNS.get(room, room)})", "-E", "resume"] if name == "runs" else command
 
 
 def own_tests(row):
