@@ -47,6 +47,15 @@ TEST_CASE("laws of sands and of their strain have the values of the formulas tha
               CHECK(law.modulus({e, 1e3 * p, C_u, 1e-3 * d50}) ==
                     relative(1e3 * formula(law.formula), 1e-12));
             }
+            const UsualLimits of = usual_limits(C_u);
+            for (const StrainLaw& law : strain_laws()) { // without D_r, that of the void ratio
+              values["g"] = 1e-4;
+              values["D_r"] = std::clamp((of.largest - e) / (of.largest - of.least), 0.0, 1.0);
+              const StrainedSand s{
+                  .strain = 1e-4, .void_ratio = e, .mean_stress = 1e3 * p, .sand = {.uniformity = C_u}};
+              CHECK(law.ratio(s) == relative(std::min(1.0, formula(law.formula)), 1e-12));
+            }
+            values["D_r"] = D_r;
             for (const StrainLaw& law : strain_laws())
               for (const double g : {2e-5, 1e-3}) {
                 CAPTURE(law.key);

@@ -92,6 +92,8 @@ TEST_CASE("pooled law: stated factors, wider outside of the tests and never beyo
   CHECK(stated_factor({}, 0.7, 1e6) == widened(0.3 * std::log(2)));
   CHECK(stated_factor({}, 0.35, 100e3) == widened(3 * 0.05));
   CHECK(stated_factor({}, 0.98, 100e3) == widened(3 * 0.05));
+  const double loose = std::exp(std::hypot(std::log(1.45), 3 * (0.907 - 0.601) * 0.1)); // of usual limits
+  CHECK(stated_factor({.relative_density = 1.1}, 0.7, 100e3) == relative(loose, 1e-12));
   const double dense =
       std::exp(std::hypot(std::log(1.35), 3 * 0.04)); // a tenth of e_max - e_min beyond e_min
   CHECK(stated_factor({.least_void_ratio = 0.5, .largest_void_ratio = 0.9}, 0.46, 100e3) ==
