@@ -36,6 +36,11 @@ foreach(table_and_rows rose.csv=36 forces.csv=64)
     message(FATAL_ERROR "${CMAKE_MATCH_1} has ${count} bins, expected ${CMAKE_MATCH_2}")
   endif()
 endforeach()
+file(STRINGS "${FOLDER}/rose.csv" rows REGEX "^[01],[^a-z]*,90,") # the last bin of a quadrant ends upright
+list(LENGTH rows count)
+if(NOT count EQUAL 2)
+  message(FATAL_ERROR "rose.csv has ${count} bins that end at 90 degrees, expected 2")
+endif()
 
 # No grain of the chain bears load; the lattice has both matrices, of 3 frames.
 execute_process(COMMAND "${PROGRAM}" analyse "${CMAKE_CURRENT_LIST_DIR}/data/analyse_lattice.grains"
