@@ -11,8 +11,10 @@
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 
+#include "analysis/materials.hpp"
 #include "packing/sample_packings.hpp"
 #include "relative.hpp"
+#include "thresholds.hpp"
 
 using namespace granum;
 using namespace granum::analysis;
@@ -134,6 +136,20 @@ TEST_CASE("a part is measured where it is wanted, and not elsewhere") {
   REQUIRE(full.forces);
   CHECK(full.forces->distribution.bins.size() == 5);
   CHECK(full.forces->distribution.mean == relative(f_n, 1e-14));
+}
+
+TEST_CASE("contacts are in the interior where their middles are") {
+  packing::Assembly middle = row();
+  for (Vec3& x : middle.position)
+    x.y = x.z = 2e-3;
+  middle.contacts[0].sliding = true;
+  const auto mechanical = mechanical_coordination(middle, packing::ContactKind::frictional);
+  const auto sliding = [&](double layer) { // along x, contacts have theirs at about 1.5 and 2.5 mm
+    return part_measures(middle, mechanical, packing::Interior(middle.cell, layer)).micro.sliding_fraction;
+  };
+  CHECK(sliding(1.49e-3) == 0.5);
+  middle.contacts[0].branch *= 1 + 2e-9; // as well where numbers do not end evenly
+  CHECK(sliding(1.49e-3) == 0.5);
 }
 
 TEST_CASE("a cubic lattice has the stiffness, the stress and the bounds of its springs") {
@@ -362,4 +378,52 @@ TEST_CASE("adhesion without a material, of cones, and with k_n = 1.5 f/d is refu
   CHECK_THROWS_AS((void)measure(cubic(), {.law = law, .adhesion = adhesion}), InvalidArgument);
   const Given negative{.grain_shear_modulus = 1e9, .adhesion = contact::Adhesion{.surface_energy = -1}};
   CHECK_THROWS_AS((void)measure(cubic(), negative), InvalidArgument); // without a network, too
+}
+
+TEST_CASE("measure: from how clear forces the material follows, and what is said of rolling stiffness") {
+  const auto part = [](std::size_t k) { return static_cast<double>(k % 3) - 1; }; // -1, 0 and 1
+  packing::Assembly packing = cubic();
+  const Given cones{.law_family = [](const contact::GrainMaterial& grain, double) {
+    return contact::NormalLaw(contact::PowerLaw::cone(grain, 0.4));
+  }};
+  check_threshold(0.01, [&](double off) { // of the forces of two thirds
+    for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
+      packing::Contact& c = packing.contacts[k];
+      c.overlap = (2 * R - edge) * (1 + 0.01 * static_cast<double>(k));
+      c.normal_force = contact::PowerLaw::cone({30e9, 0.15}, 0.4).force(c.overlap) * (1 + off * part(k));
+    }
+    return measure(packing, cones).grain.has_value() ? 1 : 0;
+  });
+  const auto notes = [&](double ratio, double deviation, const char* words) {
+    packing::Assembly rolling = cubic();
+    for (std::size_t k = 0; k < rolling.contacts.size(); ++k)
+      rolling.contacts[k].rolling_stiffness =
+          k_n * R * R / 4 * ratio * (1 + std::sqrt(1.5) * deviation * part(k));
+    const std::vector<std::string> all = measure(rolling, own).notes;
+    return std::count_if(all.begin(), all.end(),
+                         [&](const std::string& note) { return note.find(words) != std::string::npos; });
+  };
+  check_threshold(0.05, [&](double x) { return notes(0.1, x, "%"); });
+  check_threshold(1, [&](double x) { return notes(x, 0, "up to 1"); });
+}
+
+TEST_CASE(
+    "measure: types of grains differ by their factors of forces from 2 % on, of five contacts or more") {
+  packing::Assembly packing = cubic();
+  std::vector<long> type(27, 1);
+  for (std::size_t g = 9; g < 18; ++g)
+    type[g] = 2; // nine contacts among these layers of a plane, and nine to either side
+  const auto differ = [&](double factor, std::size_t few) {
+    std::size_t between = 0;
+    for (packing::Contact& c : packing.contacts) {
+      c.normal_force = law.force(c.overlap);
+      if (type[c.i] == 2 && type[c.j] == 2)
+        c.normal_force *= ++between <= few ? factor : 0;
+    }
+    return analysis::factors_differ(packing, type) ? 1 : 0;
+  };
+  check_threshold(1.02, [&](double factor) { return differ(factor, 18); });
+  check_threshold(1 / 1.02, [&](double factor) { return differ(factor, 18); });
+  CHECK(differ(2, 5) == 1);
+  CHECK(differ(2, 4) == 0);
 }

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rules of the table of inputs at the doors of the program: options and columns of tables.
+#include <cctype>
 #include <cmath>
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
+#include <granum/effective/contact_prior.hpp>
 #include <granum/estimate/answer.hpp>
 
 #include "cli/options/input_columns.hpp"
 #include "cli/options/input_options.hpp"
+#include "cli/options/slips.hpp"
+#include "thresholds.hpp"
 
 namespace {
 
@@ -240,4 +244,67 @@ TEST_CASE("inputs: suction is refused with its line") {
     const io::CsvTable table("rows.csv", text);
     CHECK_NOTHROW(InputColumns(table, given));
   }
+}
+
+TEST_CASE("numbers that look like a mistake are told from where on, with the number that was meant") {
+  using Judge = void (*)(const Typed&, Validity&);
+  const struct {
+    Judge judge;
+    Dimension dimension;
+    std::vector<double> thresholds, words; ///< where a note begins or ends, and where it says something else
+    std::vector<std::pair<double, double>> meant;
+  } rows[] = {
+      {judge_stress, Dimension::pressure, {150, 100e6}, {100e9}, {{100, 100e3}, {2e8, 2e5}, {2e11, 2e5}}},
+      {judge_length, Dimension::length, {1e-7, 0.1}, {}, {{5e-8, 5e-5}, {0.5, 5e-4}}},
+      {judge_modulus,
+       Dimension::pressure,
+       {200e6, 1e12},
+       {10e6},
+       {{44e3, 44e9}, {44e6, 44e9}, {44e12, 44e9}, {3e5, 300e9}}},
+      {judge_density, Dimension::density, {500, 20000}, {}, {{2.65, 2650}, {2.65e6, 2650}}},
+      {[](const Typed& e, Validity& v) { judge_void_ratio(e, false, v); },
+       Dimension::dimensionless,
+       {0.1, 0.25, 0.4, 3},
+       {10, 100},
+       {}},
+      {[](const Typed& e, Validity& v) { judge_void_ratio(e, true, v); },
+       Dimension::dimensionless,
+       {0.1, 3},
+       {},
+       {}}};
+  for (const auto& [judge, dimension, thresholds, words, meant] : rows) {
+    const auto notes = [&, j = judge, d = dimension](double value) {
+      Validity validity;
+      j({"x", value, d}, validity);
+      return validity.notes;
+    };
+    for (const double at : thresholds)
+      check_threshold(at, [&](double x) { return notes(x).size(); });
+    for (const double at : words) {
+      const auto without_digits = [&](double x) {
+        std::string text = notes(x).front();
+        std::erase_if(text, [](unsigned char c) { return std::isdigit(c) || c == '.'; });
+        return text;
+      };
+      CHECK(without_digits(0.99 * at) != without_digits(1.01 * at));
+    }
+    for (const auto& [typed, other] : meant) {
+      REQUIRE(notes(typed).size() == 1);
+      CHECK(notes(typed).front().find(" " + pretty(other, dimension) + "?") != std::string::npos);
+    }
+  }
+  // Contacts: three deviations above those of a dense packing; of C_n, of other codes, a fifth more.
+  const effective::State state{.law = contact::PowerLaw::sphere({30e9, 0.15}, 5e-4),
+                               .radius = 5e-4,
+                               .void_ratio = 0.6,
+                               .stress_v = 1e5,
+                               .stress_h = 1e5};
+  const auto prior = effective::contact_prior(state, {.kind = effective::Preparation::Kind::dense});
+  const double most = prior.densest.mechanical_coordination_number + 3 * prior.coordination_error;
+  for (const bool without : {true, false})
+    check_threshold((without ? 1 : 1.2) * most, [&](double z) {
+      Validity validity;
+      judge_contacts({"z", z}, without, state, validity);
+      return validity.notes.size();
+    });
 }

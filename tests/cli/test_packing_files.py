@@ -4,6 +4,7 @@ back, readers' options, and the same numbers by any number of threads."""
 import itertools
 import json
 import random
+import re
 
 import pytest
 
@@ -34,7 +35,9 @@ def test_files_of_an_analysis(granum, tmp_path):
     assert frame.pop("seconds") >= 0 and frame == first_frame(granum, *CHAIN, *QUARTZ) and first["report.html"]
     frames = rows(first["frames.csv"].decode())
     assert [row["frame"] for row in frames] == ["0", "1"] and all(row["file"].endswith("lammps_chain.atoms") for row in frames)
-    assert len(rows(first["rose.csv"].decode())) == 2 * 18 and len(rows(first["forces.csv"].decode())) == 2 * 32
+    rose = first["rose.csv"].decode()
+    assert len(rows(rose)) == 2 * 18 and len(rows(first["forces.csv"].decode())) == 2 * 32
+    assert len(re.findall(r"^[01],[^a-z]*,90,", rose, re.M)) == 2  # the last bin of a quadrant ends upright
     for name in "rose.svg", "forces.svg":
         texts(first[name].decode())
     assert "frames.csv" in granum(*analyse, code=3).err

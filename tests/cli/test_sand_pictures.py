@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which answers and published laws stand in pictures, and reports as a client reads them: what was asked, the answer,
 assumptions and sources, and a way from each citation to its source."""
+import datetime
 import re
 
 import pytest
@@ -41,10 +42,15 @@ def test_names_in_a_picture(granum, tmp_path, text, there, absent):
 @pytest.fixture
 def report(granum, tmp_path):
     """A page; each of its citations leads to a source, each source has a row."""
+    def today():
+        now = datetime.datetime.now(datetime.timezone.utc)
+        return f"{now.day} {now:%B %Y}"
+
     def ask(text):
-        page = tmp_path / "page.html"
+        page, before = tmp_path / "page.html", today()
         granum.line(text, "--report", page, "--force")
         text = page.read_text()
+        assert before in text or today() in text
         ids = re.findall(r'id="([A-Za-z0-9]+)"', text)
         cited = re.findall(r'href="#([A-Za-z0-9]+)"', text)
         assert len(ids) == len(set(ids)) and cited and set(cited) <= set(ids)

@@ -87,6 +87,24 @@ TEST_CASE("units that engineers write are read by their definitions") {
   CHECK(refusal("18kPa", Dimension::unit_weight) == "--x = '18kPa' must be a unit weight, not a pressure");
 }
 
+TEST_CASE("a prefix of the SI in front of a unit is its power of ten") {
+  const std::pair<const char*, double> prefixes[] = {
+      {"n", 1e-9}, {"u", 1e-6}, {"\u00b5", 1e-6}, {"\u03bc", 1e-6}, {"m", 1e-3},
+      {"c", 1e-2}, {"h", 1e2},  {"k", 1e3},       {"M", 1e6},       {"G", 1e9}};
+  const std::pair<const char*, double> units[] = {{"Pa", 1},      {"bar", 1e5},  {"N", 1}, {"N/m2", 1},
+                                                  {"N/mm2", 1e6}, {"m", 1},      {"s", 1}, {"m/s", 1},
+                                                  {"N/m3", 1},    {"g/m3", 1e-3}};
+  int found = 0;
+  for (const auto& [prefix, power] : prefixes)
+    for (const auto& [symbol, factor] : units)
+      if (const std::optional<Unit> unit = find_unit(std::string(prefix) + symbol)) {
+        CAPTURE(unit->symbol);
+        CHECK(unit->factor == doctest::Approx(power * factor).epsilon(1e-14).scale(0));
+        ++found;
+      }
+  CHECK(found > 30);
+}
+
 TEST_CASE("large and small letters do not matter where they cannot mislead") {
   CHECK(parse_quantity("p", "100kpa", Dimension::pressure) == 1e5);
   CHECK(parse_quantity("p", "100KPA", Dimension::pressure) == 1e5);
@@ -207,6 +225,8 @@ TEST_CASE("headings: words are read however they are spelt, symbols are not") {
     CHECK(column_factor(heading, "mean_effective_stress", Dimension::pressure) == 1e3);
   }
   CHECK_FALSE(is_column_of("Mean Effective Stress Ratio", "mean_effective_stress"));
+  CHECK(is_column_of("Depth (m)", "depth")); // a word has five letters
+  CHECK_FALSE(is_column_of("Area", "area"));
   CHECK_FALSE(is_column_of("g_MPa", "G"));
   CHECK_FALSE(is_column_of("s_r", "S_r"));
   CHECK(column_factor("strain_percent", "strain", Dimension::dimensionless) == 0.01);

@@ -146,6 +146,13 @@ TEST_CASE("a stop request is observed before the next step of any kind") {
     CHECK(second.steps == question - 1);
     CHECK(sheared.steps() == question - 1);
   }
+  // The rate of a ramp over the inertial rate of the stress before it.
+  Engine ramped(test::fcc(radius, 3, 2e-7), material);
+  const double pressure = trace(ramped.figures().stress) / 3;
+  const QuasistaticReport report = deform(ramped, shear, 40, {.max_steps = 40});
+  CHECK(
+      report.largest_inertial_number ==
+      relative(1e-6 / (40 * ramped.time_step()) * 2 * radius * std::sqrt(material.density / pressure), 1e-3));
   // A stop on a ramp that would have taken all steps there are.
   Engine engine(test::fcc(radius, 3, 2e-7), material);
   CHECK(deform(engine, shear, 40, {.max_steps = 10, .stop_requested = test::StopAt(20)}).outcome ==

@@ -196,6 +196,13 @@ TEST_CASE("batch: of many bad rows the first thousand are named, all are counted
   const BatchReport report = uniform_strain(batch_of(test::law_of(1, 0.15), in), out.columns());
   CHECK(report.failed == 3000);
   CHECK(report.errors.size() == 1000);
+  for (const std::size_t bad : {0U, 1U}) {
+    Inputs few(3);
+    for (std::size_t k = 0; k < bad; ++k)
+      few.porosity[k] = 1;
+    Outputs three(3);
+    CHECK(uniform_strain(batch_of(test::law_of(1, 0.15), few), three.columns()).ok() == (bad == 0));
+  }
 }
 
 TEST_CASE("batch: columns of another length are refused with both lengths") {

@@ -13,10 +13,13 @@
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/stiffness.hpp>
+#include <granum/fabric/orientation.hpp>
 
-#include "effective/relaxation_coefficients.hpp"
+#include "effective/relaxation_kernel.hpp"
+#include "effective/relaxed_constants.hpp"
 #include "relative.hpp"
 #include "support.hpp"
+#include "thresholds.hpp"
 
 using namespace granum;
 using namespace granum::test;
@@ -34,6 +37,25 @@ double bulk(double z, double r, double b = 0) { return relaxation(z, r, b).bulk.
 Eigen::Matrix3d stretch(double factor) {
   const double plane = std::pow(factor, -1.0 / 12), axis = std::pow(factor, 1.0 / 6);
   return Eigen::Vector3d(plane, plane, axis).asDiagonal();
+}
+
+/// Standard error of a function of coefficients, by differences.
+template <std::size_t n, class Function>
+double error_of(const Function& f, std::array<double, n> c, const double (&covariance)[n][n]) {
+  std::array<double, n> slope;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double here = c[k], step = 1e-5 * std::abs(here);
+    c[k] = here + step;
+    slope[k] = f(c) / (2 * step);
+    c[k] = here - step;
+    slope[k] -= f(c) / (2 * step);
+    c[k] = here;
+  }
+  double variance = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      variance += covariance[i][j] * slope[i] * slope[j];
+  return std::sqrt(variance);
 }
 
 } // namespace
@@ -150,11 +172,69 @@ TEST_CASE("relaxation: the standard error") {
       }
   // Nearer to the isostatic point than any packing of the fit the coefficients no longer say much.
   CHECK(relaxation(3.97, 0.9, 0).shear.relative_error > 2 * relaxation(4.5, 0.9, 0).shear.relative_error);
-  CHECK_FALSE(relaxation(3.97, 0.9, 0).validity.ok());
-  CHECK_FALSE(relaxation(9.5, 0.9, 0).validity.ok());
-  CHECK_FALSE(relaxation(6, 1.5, 0).validity.ok());
-  CHECK_FALSE(relaxation(6, 0.05, 0).validity.ok());
+  for (const double z : {effective::isostatic_coordination_number(0.9), 4.1, 8.7})
+    check_threshold(z, [](double at) { return relaxation(at, 0.9, 0).validity.notes.size(); });
+  for (const double r : {0.1, 1.0})
+    check_threshold(r, [](double at) { return relaxation(6, at, 0).validity.notes.size(); });
   CHECK(relaxation(6.3, 0, 0).validity.ok());
+}
+
+TEST_CASE("relaxation: stated errors are those of coefficients and scatter, carried on by differences") {
+  namespace k = effective::kernel;
+  constexpr double h = 1e-5;
+  const auto with = [](double error, const k::FactorScatter& s, double slope) {
+    for (const k::Scatter& one : {s.recipes, s.packings})
+      error = std::hypot(error, one.base, one.gain * slope);
+    return error;
+  };
+  for (const double alpha : {1.0, 2.0, infinity})
+    for (const double z : {4.3, 5.5, 7.0})
+      for (const double r : {0.3, 1.0})
+        for (const double k_r : {0.0, 0.1, 1.0}) {
+          State s = state_of(alpha, 0, 0.15, 1e5, 1e5);
+          s.tangential_ratio = r;
+          s.rolling = k_r;
+          const double b = s.law.constant_exponent().value();
+          const auto G = [&](double at, double rolling) {
+            return [=](const auto& c) { return std::log(k::rolled_shear_relaxation(at, r, b, c, rolling)); };
+          };
+          const auto K = [&](double at, double rolling) {
+            return [=](const auto& c) {
+              return std::log(k::stiffened_bulk(z, at, k::own_exponent(b), c, rolling));
+            };
+          };
+          const auto& [of_G, of_K] = std::pair(k::shear_coefficients, k::bulk_coefficients);
+          const double G_by_z = (G(z + h, k_r)(of_G) - G(z - h, k_r)(of_G)) / (2 * h),
+                       K_by_r = (K(r * (1 + h), k_r)(of_K) - K(r * (1 - h), k_r)(of_K)) / (2 * h),
+                       near = 1 / (1 + 2 * (z - of_G.back())),
+                       G_rolled = std::sqrt(1 - std::exp(G(z, 0)(of_G) - G(z, k_r)(of_G))),
+                       K_rolled = std::sqrt(1 - std::exp(K(r, 0)(of_K) - K(r, k_r)(of_K))),
+                       shear = with(error_of(G(z, k_r), of_G, k::shear_covariance), k::shear_scatter, G_by_z),
+                       bulk = with(error_of(K(r, k_r), of_K, k::bulk_covariance), k::bulk_scatter, K_by_r);
+          const auto stated = relaxed(s, z).relative_error;
+          CAPTURE(k_r);
+          CHECK(stated.G_vh == relative(std::hypot(shear, k::rolling_errors[0] * G_rolled), 1e-6));
+          CHECK(stated.G_hh == relative(stated.G_vh, 1e-12));
+          CHECK(
+              stated.bulk_modulus ==
+              relative(std::hypot(bulk, k::bulk_codes * near * near, k::rolling_errors[1] * K_rolled), 1e-6));
+        }
+  // Fabric and stress along the axis stretch it, with an error of which G_hh has a third and G_vh a sixth.
+  for (const double a : {-0.2, 0.2})
+    for (const double ratio : {0.6, 1.0, 2.0}) {
+      const State s = state_of(2, a, 0.15, ratio * 1e5, 1e5);
+      const auto [value, error] = relaxation(5, s.tangential_ratio, 1.0 / 3).shear;
+      const fabric::SecondMoments F = fabric::second_moments(a);
+      const auto stretch = [&, h = value](const auto& c) {
+        return k::log_stretch(h, 1.0 / 3, std::log(F.F33 / F.F11), std::log(ratio), c);
+      };
+      const double of_stretch = std::hypot(error_of(stretch, k::stretch_coefficients, k::stretch_covariance),
+                                           k::stretch_scatter * stretch(k::stretch_coefficients)),
+                   level = std::hypot(error, k::shear_by_stress * std::log(ratio));
+      const auto stated = relaxed(s, 5).relative_error;
+      CHECK(stated.G_hh == relative(std::hypot(level, of_stretch / 3), 1e-6));
+      CHECK(stated.G_vh == relative(std::hypot(level, of_stretch / 6), 1e-6));
+    }
 }
 
 TEST_CASE("relaxation: refuses impossible packings") {
@@ -289,12 +369,22 @@ TEST_CASE("relaxed: extremes have no stiffness or a finite one") {
 TEST_CASE("relaxed: notes on states outside the calibration") {
   const State usual = state_of(2, 0, 0.15, 1e5, 1e5);
   CHECK(relaxed(usual, 5.9).validity.ok());
-  CHECK_FALSE(relaxed(usual, 5.0).validity.ok()); // below C_n
-  CHECK_FALSE(relaxed(state_of(2, 0, 0.15, 3e5, 1e5), 5.9).validity.ok());
-  CHECK_FALSE(relaxed(state_of(2, 0.4, 0.15, 1e5, 1e5), 5.9).validity.ok());
-  // Overlaps of 2 % make contacts that are not small, those of 10 % were not tested either.
-  CHECK(relaxed(state_of(2, 0, 0.15, 1e8, 1e8), 5.9).validity.notes.size() == 1);
-  CHECK(relaxed(state_of(2, 0, 0.15, 1e9, 1e9), 5.9).validity.notes.size() == 2);
+  const auto threshold = [&](double at, auto change) {
+    check_threshold(at, [&](double value) {
+      State s = usual;
+      const double z = change(s, value);
+      return relaxed(s, z).validity.notes.size();
+    });
+  };
+  threshold(0.99 * *usual.coordination_number, [](State&, double x) { return x; });
+  for (const double sign : {-0.25, 0.25})
+    threshold(sign, [](State& s, double x) { return s.fabric_anisotropy = x, 5.9; });
+  for (const double ratio : {2.2, 1 / 2.2})
+    threshold(ratio, [](State& s, double x) { return s.stress_v = x * s.stress_h, 5.9; });
+  const double overlap = usual.law.overlap(effective::mean_contact_force(usual)) / (2 * usual.radius);
+  threshold(1e5 * std::pow(0.055 / overlap, 1.5), // k_n of Hertz
+            [](State& s, double p) { return s.stress_v = s.stress_h = p, 5.9; });
+  threshold(0.51, [](State& s, double x) { return s.contacts.branch_square = 1 + x * x, 5.9; });
 }
 
 TEST_CASE("relaxation: the factors continue beyond the packings of the fit, power laws from b = 1/2, rough "

@@ -15,6 +15,7 @@
 #include <granum/effective/relaxation.hpp>
 #include <granum/sizes/distribution.hpp>
 
+#include "thresholds.hpp"
 #include <relative.hpp>
 
 using namespace granum;
@@ -212,6 +213,17 @@ TEST_CASE("unequal grains: means that no packing can have are refused") {
   effective::UniformContacts contacts{
       .prefactor = 1, .normal_stiffness = 1, .tangential_stiffness = 1, .branch_evenness = 1.1};
   CHECK_THROWS_AS((void)effective::uniform_stress_stiffness(contacts), InvalidArgument);
+  contacts.branch_evenness = 1;
+  for (const double end : {-7.0 / 3, 7.0 / 5}) // beyond, the fabric tensor has a negative part
+    check_threshold(end, [&](double a) {
+      contacts.fabric_anisotropy = a;
+      try {
+        (void)effective::uniform_stress_stiffness(contacts);
+      } catch (const InvalidArgument&) {
+        return 1;
+      }
+      return 0;
+    });
 }
 
 namespace {

@@ -123,7 +123,8 @@ TEST_CASE("dense unevenness: forces of a dense packing remember the pressure of 
     State taken = loose;
     taken.unevenness = effective::dense_unevenness(loose, 1e4);
     CHECK(relaxed(taken, z).stiffness.G_vh() == relative(usual.stiffness.G_vh(), 1e-10));
-    CHECK(relaxed(taken, z).relative_error.G_vh > 0.9 * usual.relative_error.G_vh);
+    // What is known of the scatter then, and the scatter of the forces, are together that without them.
+    CHECK(relaxed(taken, z).relative_error.G_vh == relative(usual.relative_error.G_vh, 0.04));
   }
   // Equal springs carry uneven forces without being softer.
   CHECK(effective::dense_unevenness(state_of(infinity, 0, 0.15, 1e5, 1e5), 1e4).value == 0);

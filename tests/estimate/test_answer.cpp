@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/estimate/answer.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -148,6 +149,7 @@ TEST_CASE(
     q.state.mechanical_coordination_number = z;
     const Answer a = estimate::answer(q);
     CHECK(a[Field::coordination_number].value == 6.1);
+    CHECK(a[Field::rattler_fraction].value == std::max(0.0, 1 - 6.1 / z));
     CHECK(a[Field::mechanical_coordination_number].value == z);
     CHECK(a[Field::shear_modulus].value == effective::relaxed(q.state, z).stiffness.G_vh());
   }

@@ -8,8 +8,12 @@
 
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
+#include <granum/core/text.hpp>
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/notes.hpp>
+#include <granum/sands/pooled_law.hpp>
+
+#include "thresholds.hpp"
 
 using namespace granum;
 using namespace granum::estimate;
@@ -255,4 +259,64 @@ TEST_CASE("input values: what laws of sands assume is among the notes until it i
   given.give(Input::d50, 0.3e-3);
   given.give(Input::uniformity, 2);
   CHECK(names(given) == std::vector<std::string>{"G_hh"});
+}
+
+TEST_CASE("input values: a packing is the same by its void ratio, its porosity and its share of solid") {
+  for (const auto& [input, number] :
+       {std::pair(Input::void_ratio, 0.6), {Input::porosity, 0.375}, {Input::solid_fraction, 0.625}}) {
+    InputValues values;
+    values.give(input, number);
+    values.give(Input::pressure, 1e5);
+    CHECK(question_of(completed(values)).state.void_ratio == doctest::Approx(0.6).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("input values: what an answer rests on has a note each, where it applies") {
+  const auto count = [](GrainShape shape, double p, const auto& change) {
+    InputValues values;
+    values.give(Input::void_ratio, 0.6);
+    values.give(Input::stress_v, p);
+    values.give(Input::stress_h, p);
+    values.grain_shape = shape;
+    change(values);
+    const InputValues all = completed(std::move(values));
+    return notes_of(all, question_of(all), {}, shape == GrainShape::sand).size();
+  };
+  using Change = void (*)(InputValues&);
+  const std::pair<int, Change> rows[] = {
+      {1,
+       [](InputValues& v) {
+         v.give(Input::mechanical_coordination_number, 5.0), v.give(Input::rattler_fraction, 0.1);
+       }},
+      {1, [](InputValues& v) { v.preparation = {.kind = effective::Preparation::Kind::dense}; }},
+      {1, [](InputValues& v) { v.give(Input::rolling, 0.1); }},
+      {1, [](InputValues& v) { v.give(Input::saturation, 0.5); }},
+      {0, [](InputValues& v) { v.give(Input::saturation, 0.0); }},
+      {0, [](InputValues& v) { v.give(Input::saturation, 1.0); }},
+      {-1, [](InputValues& v) { v.give(Input::d50, 1e-3); }}};
+  const auto none = [](InputValues&) {};
+  for (const auto& [more, change] : rows)
+    CHECK(static_cast<int>(count(GrainShape::sand, 1e5, change)) -
+              static_cast<int>(count(GrainShape::sand, 1e5, none)) ==
+          more);
+  check_threshold(25e3, [&](double p) { return count(GrainShape::sand, p, none); });
+  InputValues sand = usual(); // E_h as E_v within the deviation of young_anisotropy
+  sand.grain_shape = GrainShape::sand;
+  const std::string within = "+- " + short_text(100 * sands::young_anisotropy_deviation) + " %";
+  const InputValues whole = completed(sand);
+  const std::vector<Note> notes = notes_of(whole, question_of(whole), {}, true);
+  CHECK(std::count_if(notes.begin(), notes.end(),
+                      [&](const Note& note) { return note.reason.find(within) != std::string::npos; }) == 1);
+  const auto by_density = [&](bool limits) {
+    InputValues values;
+    values.give(Input::relative_density, 0.5);
+    values.give(Input::stress_v, 1e5);
+    values.give(Input::stress_h, 1e5);
+    values.grain_shape = GrainShape::sand;
+    if (limits)
+      values.give(Input::least_void_ratio, 0.5), values.give(Input::largest_void_ratio, 0.9);
+    const InputValues all = completed(std::move(values));
+    return notes_of(all, question_of(all), {}, true).size();
+  };
+  CHECK(by_density(false) == by_density(true) + 1);
 }

@@ -76,6 +76,7 @@ TEST_CASE("inputs: every limit of a question is demanded by its answer, whatever
   for (const InputRow& row : inputs())
     read += row.read != nullptr;
   CHECK(std::size(places) + 2 == read); // the grains' moduli are checked by their own type
+  CHECK_NOTHROW(require_within(row_of(Input::shear_strain), 0.05, "5 %"));
   for (const GrainShape shape : all_grain_shapes)
     for (const auto& place : places) {
       const InputRow& row = row_of(place.first);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -99,9 +100,13 @@ Question dense_spheres() {
   return q;
 }
 
+std::size_t count_mentions(const std::vector<std::string>& texts, const std::string& word) {
+  return static_cast<std::size_t>(std::count_if(texts.begin(), texts.end(), [&](const std::string& text) {
+    return text.find(word) != std::string::npos;
+  }));
+}
 bool mentions(const std::vector<std::string>& texts, const std::string& word) {
-  return std::any_of(texts.begin(), texts.end(),
-                     [&word](const std::string& text) { return text.find(word) != std::string::npos; });
+  return count_mentions(texts, word) > 0;
 }
 
 } // namespace
@@ -200,6 +205,14 @@ TEST_CASE("ladder: a larger tolerance never leads to a more expensive rung") {
       CHECK(ladder.tolerance_met == !mentions(ladder.validity.notes, "tolerance"));
       changes += ladder.chosen != last;
       last = ladder.chosen;
+      std::size_t cheaper = 0; // cheaper rungs, each better by a twentieth than all before
+      double least = 1e300;
+      for (std::size_t k = 0; k < ladder.chosen; ++k)
+        if (const auto error = ladder.rungs[k].largest_error(); error && *error < 0.95 * least) {
+          ++cheaper;
+          least = *error;
+        }
+      CHECK(count_mentions(ladder.advice, "would be enough") == cheaper);
     }
   }
   CHECK(changes >= static_cast<int>(answers.size()));
@@ -240,6 +253,16 @@ TEST_CASE("ladder: missing inputs are listed, with their benefit") {
   CHECK(mentions(ladder.advice, "fabric"));
   CHECK(mentions(ladder.advice, "a packing"));
   CHECK(*ladder_of(q, 0.02).rungs[3].largest_error() < *ladder.rungs[3].largest_error());
+}
+
+TEST_CASE("ladder: the error of rung 3 is told by its parts") {
+  const estimate::Answer answer = estimate::answer(known(recorded().front()));
+  std::set<std::string> sources; // of an answer whose contacts were counted: the calibration alone
+  for (const estimate::Effect& effect : answer.effects())
+    if (effect.low != effect.high)
+      sources.insert(effect.input);
+  const std::string text = estimate::choose(answer, 0.05).rungs[3].error_source;
+  CHECK(static_cast<std::size_t>(std::count(text.begin(), text.end(), '%')) == sources.size());
 }
 
 TEST_CASE("ladder: a better known input may allow a cheaper rung") {

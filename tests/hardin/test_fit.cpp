@@ -11,6 +11,7 @@
 #include <granum/core/stop.hpp>
 #include <gsl/gsl_errno.h>
 #include <relative.hpp>
+#include <thresholds.hpp>
 
 using namespace granum;
 using namespace granum::hardin;
@@ -212,6 +213,15 @@ TEST_CASE("a proportional path gives only s, with a note") {
   CHECK(report.fit().parameters == std::vector<std::string>{"C", "s"});
   CHECK(report.fit().validity.notes.size() == 1);
 
+  // A stress ratio other than 1, and one that changes from row to row, are noted from 1 % on.
+  for (const bool all : {true, false})
+    check_threshold(1.01005, [&](double ratio) { // ln 0.01
+      auto rows = measured(truth, isotropic_path());
+      for (std::size_t k = all ? 0 : 4; k < (all ? rows.size() : 5); ++k)
+        rows[k].state.stress_j *= ratio;
+      return fit_exponent_sum(rows, with(Weights::absolute)).fit().validity.notes.size();
+    });
+
   // one stress alone changes: m is known, n and s are not
   states.clear();
   for (int k = 1; k <= 6; ++k)
@@ -252,6 +262,37 @@ TEST_CASE("stresses that hardly determine m and n separately give a note and lar
   CHECK_FALSE(report.fit().validity.ok());
   CHECK(report.fit().exponent_i->standard_error > 0.1);
   CHECK(report.fit().exponent_sum.standard_error < 0.02);
+}
+
+TEST_CASE("stresses that tell no exponent, or only their sum, are refused from where on") {
+  const Equation truth = equation(215, 0.273, 0.237);
+  const auto refused = [&](auto fitter, double spread, double power) { // sigma_j ~ sigma_i^power
+    std::vector<SoilState> states;
+    for (const double at : {-0.5, -0.5, 0.5, 0.5})
+      states.push_back({pa * std::exp(spread * at), pa * std::exp(power * spread * at), 0.56});
+    return refusal(fitter, measured(truth, states));
+  };
+  check_threshold(1e-3, [&](double spread) { return refused(fit_exponent_sum, spread, 1).empty() ? 1 : 0; });
+  for (const double off : {-0.01, 0.01}) { // of the direction, a unit vector, from equal parts
+    const double angle = std::asin(off / std::sqrt(2.0)), steeper = std::tan(M_PI / 4 + angle);
+    const auto at = [&](double share) { return refused(fit, 1, 1 + share * (steeper - 1)); };
+    CHECK(at(0.98) == at(0));
+    CHECK(at(1.02) != at(0));
+  }
+  const auto across = [&](double width) { // a little off one line
+    auto rows = measured(truth, isotropic_path());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      rows[k].state.stress_j *= std::exp(k % 2 == 0 ? width : -width);
+    return refusal(fit, rows).empty() ? 1 : 0;
+  };
+  double squares = 0, sum = 0; // along the line: root mean square of sqrt(2) ln stress
+  for (int k = 1; k <= 10; ++k) {
+    sum += std::log(k);
+    squares += std::log(k) * std::log(k);
+  }
+  const double along = std::sqrt(2 * (squares / 10 - sum * sum / 100));
+  CHECK(across(0.9e-3 * std::sqrt(2.0) * along) == 0);
+  CHECK(across(1.1e-3 * std::sqrt(2.0) * along) == 1);
 }
 
 TEST_CASE("rows that cannot be fitted are refused") {

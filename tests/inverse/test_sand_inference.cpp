@@ -158,6 +158,13 @@ TEST_CASE("V_p and V_s together determine contacts, V_s alone does not") {
   CHECK(found.poisson_ratio().value < 0.16);
   const estimate::Range z = found.contacts(Field::mechanical_coordination_number, at(1e5));
   CHECK(z.value > estimate::answer(quartz())[Field::mechanical_coordination_number].value);
+  CHECK(z.high / z.value == relative(z.value / z.low, 1e-12));
+  const std::vector exact{measured(Quantity::V_s, 250, 0.005, 1e5),
+                          measured(Quantity::V_p, 250 * ratio, 0.005, 1e5)};
+  const estimate::Range narrow =
+      infer_sand(exact, quartz()).contacts(Field::mechanical_coordination_number, at(1e5));
+  CHECK(z.high / z.value > 1.001 * narrow.high / narrow.value);
+  CHECK(narrow.high > narrow.value);
   CHECK_FALSE(infer_sand(std::span(both).first(1), quartz()).tells_contacts());
 }
 

@@ -8,12 +8,13 @@ one copy of the project, each asleep until the environment variable GRANUM_FAULT
 
   faults.py choose   a new list: places at random, spread over the modules by their lines
   faults.py plant    the copy, with all faults of the list
-  faults.py build    builds it; faults that do not compile leave the list
-  faults.py run      each fault against the unit tests of its module, then all others; what survives is printed
+  faults.py build    builds it; faults that do not compile are marked
+  faults.py run      each fault against the tests of its module, then the unit tests of others; what survives is printed
 """
 import argparse
 import collections
 import csv
+import json
 import os
 import pathlib
 import random
@@ -21,13 +22,28 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 from concurrent.futures import ThreadPoolExecutor
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 LIST = pathlib.Path(__file__).with_name("faults.tsv")
+uncompilable = "does not compile"  # instead of a reason: these keep their numbers while a copy is in use
 FIELDS = ["module", "file", "place", "operator", "line", "harmless"]
 
 NUMBER = r"(?<![\w.\"'])(\d+\.\d*(?:e-?\d+)?|\d+e-?\d+|\d+)(?![\w.\"'])"
+
+
+def as_condition(text):
+    """A name alone may be that of a value that is there or not."""
+    return ("bool" if re.fullmatch(r"[\w.]+", text) else "") + f"({text})"
+
+
+def other_constant(kind, value, n):
+    """As fault.hpp's number, but not known when it is compiled, where a constant would stay as it is."""
+    other = value + " + 1" if kind != "double" or float(value) == 0 else "1.25 * " + value
+    return f"(granum::planted::awake() == {n} ? {kind}({other}) : {kind}({value}))"
+
+
 # Operator: pattern of its places in a line whose comments and strings are blank, and what is written there.
 OPERATORS = {
     "sign": (re.compile(r" [-+] (?=[\w(])"), lambda m, n: f"{m[0]}granum::planted::sign({n}) * "),
@@ -37,11 +53,11 @@ OPERATORS = {
     "bound": (re.compile(r"(?<=[\w)\]] )(?:[<>]=?|==) " + NUMBER),
               lambda m, n: m[0].replace(m[1], f"granum::planted::number({n}, {m[1]})")),
     "constant": (re.compile(r"\bconstexpr (double|int|std::size_t) (\w+) = " + NUMBER),
-                 lambda m, n: f"const {m[1]} {m[2]} = granum::planted::number({n}, {m[1]}({m[3]}))"),
+                 lambda m, n: f"const {m[1]} {m[2]} = {other_constant(m[1], m[3], n)}"),
     "index": (re.compile(r"(?<=\[)\d(?=\])"), lambda m, n: f"granum::planted::index({n}, {m[0]})"),
     "unit": (re.compile(r"(?<![\w.])1e-?[369]\b"), lambda m, n: f"granum::planted::unit({n}, {m[0]})"),
     "condition": (re.compile(r"(?<=\bif \()[^;]+(?=\)( \{| [\w].*;)?$)|(?<=\breturn )[^?;]+(?= \? )"),
-                  lambda m, n: f"granum::planted::flip({n}) != ({m[0]})"),
+                  lambda m, n: f"granum::planted::flip({n}) != {as_condition(m[0])}"),
     "extreme": (re.compile(r"\bstd::(max|min)\((?!\{)"),
                 lambda m, n: f"granum::planted::{'larger' if m[1] == 'max' else 'smaller'}({n}, "),
 }
@@ -50,7 +66,7 @@ SKIPPED = re.compile(r"constexpr(?! (double|int|std::size_t) \w+ =)|static_asser
 
 def code_of(text):
     """Lines with comments, strings and characters blank, of the same lengths."""
-    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
     return pattern.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text).split("\n")
 
 
@@ -112,7 +128,9 @@ def plant(options):
     at, stale = {}, []
     tracked = subprocess.run(["git", "ls-files"], cwd=SOURCE, check=True, capture_output=True, text=True).stdout
     texts = {name: None for name in tracked.split("\n") if name}
-    for number, (_, name, place, operator, line, _) in faults().items():
+    for number, (_, name, place, operator, line, harmless) in faults().items():
+        if harmless == uncompilable:
+            continue
         text = texts.get(name) or ((SOURCE / name).read_text() if name in texts else "")
         lines = text.split("\n")
         where = [k for k, one in enumerate(lines) if one.strip() == line]
@@ -152,7 +170,7 @@ class _Real:
 
 
 def build(options):
-    """Until it builds: faults in lines that do not compile leave the list."""
+    """Until it builds: faults in lines that do not compile are marked."""
     tree = options.copy / "build"
     while True:
         at = plant(options)
@@ -168,42 +186,93 @@ def build(options):
         drop = {number for number, place in at.items() if place in wrong}
         if not drop:
             sys.exit(done.stdout[-8000:])
-        print(f"{len(drop)} faults do not compile")
-        write([row for number, row in faults().items() if number not in drop])
+        print(f"{len(drop)} faults do not compile", flush=True)
+        write([row[:5] + [uncompilable if number in drop else row[5]] for number, row in faults().items()])
 
 
-def caught(options, number, program):
-    """Whether a test program fails with the fault."""
+def seconds(command, number, longest):
+    """How long a test command takes that passes with the fault; none if it fails."""
+    start = time.monotonic()
     try:
-        return subprocess.run([program, "--abort-after=1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              cwd=program.parent, timeout=options.longest,
-                              env={**os.environ, "GRANUM_FAULT": str(number)}).returncode != 0
+        code = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=longest,
+                              cwd=pathlib.Path(command[0]).parent,
+                              env={**os.environ, "GRANUM_FAULT": str(number)}).returncode
     except subprocess.TimeoutExpired:
-        return True
+        return None
+    return time.monotonic() - start if code == 0 else None
+
+
+def commands(options):
+    """Test programs by module; the runs of the program granum, in one, are "runs"."""
+    tree = options.copy / "build"
+    found = {p.name[len("test_"):]: [p, "--abort-after=1"] for p in sorted((tree / "tests").glob("*/test_*"))
+             if os.access(p, os.X_OK) and p.is_file()}
+    if (tree / "granum").exists():
+        found["runs"] = [shutil.which("ctest"), "--test-dir", tree, "-L", "^cli$", "-LE", "slow", "--stop-on-failure",
+                         f"-j{options.jobs}"]
+    return found
+
+
+# Of a room of the program, the runs that begin so; of others those with its name.
+RUNS = {"document": "answer|estimate|export", "frame": "help|estimate|completion|unknown|no sub", "sweep": "sweep|depth|curves",
+        "estimate": "answer|estimate|sands", "options": "people|units|scene|sands", "reference": "manual|completion"}
+RUNS["all"] = "|".join(["analyse|fit|infer|plan|reproduce|trade|verify", *RUNS.values()])
+
+
+def told(command, name, row):
+    """A test command for a fault."""
+    room = row[0].split("/")[-1]
+    return [*command, "-R", f"^cli: ({RUNS.get(room, room)})", "-E", "resume"] if name == "runs" else command
+
+
+def own_tests(row):
+    """Of the module of a fault."""
+    own = row[0].split("/")[0]
+    return {"cli": ["document", "runs"], "studies": ["studies", "document"]}.get(own, [own])
 
 
 def run(options):
     """What catches each fault, in the file of results; what is there is not run again."""
-    programs = {p.name[len("test_"):]: p for p in sorted((options.copy / "build/tests").glob("*/test_*"))
-                if os.access(p, os.X_OK) and p.is_file()}
+    tests = commands(options)
+    wanted = set(tests)
+    if options.own:
+        wanted = {own for row in faults().values() if row[0].startswith(options.module) for own in own_tests(row)}
+    times = options.results.with_suffix(".json")  # of programs without a fault; measured again where they are newer
+    known = json.loads(times.read_text()) if times.exists() else {}
+    healthy = {}
+    for name in sorted(wanted & set(tests)):
+        program = options.copy / "build/granum" if name == "runs" else pathlib.Path(tests[name][0])
+        built = program.stat().st_mtime
+        if known.get(name, [0, 0])[0] != built:
+            known[name] = [built, seconds(told(tests[name], name, ["cli/all"]), 0, 2000)]
+            times.write_text(json.dumps(known))
+        if known[name][1] is None:
+            print("fails without a fault, not used:", name)
+        else:
+            healthy[name] = known[name][1]
+    print("seconds without a fault:", {name: round(one, 1) for name, one in healthy.items()}, flush=True)
     done = {}
     if options.results.exists():
         done = {tuple(row[:5]): row[5] for row in csv.reader(options.results.open(newline=""), delimiter="\t")}
 
     def judge(item):
         number, row = item
-        if row[5] or tuple(row[:5]) in done:
+        key = tuple(row[:5])
+        order = [name for name in own_tests(row) if name in healthy]
+        if row[5] or not order or not row[0].startswith(options.module) or (key in done and not (options.again and done[key] == "-")):
             return
-        own = row[0].split("/")[0]
-        order = sorted(programs, key=lambda name: (name != own, name))
-        by = next((name for name in order if caught(options, number, programs[name])), "-")
+        if not options.own:
+            order += [name for name in sorted(healthy, key=healthy.get)
+                      if name not in order and name != "runs" and healthy[name] <= options.longest]
+        by = next((name for name in order
+                   if seconds(told(tests[name], name, row), number, 20 + 4 * healthy[name]) is None), "-")
         with options.results.open("a", newline="") as file:
-            csv.writer(file, delimiter="\t", lineterminator="\n").writerow([*row[:5], by])
-        done[tuple(row[:5])] = by
+            csv.writer(file, delimiter="\t", lineterminator="\n").writerow([*key, by])
+        done[key] = by
 
     with ThreadPoolExecutor(options.jobs) as pool:
         list(pool.map(judge, faults().items()))
-    counted = [(row, done[tuple(row[:5])]) for row in faults().values() if not row[5]]
+    counted = [(row, done.get(tuple(row[:5]), "-")) for row in faults().values() if not row[5]]
     for row, by in counted:
         if by == "-":
             print(f"survives: {row[1]} ({row[3]} {row[2]}): {row[4]}")
@@ -223,7 +292,10 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--define", action="append", default=[], help="passed to cmake, such as -DNAME=VALUE")
     parser.add_argument("--targets", nargs="*", default=[])
-    parser.add_argument("--longest", type=float, default=120, help="seconds of a test program that ends")
+    parser.add_argument("--longest", type=float, default=1e9, help="seconds of a test program of another module")
+    parser.add_argument("--own", action="store_true", help="the tests of the fault's module alone")
+    parser.add_argument("--module", default="", help="whose faults are run, by the first letters of its name")
+    parser.add_argument("--again", action="store_true", help="what survived is run again")
     parser.add_argument("--results", type=pathlib.Path, default=SOURCE / "build/planted/results.tsv")
     options = parser.parse_args()
     {"choose": choose, "plant": plant, "build": build, "run": run}[options.step](options)

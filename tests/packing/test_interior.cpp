@@ -109,6 +109,12 @@ TEST_CASE("the interior of a box: volume, members, and shares of a branch") {
   CHECK(inside.share({1, 5, 5}, {8, 0, 0}) == relative(0.75, 1e-14));
   CHECK(inside.share({1, 1, 5}, {0.5, 8, 0}) == 0);
   CHECK(inside.share({9, 5, 5}, {-4, 0, 0}) == relative(0.75, 1e-14));
+  // A window holds what lies in it, also through the faces of the cell.
+  const packing::Interior window(cell, {1, 2, 3}, {4, 6, 11});
+  for (const Vec3& x : {Vec3{2, 5, 8}, Vec3{12, 5, 0.5}, Vec3{-8, -5, 8}})
+    CHECK(window.holds(x));
+  for (const Vec3& x : {Vec3{0.9, 5, 8}, Vec3{4.1, 5, 8}, Vec3{2, 6.1, 8}, Vec3{2, 5, 2.9}, Vec3{2, 5, 1.1}})
+    CHECK_FALSE(window.holds(x));
   CHECK_THROWS_AS(packing::Interior(cell, 5), InvalidArgument);
   CHECK_THROWS_AS(packing::Interior(cell, -1), InvalidArgument);
 }

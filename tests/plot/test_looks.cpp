@@ -163,3 +163,64 @@ TEST_CASE("a rose shows its series in all four quadrants, errors in one") {
   chart.series.clear();
   CHECK(well_formed(svg(chart)));
 }
+
+TEST_CASE("titles are in the middle of their axes, ticks outside, legends go down, and all is inside of the "
+          "picture") {
+  // Numbers of an attribute, of all elements that begin so.
+  const auto all = [](const std::string& picture, const std::string& begin, const std::string& name) {
+    std::vector<double> found;
+    for (std::size_t at = picture.find(begin); at != std::string::npos; at = picture.find(begin, at + 1)) {
+      const std::string element = picture.substr(at, picture.find('>', at) - at);
+      if (element.find(" " + name + "=\"") != std::string::npos)
+        found.push_back(attribute(element, name));
+    }
+    return found;
+  };
+  Chart chart = chart_of({1, 3, 10}, {1, 5, 10}, Scale::logarithmic);
+  chart.series[0].name = "one";
+  chart.series.push_back({.name = "two", .x = {1, 10}, .y = {2, 3}});
+  chart.triangles = {{.x0 = 2, .x1 = 5, .y0 = 2, .slope = 0.5, .text = "s"}};
+  Chart rose = chart_of({0, 0.7, 1.5}, {1, 1.5, 2});
+  rose.title = "rose";
+  rose.rose = true;
+  for (const Chart& one : {chart, rose}) {
+    const std::string picture = svg(one);
+    for (const auto& [size, names] : {std::pair("width", std::array{"x", "x1", "x2", "cx"}),
+                                      {"height", std::array{"y", "y1", "y2", "cy"}}})
+      for (const char* const name : names)
+        for (const double place : all(picture, "<", name))
+          CHECK((place >= 0 && place <= attribute(picture, size)));
+    for (const double r : all(picture, "<circle", "r"))
+      CHECK(all(picture, "<circle", "cy").front() - r >
+            (one.rose ? all(picture, "<text class=\"title\"", "y").front() : 0));
+  }
+  const std::string picture = svg(chart);
+  const auto x1 = all(picture, "<line", "x1"), x2 = all(picture, "<line", "x2"),
+             y1 = all(picture, "<line", "y1"), y2 = all(picture, "<line", "y2");
+  double top = 1e9, foot = 0;
+  std::vector<double> ticks; // of the axis below
+  for (std::size_t k = 0; k < x1.size(); ++k)
+    if (x1[k] == x2[k] && y2[k] - y1[k] > 50)
+      top = std::min(top, y1[k]), foot = std::max(foot, y2[k]);
+  for (std::size_t k = 0; k < x1.size(); ++k)
+    if (x1[k] == x2[k] && y1[k] == foot)
+      ticks.push_back(y2[k] - foot);
+  CHECK(ticks.size() == 10);
+  CHECK(*std::min_element(ticks.begin(), ticks.end()) > 0);
+  CHECK(static_cast<std::size_t>(
+            std::count(ticks.begin(), ticks.end(), *std::max_element(ticks.begin(), ticks.end()))) ==
+        texts(picture, "x-label").size());
+  CHECK(all(picture, "<text class=\"y-title\"", "y").front() == relative((top + foot) / 2, 1e-3));
+  const double paper = all(picture, "<rect class=\"paper\"", "y").front(),
+               text = all(picture, "<text class=\"slope\"", "y").front();
+  CHECK((paper < text && text < paper + all(picture, "<rect class=\"paper\"", "height").front()));
+  const auto legend = all(picture, "<text class=\"legend\"", "y");
+  REQUIRE(legend.size() == 2);
+  CHECK(legend[1] > legend[0]);
+  double from = 0, y = 0, to = -1; // of the line in the legend
+  for (std::size_t at = picture.find("d=\"M"); at != std::string::npos && to < 0;
+       at = picture.find("d=\"M", at + 1))
+    if (std::sscanf(picture.c_str() + at, "d=\"M%lf,%lfH%lf", &from, &y, &to) < 3)
+      to = -1;
+  CHECK((to > from && to < all(picture, "<text class=\"legend\"", "x").front()));
+}

@@ -99,6 +99,29 @@ TEST_CASE("contact cement: a published value") {
   CHECK(contact_cement(example(), CementScheme::at_contacts).bulk_modulus == relative(10.68e9, 5e-4));
 }
 
+TEST_CASE(
+    "contact cement: the regression as it is printed") { // [Dvorkin and Nur 1996, as the Rock Physics Handbook has it]
+  for (const double nu : {0.0, 0.2, 0.4}) {
+    CementedPacking p = example();
+    p.poisson_ratio = nu;
+    const double n = p.coordination_number * (1 - p.porosity), Gc = p.cement_shear_modulus,
+                 nc = p.cement_poisson_ratio, a = cement_radius_ratio(p, CementScheme::at_contacts),
+                 Ln = 2 * Gc * (1 - nu) * (1 - nc) / (M_PI * p.shear_modulus * (1 - 2 * nc)),
+                 Lt = Gc / (M_PI * p.shear_modulus), M = 2 * Gc * (1 - nc) / (1 - 2 * nc);
+    const double Sn = -0.024153 * std::pow(Ln, -1.3646) * a * a + 0.20405 * std::pow(Ln, -0.89008) * a +
+                      0.00024649 * std::pow(Ln, -1.9864);
+    const double nn = nu * nu;
+    const double St =
+        -0.01 * (2.26 * nn + 2.07 * nu + 2.3) * std::pow(Lt, 0.079 * nn + 0.1754 * nu - 1.342) * a * a +
+        (0.0573 * nn + 0.0937 * nu + 0.202) * std::pow(Lt, 0.0274 * nn + 0.0529 * nu - 0.8765) * a +
+        1e-4 * (9.654 * nn + 4.945 * nu + 3.1) * std::pow(Lt, 0.01867 * nn + 0.4011 * nu - 1.8186);
+    const auto found = contact_cement(p, CementScheme::at_contacts);
+    const double K = n * M * Sn / 6;
+    CHECK(found.bulk_modulus == relative(K, 1e-12));
+    CHECK(found.shear_modulus == relative(0.6 * K + 3 * n * Gc * St / 20, 1e-12));
+  }
+}
+
 TEST_CASE("contact cement: the discs contain the given volume of cement") {
   // Between paraboloids of gap r^2/R a disc of radius a holds pi a^4/(2 R); half of it for each grain.
   const auto p = example();

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 #include <granum/core/error.hpp>
 #include <relative.hpp>
+#include <thresholds.hpp>
 
 using namespace granum;
 using namespace granum::sands;
@@ -87,7 +88,16 @@ TEST_CASE("pooled law: stated factors, wider outside of the tests and never beyo
   CHECK(stated_factor({.quartz = false}, 0.7, 100e3) == relative(1.6, ulps));
   CHECK(stated_factor({.fines = 0.2}, 0.7, 100e3) == relative(1.6, ulps));
   CHECK(stated_factor({.fines = 0.03}, 0.7, 100e3) == relative(1.4, ulps));
-  CHECK(stated_factor({}, 0.7, 1e6) > 1.45);
+  const auto widened = [](double by) { return relative(std::exp(std::hypot(std::log(1.4), by)), 1e-12); };
+  CHECK(stated_factor({}, 0.7, 1e6) == widened(0.3 * std::log(2)));
+  CHECK(stated_factor({}, 0.35, 100e3) == widened(3 * 0.05));
+  CHECK(stated_factor({}, 0.98, 100e3) == widened(3 * 0.05));
+  const double loose = std::exp(std::hypot(std::log(1.45), 3 * (0.907 - 0.601) * 0.1)); // of usual limits
+  CHECK(stated_factor({.relative_density = 1.1}, 0.7, 100e3) == relative(loose, 1e-12));
+  const double dense =
+      std::exp(std::hypot(std::log(1.35), 3 * 0.04)); // a tenth of e_max - e_min beyond e_min
+  CHECK(stated_factor({.least_void_ratio = 0.5, .largest_void_ratio = 0.9}, 0.46, 100e3) ==
+        relative(dense, 1e-12));
   CHECK(stated_factor({}, 0.7, 500e3) == stated_factor({}, 0.7, 25e3));
   CHECK(stated_factor({}, 0.7, 20e3) > 1.4);
   CHECK(stated_factor({}, 1.2, 100e3) == 1.9);
@@ -128,21 +138,61 @@ TEST_CASE("limits of the void ratio by C_u: mean limits of tested sands, closer 
   CHECK(usual_limits(50).least == usual_limits(8).least);
 }
 
-TEST_CASE("pooled law: silt is refused, and fines up to one half are noted") {
-  CHECK_THROWS_AS(require_sand({.d50 = 0.05e-3}), InvalidArgument);
-  CHECK_THROWS_AS(require_sand({.fines = 0.51}), InvalidArgument);
-  CHECK_NOTHROW(require_sand({.d50 = 0.063e-3, .fines = 0.5}));
-  CHECK_THROWS_AS((void)G({.d50 = 0.005e-3}, 0.9, 100e3), InvalidArgument);
-  CHECK(outside_of_tests({.fines = 0.05}, 0.7, 100e3).ok());
-  CHECK(outside_of_tests({.fines = 0.06}, 0.7, 100e3).notes.size() == 1);
-}
-
-TEST_CASE("pooled law: values outside of the tests are reported") {
-  CHECK(outside_of_tests(uniform, 0.7, 100e3).ok());
-  CHECK(outside_of_tests(uniform, 0.7, 0).ok());
-  CHECK(outside_of_tests(uniform, 0.7, 500).ok()); // such stresses are in every ground: the range is wider
-  CHECK(stated_factor(uniform, 0.7, 500) == 1.9);
-  CHECK(outside_of_tests({.uniformity = 12, .d50 = 10e-3, .quartz = false}, 0.3, 5e6).notes.size() == 5);
+TEST_CASE("pooled law: what is refused or noted, and from where on") {
+  const Sand limited{.least_void_ratio = 0.55, .largest_void_ratio = 0.95};
+  using Change = void (*)(Sand&, double&, double&, double);
+  const auto threshold = [](double at, const Sand& sand, Change change, bool refused = false) {
+    check_threshold(at, [&](double value) {
+      Sand changed = sand;
+      double e = 0.7, p = 100e3;
+      change(changed, e, p, value);
+      if (!refused)
+        return outside_of_tests(changed, e, p).notes.size();
+      try {
+        (void)G(changed, e, p);
+      } catch (const InvalidArgument&) {
+        return std::size_t{1};
+      }
+      return std::size_t{0};
+    });
+  };
+  // noted
+  for (const double e : {0.40, 0.93})
+    threshold(e, {}, [](Sand&, double& of, double&, double x) { of = x; });
+  threshold(2e6, {}, [](Sand&, double&, double& p, double x) { p = x; });
+  threshold(8, {}, [](Sand& s, double&, double&, double x) { s.uniformity = x; });
+  threshold(4.75e-3, {}, [](Sand& s, double&, double&, double x) { s.d50 = x; });
+  threshold(0.05, {}, [](Sand& s, double&, double&, double x) { s.fines = x; });
+  threshold(1.005, {}, [](Sand& s, double&, double&, double x) { s.relative_density = x; });
+  threshold(0.32, {.largest_void_ratio = 0.75},
+            [](Sand& s, double& e, double&, double x) { e = *(s.least_void_ratio = x); });
+  threshold(0.85, {.largest_void_ratio = 1.1},
+            [](Sand& s, double& e, double&, double x) { e = *(s.least_void_ratio = x); });
+  for (const double largest : {0.64, 0.74, 1.07})
+    threshold(largest, {.least_void_ratio = largest < 0.7 ? 0.4 : 0.55},
+              [](Sand& s, double& e, double&, double x) { s.largest_void_ratio = x, e = 0.6; });
+  CHECK(outside_of_tests({.quartz = false}, 0.7, 100e3).notes.size() == 1);
+  for (const double p : {0.0, 500.0}) // such stresses are in every ground: the range is wider
+    CHECK(outside_of_tests(uniform, 0.7, p).ok());
+  // refused
+  threshold(
+      20, {}, [](Sand& s, double&, double&, double x) { s.uniformity = x; }, true);
+  threshold(
+      0.063e-3, {}, [](Sand& s, double&, double&, double x) { s.d50 = x; }, true);
+  threshold(
+      0.5, {}, [](Sand& s, double&, double&, double x) { s.fines = x; }, true);
+  threshold(
+      1.2, {}, [](Sand& s, double&, double&, double x) { s.relative_density = x; }, true);
+  for (const double apart : {-0.02, 0.02}) // from 0.625, that of e
+    threshold(
+        0.625 + apart, limited, [](Sand& s, double&, double&, double x) { s.relative_density = x; }, true);
+  threshold(
+      0.95, limited, [](Sand&, double& e, double&, double x) { e = x; }, true);
+  threshold(
+      0.95 - 1.2 * 0.4, limited, [](Sand&, double& e, double&, double x) { e = x; }, true);
+  threshold(
+      0.601 - 0.2 * (0.907 - 0.601), {.least_void_ratio = 0.601},
+      [](Sand&, double& e, double&, double x) { e = x; }, true);
 }
 
 TEST_CASE("Poisson's ratio of sands: 0.20 at 100 kPa, 0.05 less per decade, constant beyond its ends") {

@@ -210,6 +210,8 @@ TEST_CASE("a sieve curve that cannot be is refused at its point") {
   refused({{1e-3, 0}, {1e-3, 1}}, "sieve curve, point 2: d must be larger than at the point before");
   refused({{1e-3, 0}, {2e-3, 0.6}, {3e-3, 0.5}, {4e-3, 1}},
           "sieve curve, point 3: less passes than at the point before");
+  refused({{1e-3, 0.6}, {2e-3, 0.5}, {4e-3, 1}},
+          "sieve curve, point 2: less passes than at the point before");
   refused({{0, 0}, {1e-3, 1}}, "sieve curve, point 1: d = 0 m is outside (0, inf)");
   refused({{1e-4, 0}, {1e-3, 60}}, "sieve curve, point 2: passing = 60 is outside [0, 1], or 0 to 100 %");
   refused({{1e-10, 0}, {1e-3, 1}}, "sieve curve, point 2: d is more than 1e6 times that of the first point");

@@ -134,6 +134,13 @@ TEST_CASE("flat contacts: G constant is claimed of dense specimens, and not of l
   const Synthetic constant{.m = 0, .n = 0};
   const auto dense = experiment_verdicts(synthetic_experiment(one_kind(Shape::flat), constant));
   CHECK(verdict(dense, "dense flat (seed 1): G constant").holds);
+  for (const bool horizontal : {true, false}) { // one of both moduli
+    Experiment experiment = synthetic_experiment(one_kind(Shape::flat), constant);
+    std::array<double, 36>& network = experiment.specimens[0].runs[2].points[1].network;
+    for (const int place : horizontal ? std::vector{35} : std::vector{21, 28})
+      network[static_cast<std::size_t>(place)] *= 1.1;
+    CHECK_FALSE(verdict(experiment_verdicts(experiment), "dense flat (seed 1): G constant").holds);
+  }
   const auto loose =
       experiment_verdicts(synthetic_experiment(one_kind(Shape::flat, Density::loose), constant));
   CHECK_FALSE(verdict(loose, "loose flat (seed 1): G not constant").holds);

@@ -49,6 +49,13 @@ TEST_CASE("force chains are as wide as their force, those above the mean in colo
                            "carry 75 % of all force.");
 }
 
+TEST_CASE("force chains are drawn the same wherever the packing is") {
+  packing::Assembly moved = row();
+  for (Vec3& x : moved.position)
+    x += Vec3{100, 7, -50};
+  CHECK(force_chains(moved)->in_page == force_chains(row())->in_page);
+}
+
 TEST_CASE("without pressing contacts there are no chains") {
   packing::Assembly packing = row();
   for (packing::Contact& contact : packing.contacts)

@@ -9,6 +9,8 @@
 
 #include "read_specimen.hpp"
 #include "relative.hpp"
+#include "studies/analyse/frame_warnings.hpp"
+#include "thresholds.hpp"
 #include "written_packing.hpp"
 
 using namespace granum;
@@ -53,6 +55,82 @@ io::ImportedPacking from_dump(const std::string& grains, const std::string& cont
 TEST_CASE("frame warnings: a specimen at rest has none") {
   CHECK(studies::measure_frame(through_dump(specimen())).warnings.empty());
   CHECK(studies::measure_frame(through_csv(specimen()), given_modulus, wanted()).warnings.empty());
+}
+
+TEST_CASE("frame warnings: each begins at its threshold") {
+  const io::ImportedPacking good = through_dump(specimen());
+  studies::MeasuredFrame measured = studies::measure_frame(good, given_modulus, wanted());
+  REQUIRE(measured.warnings.empty());
+  REQUIRE(measured.packing.fabric->density);
+  REQUIRE(measured.packing.law_check);
+  using Change = void (*)(io::ImportedPacking&, analysis::Measurement&, double);
+  const std::pair<double, Change> rows[] = {
+      {0.2, [](auto&, auto& m, double x) { m.void_ratio = x; }},
+      {3, [](auto&, auto& m, double x) { m.void_ratio = x; }},
+      {10, [](auto& p, auto&, double x) { p.assembly.radius[0] *= x; }},
+      {0.01, [](auto&, auto& m, double x) { m.fabric->density->chi_square.p_value = x; }},
+      {0.01, [](auto&, auto& m, double x) { m.fabric->axisymmetry->both.p_value = x; }},
+      {1e-3, [](auto&, auto& m, double x) { m.forces->unbalance->force_ratio = x; }},
+      {0.02,
+       [](auto&, auto& m, double x) {
+         m.moments = "contacts carry moments";
+         m.forces->unbalance = packing::Unbalance{.force_ratio = 0, .moment_ratio = x};
+       }},
+      {0.06,
+       [](auto&, auto& m, double x) {
+         m.moments = "contacts carry moments";
+         m.forces->unbalance = packing::Unbalance{.force_ratio = 0.02, .moment_ratio = x};
+       }},
+      {0.01, [](auto&, auto& m, double x) { m.law_check->misfit_90 = x; }},
+      {0.99, [](auto&, auto& m, double x) { m.law_check->coefficient_ratio = x; }},
+      {1.01, [](auto&, auto& m, double x) { m.law_check->coefficient_ratio = x; }},
+      {1e6, [](auto&, auto& m, double x) { m.grain->shear_modulus = x; }},
+      {1e12, [](auto&, auto& m, double x) { m.grain->shear_modulus = x; }},
+      {0.05,
+       [](auto& p, auto& m, double x) {
+         p.notes.push_back({io::Finding::units_unknown, ""});
+         m.grain.reset();
+         m.sizes.equivalent = x;
+       }},
+      {0.1,
+       [](auto&, auto& m, double x) {
+         m.counts.contacts = 2000;
+         m.stress->symmetric = Mat3::diagonal(1, 1 + x, 1 - x);
+       }},
+      {0.1,
+       [](auto&, auto& m, double x) {
+         m.counts.contacts = 2000;
+         m.stress->symmetric = Mat3::identity();
+         m.stress->symmetric(0, 2) = m.stress->symmetric(2, 0) = x / 2;
+       }},
+      {0.4, // of a hundred contacts
+       [](auto&, auto& m, double x) {
+         m.counts.contacts = 100;
+         m.stress->symmetric = Mat3::diagonal(1 + x, 1, 1 - x);
+       }},
+      {20,
+       [](auto&, auto& m, double x) {
+         m.counts.contacts = static_cast<std::size_t>(x);
+         m.stress->symmetric = Mat3::diagonal(2, 0, 1);
+       }},
+  };
+  for (const auto& row : rows)
+    check_threshold(row.first, [&](double value) {
+      io::ImportedPacking packing = good;
+      studies::MeasuredFrame frame = measured;
+      row.second(packing, frame.packing, value);
+      studies::add_warnings(packing, frame);
+      return frame.warnings.size();
+    });
+  const auto median = 1 / analysis::rounded_share(good.assembly, 1);
+  check_threshold(0.01 * median, [&](double x) {
+    io::ImportedPacking packing = good;
+    packing.notes.push_back({io::Finding::few_digits, ""});
+    packing.rounding.overlap = x;
+    studies::MeasuredFrame frame = measured;
+    studies::add_warnings(packing, frame);
+    return frame.warnings.size();
+  });
 }
 
 TEST_CASE("frame warnings: few digits are reported by their effect on the overlaps") {

@@ -8,6 +8,8 @@
 
 #include "read_specimen.hpp"
 #include "studies/analyse/measured_frame.hpp"
+#include "studies/analyse/mistakes.hpp"
+#include "thresholds.hpp"
 #include "written_packing.hpp"
 
 using namespace granum;
@@ -89,6 +91,31 @@ TEST_CASE("mistakes: rows of contacts that are missing") {
   packing::Assembly one = specimen();
   one.contacts.pop_back();
   CHECK_FALSE(warns_of_mistake(through_dump(one), "are in no row"));
+}
+
+TEST_CASE("mistakes: rows are missed from a tenth of the usual overlap on, more than one in twenty of them") {
+  const auto noted = [](std::size_t listed, std::size_t missing, double overlap) {
+    io::ImportedPacking packing;
+    packing::Assembly& a = packing.assembly;
+    a.cell = Mat3::diagonal(600, 10, 10);
+    for (std::uint32_t k = 0; k < listed + missing; ++k) { // pairs along x, each apart from the others
+      const double deep = 1e-3 * (k < listed ? 1 : overlap);
+      a.position.insert(a.position.end(), {{5.0 * k + 1, 5, 5}, {5.0 * k + 3 - deep, 5, 5}});
+      a.radius.insert(a.radius.end(), 2, 1.0);
+      if (k < listed)
+        a.contacts.push_back({.i = 2 * k, .j = 2 * k + 1, .branch = {2 - deep, 0, 0}, .overlap = deep});
+    }
+    for (std::size_t g = 0; g < a.grain_count(); ++g)
+      packing.id.push_back(static_cast<long>(g));
+    studies::MeasuredFrame frame;
+    frame.packing.void_ratio = 0.6;
+    std::vector<std::string> out;
+    studies::judge_mistakes(packing, frame, out);
+    return out.size();
+  };
+  check_threshold(0.1, [&](double overlap) { return noted(20, 5, overlap); });
+  CHECK(noted(95, 5, 1) == 0);
+  CHECK(noted(94, 6, 1) == 1);
 }
 
 TEST_CASE("mistakes: lengths in mm taken for m") {

@@ -253,6 +253,7 @@ TEST_CASE("impossible trade studies are refused") {
   refused([](TradeScene& t) { t.scene.study.seeds = 1; });
   refused([](TradeScene& t) { t.grains = {}; });
   refused([](TradeScene& t) { t.grains = {20}; });
+  refused([](TradeScene& t) { t.grains = {60, 1'000'001}; });
   refused([](TradeScene& t) { t.grains = {100, 100}; });
   refused([](TradeScene& t) { t.compression = {0.5}; });
   refused([](TradeScene& t) { t.shear = {0}; });

@@ -81,9 +81,12 @@ TEST_CASE("arrays that are no packing are refused with their element") {
   row = {};
   row.pairs[1] = {1, 1};
   CHECK(arrays_refusal(row.arrays()) == "contacts[1]: the grain 1 is in contact with itself");
-  row = {};
-  row.radius[2] = 0;
-  CHECK(arrays_refusal(row.arrays()).starts_with("grains[2]: expected a positive radius"));
+  for (const std::size_t k : {0U, 1U, 2U}) {
+    row = {};
+    row.radius[k] = 0;
+    CHECK(arrays_refusal(row.arrays())
+              .starts_with("grains[" + std::to_string(k) + "]: expected a positive radius"));
+  }
   row = {};
   row.radius.pop_back();
   CHECK(arrays_refusal(row.arrays()) == "radius has 2 elements, position has 3");

@@ -84,6 +84,8 @@ TEST_CASE("how values are shown") {
   CHECK(shown_text({.heading = "", .dimension = Dimension::force}, 66.95e-3, screen_sign) == "66.95 mN");
   CHECK(shown_text({.heading = "", .digits = 2, .fixed = true, .sign = true}, 1.5, screen_sign) == "+1.50");
   CHECK(shown_text({.heading = "", .digits = 2}, std::vector<double>{1, 2.5}, screen_sign) == "1 2.5");
+  CHECK(shown_text({.heading = "", .digits = 2, .symbol = " %"}, std::vector<double>{1, 2.5}, screen_sign) ==
+        "1 % 2.5 %");
   CHECK(cell_text({.heading = "", .width = 3, .digits = 6}, 123456.0) ==
         " 123456"); // apart from the one before
   CHECK(cell_text({.heading = "", .width = 3}, 12.0) == " 12");

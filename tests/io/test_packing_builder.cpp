@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every reader shares: rows that make a packing, and what is noted or refused of them.
+#include "io/packing_builder.hpp"
+
+#include <functional>
+
+#include "import_support.hpp"
+#include "thresholds.hpp"
+
+using namespace granum;
+using namespace granum::io;
+
+namespace {
+
+constexpr double apart = 1.99; // of grains of radius 1
+
+/// A chain along x without a box.
+PackingBuilder chain(std::size_t count, const PackingFileOptions& options = {},
+                     const std::function<void(std::size_t, GrainRow&)>& change = {}) {
+  PackingBuilder builder("grains", "contacts", options);
+  std::vector<GrainRow> rows;
+  for (std::size_t k = count; k-- > 0;) {
+    const auto place = static_cast<double>(k);
+    rows.push_back(
+        {.id = 3 * static_cast<long>(k), .position = {apart * place, 1, -2}, .radius = 1, .line = k});
+    if (change)
+      change(k, rows.back());
+  }
+  builder.set_grains(rows);
+  return builder;
+}
+
+PairRow row_of(const PackingBuilder& builder, std::uint32_t a, std::uint32_t b) {
+  return {.a = a,
+          .b = b,
+          .branch = builder.straight(a, b),
+          .overlap = 2 - apart,
+          .normal_force = 1,
+          .tangential_force = {0, a < b ? 0.5 : -0.5, 0}};
+}
+
+/// The first number of a note; 0 without the note.
+std::size_t counted(const ImportedPacking& packing, Finding finding) {
+  for (const ImportNote& note : packing.notes)
+    if (note.finding == finding)
+      return std::stoul(note.text.substr(note.text.find_first_of("0123456789")));
+  return 0;
+}
+
+/// 1 if an action is refused.
+template <class Action>
+int refused(const Action& action) {
+  try {
+    action();
+  } catch (const std::exception&) {
+    return 1;
+  }
+  return 0;
+}
+
+} // namespace
+
+TEST_CASE("packing builder: rows of a pair from either side and in any order make one contact") {
+  for (const bool both_sides : {false, true}) {
+    PackingBuilder builder = chain(4);
+    if (both_sides)
+      builder.expect_both_sides();
+    for (const auto& [a, b] : std::vector<std::pair<std::uint32_t, std::uint32_t>>{
+             {2, 3}, {1, 0}, {0, 1}, {1, 0}, {0, 1}, {1, 0}, {1, 2}, {2, 1}})
+      builder.add(row_of(builder, a, b));
+    const ImportedPacking packing = builder.finish(7, 0.25);
+    REQUIRE(packing.assembly.contacts.size() == 3);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const packing::Contact& c = packing.assembly.contacts[k];
+      CHECK((c.i == k && c.j == k + 1));
+      samples::check_vector(c.branch, {apart, 0, 0}, 1e-14);
+      samples::check_vector(force(c), {1, 0.5, 0}, 1e-14);
+    }
+    CHECK(packing.id == std::vector<long>{0, 3, 6, 9});
+    CHECK(counted(packing, Finding::duplicated) == (both_sides ? 3 : 5));
+    CHECK(counted(packing, Finding::one_sided) == (both_sides ? 1 : 0));
+    CHECK(packing.has(Finding::unsorted) == !both_sides);
+    // No box: the smallest around the grains.
+    CHECK(packing.has(Finding::cell_unknown));
+    CHECK(packing.assembly.volume() == relative((3 * apart + 2) * 2 * 2, 1e-14));
+  }
+}
+
+TEST_CASE("packing builder: what is refused, and from where on") {
+  using Change = std::function<void(PairRow&, double)>;
+  const auto threshold = [](double at, const Change& change, bool states_branch = false) {
+    check_threshold(at, [&](double value) {
+      PackingBuilder builder = chain(2);
+      PairRow row = row_of(builder, 0, 1);
+      change(row, value);
+      return refused([&] {
+        if (states_branch)
+          builder.require_agreement(row);
+        builder.add(row);
+      });
+    });
+  };
+  threshold(4, [](PairRow& row, double x) { row.branch = {x, 0, 0}; });
+  threshold(
+      0.02, [](PairRow& row, double x) { row.branch.y = x; }, true);
+  for (double PairRow::*const member : {&PairRow::overlap, &PairRow::normal_force, &PairRow::normal_stiffness,
+                                        &PairRow::tangential_stiffness})
+    threshold(1e60, [member](PairRow& row, double x) { row.*member = x; });
+  threshold(1e60, [](PairRow& row, double x) { row.tangential_force.z = x; });
+  check_threshold(1e60, [](double x) {
+    const auto change = [x](std::size_t, GrainRow& grain) { grain.radius = x; };
+    return refused([&] { (void)chain(2, {.box = CsvBox{Mat3::identity(), {}}}, change); });
+  });
+  // Two rows of a pair state the same up to rounding.
+  for (Vec3 PairRow::*const member : {&PairRow::branch, &PairRow::tangential_force})
+    check_threshold(1e-5, [member](double x) {
+      PackingBuilder builder = chain(2);
+      PairRow row = row_of(builder, 0, 1);
+      row.normal_force = 0;
+      builder.add(row);
+      (row.*member) *= 1 - x;
+      builder.add(row);
+      std::size_t contacts = 0; // two where branches differ, none where forces do
+      (void)refused([&] { contacts = builder.finish(0, {}).assembly.contacts.size(); });
+      return contacts;
+    });
+  // A given box is that of the file, to 1e-4 of its longest edge.
+  check_threshold(4e-4, [](double x) {
+    PackingBuilder builder("grains", "contacts", {.box = CsvBox{Mat3::diagonal(4 + x, 3, 2), {}}});
+    return refused([&] { builder.set_cell(Mat3::diagonal(4, 3, 2), {}, 1); });
+  });
+  PackingBuilder walls = chain(1);
+  const PairRow row{.branch = {1, 0, 0}};
+  for (const long wall : {0L, 4294967295L})
+    CHECK(refused([&] { walls.add_wall(row, wall); }) == 0);
+  for (const long wall : {-1L, 4294967296L})
+    CHECK(refused([&] { walls.add_wall(row, wall); }) == 1);
+  CHECK(counted(walls.finish(0, {}), Finding::wall_contacts) == 2);
+}
+
+TEST_CASE("packing builder: rows that are no contacts, or open ones, and signs of all forces") {
+  const auto finished = [](std::size_t contacts,
+                           const std::function<void(PackingBuilder&, PairRow&)>& change) {
+    PackingBuilder builder = chain(contacts + 1);
+    for (std::uint32_t k = 0; k < contacts; ++k) {
+      PairRow row = row_of(builder, k, k + 1);
+      change(builder, row);
+      builder.add(row);
+    }
+    return builder.finish(0, {});
+  };
+  const auto neighbours = [](PackingBuilder&, PairRow& row) {
+    row.overlap = -0.1, row.normal_force = 0, row.tangential_force = {};
+  };
+  CHECK(counted(finished(3, neighbours), Finding::open_contacts) == 3);
+  CHECK(finished(3, neighbours).assembly.contacts.empty());
+  const ImportedPacking open = finished(3, [](PackingBuilder&, PairRow& row) { row.overlap = 0; });
+  CHECK(counted(open, Finding::open_contacts) == 3);
+  CHECK(open.assembly.contacts.size() == 3);
+  const ImportedPacking no_forces = finished(3, [&](PackingBuilder& builder, PairRow& row) {
+    builder.expect_no_forces();
+    neighbours(builder, row);
+  });
+  CHECK(no_forces.assembly.contacts.size() == 3);
+  // All of at least ten contacts pull, though they overlap: the other sign.
+  for (const std::size_t contacts : {9U, 10U}) {
+    const ImportedPacking pulled =
+        finished(contacts, [](PackingBuilder&, PairRow& row) { row.normal_force = -1; });
+    CHECK(counted(pulled, Finding::signs_turned) == (contacts < 10 ? 0 : 10));
+    samples::check_vector(force(pulled.assembly.contacts.front()),
+                          contacts < 10 ? Vec3{-1, 0.5, 0} : Vec3{1, -0.5, 0}, 1e-14);
+  }
+}
+
+TEST_CASE("packing builder: sums of the forces beside those that the file of grains states") {
+  const auto noted = [](std::size_t grains_off, double off) {
+    PackingBuilder builder = chain(10, {}, [&](std::size_t k, GrainRow& grain) {
+      const Vec3 each = {1, 0.5, 0};
+      grain.force = (k > 0 ? 1 : 0) * each - (k < 9 ? 1 : 0) * each;
+      if (k < grains_off)
+        grain.force->x += off * norm(each);
+    });
+    for (std::uint32_t k = 0; k < 9; ++k)
+      builder.add(row_of(builder, k, k + 1));
+    return counted(builder.finish(0, {}), Finding::unbalanced_rows);
+  };
+  check_threshold(0.01, [&](double off) { return noted(1, off); });
+  CHECK(noted(5, 1) == 5);
+  CHECK(noted(6, 1) == 0); // weight
+}
+
+TEST_CASE("packing builder: few digits are those of the longest number, and round the largest") {
+  DigitWatch watch;
+  CHECK_FALSE(watch.few());
+  for (const char* const number : {"-123.5", "0.0001234567", "7e2"})
+    watch.see(number);
+  CHECK(watch.few());
+  CHECK(watch.most() == 7);
+  CHECK(watch.rounding() == relative(0.5e-4, 1e-12));          // of 700.0000
+  CHECK(watch.relative_rounding() == relative(0.5e-6, 1e-12)); // of 1.000000
+  watch.see("1.2345678");
+  CHECK(watch.few());
+  watch.see("1.23456789");
+  CHECK_FALSE(watch.few());
+  CHECK(watch.rounding() == 0);
+  CHECK(watch.relative_rounding() == 0);
+  PackingBuilder single = chain(3);
+  single.note_single_precision("");
+  single.note_overlap_digits({}, "");
+  single.skip_empty(2);
+  const ImportedPacking packing = single.finish(0, {});
+  CHECK(packing.rounding.length == relative(2 * apart * 0x1p-24, 1e-12));
+  CHECK(packing.rounding.overlap == packing.rounding.length);
+  CHECK(counted(packing, Finding::empty_rows) == 2);
+}

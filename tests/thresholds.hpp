@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <doctest/doctest.h>
+
+/// One note comes or goes, and nothing else changes, as a value passes a threshold.
+/// \param    notes   number of notes at a value
+template <class Notes>
+void check_threshold(double threshold, const Notes& notes) {
+  CAPTURE(threshold);
+  const auto below = notes(0.995 * threshold), above = notes(1.005 * threshold);
+  CHECK((below < above ? above - below : below - above) == 1);
+}
