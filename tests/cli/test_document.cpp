@@ -128,11 +128,10 @@ TEST_CASE("document: the page has answers, tables, notes and their sources") {
   document.warnings.add("beware");
   const std::string text = page(document);
   for (const char* part :
-       {"What is it?", "sand: G is 100 MPa (90 MPa to 1.2 GPa).", "one standard deviation to each side",
-        "first one", "a note [<a href=\"#Lo2021\">Lo2021</a>]", "<td id=\"Lo2021\">", "beware",
-        "<pre>An example"})
+       {"What is it?", "100 MPa (90 MPa to 1.2 GPa).", "first one", "a note [<a href=\"#Lo2021\">Lo2021</a>]",
+        "<td id=\"Lo2021\">", "beware", "<pre>An example"})
     CHECK_MESSAGE(has(text, part), part, " is missing");
-  for (const char* part : {"for files", "What was asked", ", granum 0."})
+  for (const char* part : {"for files", ", granum 0."})
     CHECK_FALSE(has(text, part));
 }
 

