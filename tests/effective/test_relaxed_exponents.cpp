@@ -40,18 +40,6 @@ double log_modulus(State s, double z, const Growth& growth, Modulus which, doubl
 
 } // namespace
 
-TEST_CASE(
-    "relaxed exponents: at frozen contacts their sum is 1/(1+alpha) for every modulus, less what branches "
-    "lose") {
-  for (const double alpha : {1.0, 1.5, 2.0, infinity})
-    for (const double a : {-0.2, 0.0, 0.2})
-      for (const Modulus which : some_moduli) {
-        const State s = state_of(alpha, a, 0.15, 1.5e5, 1e5);
-        CHECK(std::abs(effective::relaxed_exponents(s, 5.0, {}, which).sum() - 1 / (1 + alpha) +
-                       lost_exponent(s)) < 1e-12);
-      }
-}
-
 TEST_CASE("relaxed exponents: derivatives of the relaxed estimate along the path") {
   const std::vector<contact::NormalLaw> laws{
       law_of(1, 0.15),
@@ -134,21 +122,6 @@ TEST_CASE("relaxed exponents: where constants of uniform strain vanish, the othe
           CHECK(std::abs(e.stress_v - slope(&State::stress_v)) < 1e-8);
           CHECK(std::abs(e.stress_h - slope(&State::stress_h)) < 1e-8);
         }
-}
-
-TEST_CASE("relaxed exponents: the isotropic sum in closed form") {
-  const State s = state_of(2, 0, 0.15, 1e5, 1e5);
-  const double b = 1.0 / 3, z = 4.6, step = 1e-5;
-  const auto log_shear = [&](double at) {
-    return std::log(effective::relaxation(at, s.tangential_ratio, b).shear.value);
-  };
-  const double slope = (log_shear(z + step) - log_shear(z - step)) / (2 * step);
-  const double density = 0.05 + 0.003 / (1 + s.void_ratio);
-  const double expected = b + (1 - b) * density + 0.2 * slope - lost_exponent(s) * (1 - density);
-  CHECK(effective::relaxed_exponents(s, z, some_growth, Modulus::G_vh).sum() == relative(expected, 1e-8));
-  // The same growth moves a loose packing's modulus more than a dense one's.
-  CHECK(effective::relaxed_exponents(s, 4.4, some_growth, Modulus::G_vh).sum() >
-        effective::relaxed_exponents(s, 6.0, some_growth, Modulus::G_vh).sum() + 0.1);
 }
 
 TEST_CASE("relaxed exponents: growth between two states") {

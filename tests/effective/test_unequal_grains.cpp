@@ -134,22 +134,6 @@ TEST_CASE("unequal grains: the reference radius does not matter") {
         relative(effective::kinematic_force_field(other).branch_length, 1e-13));
 }
 
-TEST_CASE("unequal grains: a packing of spheres that is scaled has the same moduli") {
-  Contacts c = drawn(0.6);
-  const auto stiffness_of = [](const Contacts& grains, double reference) {
-    State s = state_of(grains, contact::PowerLaw::sphere(quartz, 1), reference);
-    s.law = contact::PowerLaw::sphere(quartz, reference * s.contacts.pair_radius);
-    return effective::uniform_strain(s).stiffness;
-  };
-  const auto before = stiffness_of(c, mean_radius);
-  for (double& r : c.radii)
-    r *= 2;
-  for (auto& [i, j] : c.pairs)
-    i *= 2, j *= 2;
-  c.volume *= 8;
-  check_same(stiffness_of(c, 2 * mean_radius), before, 1e-13);
-}
-
 TEST_CASE("unequal grains: the kinematic field has the stress of the state, with the stiffness of the same "
           "contacts") {
   const State s = state_of(drawn(0.6), contact::PowerLaw::sphere(quartz, mean_radius));
@@ -207,8 +191,7 @@ TEST_CASE("unequal grains: means that no packing can have are refused") {
   s.contacts.branch_square = 0.5 * s.contacts.branch * s.contacts.branch;
   CHECK_THROWS_AS((void)effective::uniform_strain(s), InvalidArgument);
   s.contacts = {.branch = -1};
-  CHECK_THROWS_WITH_AS((void)effective::prefactor(s), "contact means: branch = -1 is outside (0, inf)",
-                       InvalidArgument);
+  CHECK_THROWS_WITH_AS((void)effective::prefactor(s), doctest::Contains("branch = -1"), InvalidArgument);
   effective::UniformContacts contacts{
       .prefactor = 1, .normal_stiffness = 1, .tangential_stiffness = 1, .branch_evenness = 1.1};
   CHECK_THROWS_AS((void)effective::uniform_stress_stiffness(contacts), InvalidArgument);
@@ -287,10 +270,10 @@ TEST_CASE(
     CHECK(estimate.relative_error.bulk_modulus > K);
     G = estimate.relative_error.G_vh;
     K = estimate.relative_error.bulk_modulus;
-    bool noted = false;
-    for (const std::string& note : estimate.validity.notes)
-      noted = noted || note.find("lengths of branches") != std::string::npos;
-    CHECK(noted == (deviation > 0.51));
+    const auto noted = [](double of) {
+      return effective::relaxed(scattered_branches(of), 5).validity.notes.size();
+    };
+    CHECK(noted(deviation) - noted(0) == (deviation > 0.51 ? 1 : 0));
   }
   CHECK(G > 0.08);
   CHECK(K > 0.08);

@@ -258,11 +258,6 @@ TEST_CASE("plane waves: a semidefinite stiffness has speeds of zero, an indefini
   broken.C13 = 300e6;
   CHECK_THROWS_AS((void)plane_waves(broken, density, {0, 0, 1}), InvalidArgument);
   CHECK_THROWS_AS((void)plane_waves(voigt(broken), density, {0, 0, 1}), InvalidArgument);
-  try {
-    (void)plane_waves(broken, density, {0, 0, 1});
-  } catch (const InvalidArgument& error) {
-    CHECK(std::string(error.what()).find("not positive semidefinite") != std::string::npos);
-  }
   broken.C13 = std::nan("");
   CHECK_THROWS_AS((void)plane_waves(broken, density, {0, 0, 1}), InvalidArgument);
   broken.C13 = 0, broken.C11 = std::numeric_limits<double>::infinity();

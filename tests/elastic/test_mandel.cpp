@@ -73,14 +73,6 @@ TEST_CASE("rotations are orthogonal, compose and can be undone") {
   CHECK(distance(c, rotate(rotate(c, tilt), transpose(tilt))) < rounding);
 }
 
-TEST_CASE("a symmetry of the material does not change its stiffness") {
-  const TransverselyIsotropic layered{.C11 = 310e6, .C33 = 402e6, .C12 = 118e6, .C13 = 133e6, .C44 = 121e6};
-  CHECK(distance(voigt(layered), rotate(voigt(layered), spin)) < rounding);
-  CHECK(distance(voigt(layered), rotate(voigt(layered), tilt)) > 1e-2);
-  const VoigtStiffness sand = voigt(Isotropic::from_bulk_and_shear(1.9e9, 2.8e9));
-  CHECK(distance(sand, rotate(sand, tilt)) < rounding);
-}
-
 TEST_CASE("only a proper rotation is accepted") {
   CHECK_THROWS_AS((void)mandel_rotation(Mat3::diagonal(1, 1, -1)), InvalidArgument);
   CHECK_THROWS_AS((void)mandel_rotation(Mat3::diagonal(1, 1, 1.001)), InvalidArgument);

@@ -30,16 +30,6 @@ TEST_CASE("transversely isotropic projection is the average over turns about axi
   CHECK(relative_distance(mean, mandel(voigt(projected))) < rounding);
 }
 
-TEST_CASE("a projection does not change a symmetric stiffness") {
-  const TransverselyIsotropic layered{.C11 = 310e6, .C33 = 402e6, .C12 = 118e6, .C13 = 133e6, .C44 = 121e6};
-  CHECK(relative_distance(mandel(voigt(layered)),
-                          mandel(voigt(transversely_isotropic_projection(voigt(layered))))) < rounding);
-  const Isotropic sand = Isotropic::from_bulk_and_shear(1.9e9, 2.8e9);
-  const Isotropic same = isotropic_projection(voigt(sand));
-  CHECK(same.bulk_modulus() == relative(1.9e9, rounding));
-  CHECK(same.shear_modulus() == relative(2.8e9, rounding));
-}
-
 TEST_CASE("isotropic projection does not change under rotation, nor by projecting in two steps") {
   const Isotropic once = isotropic_projection(triclinic_sample());
   const Isotropic turned = isotropic_projection(rotate(triclinic_sample(), tilt));

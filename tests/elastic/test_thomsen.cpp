@@ -120,12 +120,6 @@ TEST_CASE("Thomsen: stiffness to parameters and back is the identity") {
   CHECK(back.anisotropy.gamma == relative(0.51, 1e-14));
 }
 
-TEST_CASE("Thomsen: an isotropic solid has none") {
-  const ThomsenParameters t =
-      thomsen_parameters({.C11 = 3e8, .C33 = 3e8, .C12 = 1e8, .C13 = 1e8, .C44 = 1e8});
-  CHECK(t == ThomsenParameters{});
-}
-
 TEST_CASE("Thomsen: stiffnesses without parameters, or of no solid, are refused") {
   TransverselyIsotropic c = layered_sample();
   CHECK_THROWS_AS((void)thomsen_solid(c, 0), InvalidArgument);
