@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/contact/rough_sphere.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
 #include <variant>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
 #include <granum/contact/laws.hpp>
-#include <granum/core/error.hpp>
 
-#include <relative.hpp>
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::contact;
 
 namespace {

@@ -1,29 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/isotropic.hpp>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/elastic/stiffness.hpp>
 #include <granum/elastic/waves.hpp>
-#include <relative.hpp>
 
 #include "samples.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::elastic;
 
 namespace {
 
 constexpr double some_rounding = 1e-13;
-
-/// The same material with its axes turned, in Voigt form.
-VoigtStiffness turned(const VoigtStiffness& c, const Vec3& axis, double angle) {
-  return rotate(c, rotation_about(axis, angle));
-}
 
 } // namespace
 

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/isotropic.hpp>
 
-#include <numbers>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/elastic/stiffness.hpp>
-#include <relative.hpp>
 
 #include "samples.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::elastic;
 
 namespace {
@@ -38,13 +33,6 @@ TEST_CASE("isotropic projection does not change under rotation, nor by projectin
   const Isotropic twice = isotropic_projection(voigt(transversely_isotropic_projection(triclinic_sample())));
   CHECK(twice.bulk_modulus() == relative(once.bulk_modulus(), rounding));
   CHECK(twice.shear_modulus() == relative(once.shear_modulus(), rounding));
-}
-
-TEST_CASE("the remainder of a projection is orthogonal to it") {
-  const MandelStiffness c = mandel(triclinic_sample());
-  const MandelStiffness iso = mandel(voigt(isotropic_projection(triclinic_sample())));
-  const double inner = (c.matrix - iso.matrix).cwiseProduct(iso.matrix).sum();
-  CHECK(std::abs(inner) < rounding * c.matrix.squaredNorm());
 }
 
 TEST_CASE("projection about any axis is that about axis 3 of the turned material") {

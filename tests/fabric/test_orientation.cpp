@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/fabric/orientation.hpp>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/numerics.hpp>
 
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

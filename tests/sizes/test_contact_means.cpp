@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/sizes/contact_means.hpp>
 
-#include <cmath>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/sizes/distribution.hpp>
 
-#include <relative.hpp>
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::sizes;
 
 namespace {
@@ -165,8 +159,7 @@ TEST_CASE("means do not depend on the unit of length") {
 }
 
 TEST_CASE("means that no packing can have are refused") {
-  CHECK_THROWS_WITH_AS(require_valid({.branch = 0}), "contact means: branch = 0 is outside (0, inf)",
-                       InvalidArgument);
+  CHECK_THROWS_WITH_AS(require_valid({.branch = 0}), doctest::Contains("branch = 0"), InvalidArgument);
   CHECK_THROWS_AS(require_valid({.branch = 1.2, .branch_square = 1.3}), InvalidArgument);
   CHECK_THROWS_AS(require_valid({.pair_radius = std::nan("")}), InvalidArgument);
   CHECK_THROWS_AS(require_valid({.grain_volume = -1}), InvalidArgument);
