@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/exponents.hpp>
 
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include <doctest/doctest.h>
 #include <granum/contact/rough_sphere.hpp>
-#include <granum/core/error.hpp>
 #include <granum/effective/rungs.hpp>
 
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::Modulus;
 using effective::StressExponents;

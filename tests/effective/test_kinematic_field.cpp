@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/uniform_field.hpp>
 
-#include <cmath>
 #include <tuple>
-#include <utility>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::KinematicForceField;
 

@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/relaxation.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include <Eigen/Core>
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/stiffness.hpp>
 
 #include "effective/relaxation_coefficients.hpp"
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::relaxation;
 using effective::relaxed;

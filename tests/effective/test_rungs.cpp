@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/rungs.hpp>
 
-#include <cmath>
 #include <set>
-#include <string>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::closed_forms;
 using effective::Modulus;

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/slip.hpp>
 
-#include <cmath>
-#include <numbers>
 #include <random>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::ContactSlip;
 using effective::SlipOnset;

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/state.hpp>
 
-#include <cmath>
-#include <limits>
-#include <string>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 
 namespace {

@@ -2,22 +2,14 @@
 // Closed forms of unequal grains against sums over contacts, and where they must not differ from equal ones.
 #include <granum/effective/uniform_field.hpp>
 
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
-#include <granum/core/error.hpp>
 #include <granum/effective/batch.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/sizes/distribution.hpp>
 
-#include <relative.hpp>
+#include "unit.hpp"
 
-using namespace granum;
 using effective::State;
 
 namespace {
@@ -144,34 +136,6 @@ TEST_CASE("unequal grains: the kinematic field has the stress of the state, with
   CHECK(secant * ((C.C11 + C.C12) * field.strain_h + C.C13 * field.strain_v) == relative(s.stress_h, 1e-10));
 }
 
-TEST_CASE("unequal grains: batch and isotropic moduli are those of the state") {
-  State s = state_of(drawn(0.6), contact::PowerLaw::sphere(quartz, mean_radius));
-  s.fabric_anisotropy = 0;
-  s.stress_h = s.stress_v;
-  const auto expected = effective::uniform_strain(s).stiffness;
-  double K = 0, G = 0;
-  const auto report =
-      effective::uniform_strain(effective::PackingBatch{.law = s.law,
-                                                        .tangential_ratio = s.tangential_ratio,
-                                                        .radius = s.radius,
-                                                        .pressure = s.stress_v,
-                                                        .coordination_number = *s.coordination_number,
-                                                        .porosity = s.void_ratio / (1 + s.void_ratio),
-                                                        .contacts = s.contacts},
-                                {std::span(&K, 1), std::span(&G, 1)});
-  CHECK(report.ok());
-  CHECK(K == relative(expected.bulk_modulus(), 1e-13));
-  CHECK(G == relative(expected.G_vh(), 1e-13));
-  const auto moduli = effective::uniform_strain_moduli({.law = s.law,
-                                                        .tangential_ratio = s.tangential_ratio,
-                                                        .radius = s.radius,
-                                                        .void_ratio = s.void_ratio,
-                                                        .coordination_number = *s.coordination_number,
-                                                        .pressure = s.stress_v,
-                                                        .contacts = s.contacts});
-  CHECK(moduli.bulk_modulus == relative(K, 1e-13));
-}
-
 TEST_CASE("unequal grains: equal ones are the special case to the bit") {
   State s = state_of(drawn(0.6), contact::PowerLaw::sphere(quartz, mean_radius));
   s.contacts = {};
@@ -277,18 +241,4 @@ TEST_CASE(
   }
   CHECK(G > 0.08);
   CHECK(K > 0.08);
-}
-
-TEST_CASE("unequal grains: exponents of rung 3 are those of its moduli") {
-  const State s = scattered_branches(0.4);
-  const auto G = [&](const State& at, double z) { return effective::relaxed(at, z).stiffness.G_vh(); };
-  const effective::Growth growth{.mechanical_coordination_number = 0.2};
-  const double step = 1e-4;
-  const auto at = [&](double log_p) {
-    State pressed = s;
-    pressed.stress_v = pressed.stress_h = 100e3 * std::exp(log_p);
-    return std::log(G(pressed, 5 + 0.2 * log_p));
-  };
-  CHECK(effective::relaxed_exponents(s, 5, growth, effective::Modulus::G_vh).sum() ==
-        relative((at(step) - at(-step)) / (2 * step), 1e-6));
 }

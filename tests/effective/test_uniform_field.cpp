@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/uniform_field.hpp>
 
-#include <cmath>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::UniformContacts;
 
@@ -101,12 +95,15 @@ TEST_CASE("uniform field: the two isotropic moduli alone") {
       for (const double coordination : {1e-3, 5.0, 14.0}) {
         State s = state_of(alpha, 0, 0.15, pressure, pressure);
         s.coordination_number = coordination;
+        if (coordination == 5) // of unequal grains
+          s.contacts = {.branch = 1.02, .branch_square = 1.08, .pair_radius = 0.98, .grain_volume = 1.1};
         const effective::IsotropicPacking packing{.law = s.law,
                                                   .tangential_ratio = s.tangential_ratio,
                                                   .radius = s.radius,
                                                   .void_ratio = s.void_ratio,
                                                   .coordination_number = coordination,
-                                                  .pressure = pressure};
+                                                  .pressure = pressure,
+                                                  .contacts = s.contacts};
         const auto moduli = effective::uniform_strain_moduli(packing);
         const auto stiffness = effective::uniform_strain(s).stiffness;
         CHECK(close(moduli.bulk_modulus, stiffness.bulk_modulus(), 4e-15)); // K: a sum of four of them
