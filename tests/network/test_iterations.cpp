@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How many iterations networks take that are large or hardly rigid.
-#include <cstdint>
 #include <initializer_list>
-
-#include <doctest/doctest.h>
 
 #include <granum/network/linear_response.hpp>
 
 #include "large_networks.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 
