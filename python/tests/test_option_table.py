@@ -36,6 +36,7 @@ ARGUMENTS = {
     "sieve": "Distribution",
     "bounds": "uniform_stress",
     "tolerance": "estimate.tolerance",
+    "strict": "packing_answer.strict",
     "cement": "cement_at_contacts.cement_saturation",
     "shear-modulus": "infer.G",
     "shear-modulus-hh": "infer.G_hh",

@@ -145,7 +145,7 @@ def test_several_states_are_not_read_as_one(tmp_path, source):
     twice = tmp_path / "twice.dump"
     twice.write_text(atoms + atoms.replace("102830", "102831"))
     assert len(list(granum.frames(twice))) == 2
-    with pytest.raises(granum.InvalidArgument, match="102830|102831"):
+    with pytest.raises(granum.InvalidArgument):
         granum.read(twice)
 
 

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/verify/compression.hpp"
 
-#include <cmath>
 #include <set>
 
-#include <doctest/doctest.h>
 #include <granum/core/text.hpp>
 #include <granum/effective/relaxation.hpp>
 
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::cli;
 using contact::Shape;
 using studies::Panel;

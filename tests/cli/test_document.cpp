@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One small document, and what each printer makes of it.
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "cli/document/document.hpp"
+
+#include "unit.hpp"
 
 namespace {
 
-using namespace granum;
 using namespace granum::cli;
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rules of the table of inputs at the doors of the program: options and columns of tables.
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/estimate/answer.hpp>
 
 #include "cli/options/input_columns.hpp"
 #include "cli/options/input_options.hpp"
+#include "unit.hpp"
 
 namespace {
 
-using namespace granum;
 using namespace granum::cli;
 using estimate::InputRow;
 

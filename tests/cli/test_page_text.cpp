@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/document/page_text.hpp"
 
-#include <doctest/doctest.h>
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::cli;
 
 namespace {

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/reproduce/reproduce_document.hpp"
 
-#include <algorithm>
-
-#include <doctest/doctest.h>
-
 #include "studies/count_pieces.hpp"
 #include "synthetic_experiment.hpp"
+#include "unit.hpp"
 #include "well_formed.hpp"
 
-using namespace granum;
 using namespace granum::cli;
 using studies::count;
 using studies::Verdict;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/verify/verify_document.hpp"
 
-#include <doctest/doctest.h>
-
 #include "studies/synthetic_study.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::cli;
 using contact::Shape;
 using studies::Verdict;

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/estimate/input_values.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/notes.hpp>
 
-using namespace granum;
+#include "unit.hpp"
+
 using namespace granum::estimate;
 
 namespace {

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/estimate/inputs.hpp>
 
-#include <cmath>
 #include <set>
-#include <string>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/estimate/answer.hpp>
 #include <granum/estimate/input_values.hpp>
 
 #include "questions.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::estimate;
 
 TEST_CASE("inputs: rows are in the order of their names, with keys and symbols of their own") {

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/axis.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/packing/forces.hpp>
 
 #include "read_specimen.hpp"
-#include "relative.hpp"
 #include "studies/analyse/measured_frame.hpp"
+#include "unit.hpp"
 #include "written_packing.hpp"
 
-using namespace granum;
 using namespace granum::samples;
 using studies::about_axis;
 using studies::Axis;

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/reproduce/experiment_findings.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include <doctest/doctest.h>
-
 #include "fitted_experiment.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 using contact::Shape;
 using stress::ShearPath;

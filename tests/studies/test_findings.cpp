@@ -2,19 +2,13 @@
 #include "studies/verify/findings.hpp"
 #include "studies/verify/seed_mean.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <set>
-#include <string>
 #include <tuple>
 
-#include <doctest/doctest.h>
-
-#include "relative.hpp"
 #include "synthetic_study.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 using contact::Shape;
 using granum::studies::test::power_law_specimen;

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/force_chains.hpp"
 
-#include <cstddef>
-#include <string>
-
-#include <doctest/doctest.h>
 #include <granum/plot/palette.hpp>
 
 #include "count_pieces.hpp"
+#include "unit.hpp"
 #include "well_formed.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 
 namespace {

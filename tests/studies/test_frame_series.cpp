@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/frame_series.hpp"
 
-#include <vector>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include "relative.hpp"
-
-using namespace granum;
 using hardin::MeasuredModulus;
 using studies::fit_series;
 

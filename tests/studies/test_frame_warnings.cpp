@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each warning of a measured frame, provoked by a file, and not there in the same file without its cause.
-#include <algorithm>
-#include <cmath>
-
 #include "studies/analyse/measured_frame.hpp"
-#include <doctest/doctest.h>
 #include <granum/io/mercury/output.hpp>
 
 #include "read_specimen.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 #include "written_packing.hpp"
 
-using namespace granum;
 using namespace granum::samples;
 using analysis::Given;
 

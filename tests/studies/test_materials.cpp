@@ -3,19 +3,12 @@
 // was written with, and what is missing is named.
 #include "studies/analyse/materials.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/io/lammps/files.hpp>
-#include <relative.hpp>
 
 #include "studies/analyse/measured_frame.hpp"
 #include "studies/analyse/overlaps.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using analysis::Given;
 using studies::MaterialsByType;
 

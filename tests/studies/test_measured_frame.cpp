@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/measured_frame.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "studies/analyse/frame_series.hpp"
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/isotropic.hpp>
@@ -17,10 +11,9 @@
 #include <granum/packing/coordination.hpp>
 
 #include "read_specimen.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 #include "written_packing.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 using namespace granum::samples;
 
@@ -112,29 +105,6 @@ TEST_CASE("frame: G_g comes out of the forces where it is not given, and the clo
   REQUIRE(given.law_check->alpha);
   // overlaps are differences of lengths 1e5 times as large
   CHECK(given.law_check->alpha->value == relative(2, 1e-8));
-}
-
-TEST_CASE("frame: the chain that LAMMPS wrote, by hand") {
-  const analysis::Measurement a =
-      measure_frame(from_files({"lammps_chain.atoms", "lammps_chain.contacts"}), known).packing;
-  CHECK(a.counts.coordination_number == relative(4.0 / 3, 1e-15));
-  CHECK(a.counts.mechanical.rattler_count == 3);
-  CHECK(a.counts.mechanical.coordination_number == 0);
-  REQUIRE(a.forces);
-  CHECK(a.forces->distribution.largest == relative(0.0665512265, 1e-15));
-  CHECK(a.forces->distribution.mean == relative((0.0235294118 + 0.0665512265) / 2, 1e-15));
-  REQUIRE(a.stress);
-  const double volume = 64e-9;
-  CHECK(a.stress->tensor(0, 0) == relative(0.0235294118 * 0.9999e-3 / volume, 1e-12));
-  CHECK(a.stress->tensor(2, 2) == relative(0.0665512265 * 0.9998e-3 / volume, 1e-12));
-  CHECK(a.stress->tensor(1, 0) == relative(0.0114329834 * 0.9999e-3 / volume, 1e-12)); // f_y on the branch x
-  CHECK(a.stress->tensor(0, 1) == 0);
-  REQUIRE(a.law_check);
-  CHECK(a.law_check->contacts == 2);
-  CHECK(a.law_check->coefficient_ratio.value() == relative(1, 1e-8)); // nine digits of forces
-  CHECK_FALSE(a.network);                                             // a chain carries nothing
-  CHECK_FALSE(measure_frame(from_files({"lammps_chain.atoms", "lammps_chain.contacts"}))
-                  .packing.grain); // too few to tell
 }
 
 TEST_CASE("frame: without contacts, or without forces, the rest is still there") {

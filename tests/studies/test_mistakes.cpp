@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each plausible mistake in a file of a good packing has a warning with its numbers, and the good packing none.
-#include <string>
-#include <vector>
-
-#include <doctest/doctest.h>
-
+// Each plausible mistake in a file of a good packing has a warning with its numbers, the good packing none.
 #include "read_specimen.hpp"
 #include "studies/analyse/measured_frame.hpp"
 #include "written_packing.hpp"
 
-using namespace granum;
+#include "unit.hpp"
+
 using namespace granum::samples;
 using analysis::Given;
 

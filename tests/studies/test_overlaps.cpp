@@ -2,18 +2,13 @@
 // A packing whose contacts are thrown away has them again, from the positions and radii of its grains.
 #include "studies/analyse/overlaps.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <random>
-
-#include <doctest/doctest.h>
-#include <relative.hpp>
 
 #include "read_specimen.hpp"
 #include "studies/analyse/measured_frame.hpp"
+#include "unit.hpp"
 #include "written_packing.hpp"
 
-using namespace granum;
 using namespace granum::samples;
 using analysis::Given;
 using io::Finding;
@@ -93,18 +88,6 @@ TEST_CASE("overlaps: a chain of 20,001 grains in a narrow cell") {
   for (std::size_t k = 0; k < count; ++k)
     a.position.push_back({spacing * (static_cast<double>(k) + 0.5), 1.9, 1.9});
   CHECK(studies::overlapping_pairs(a, everywhere).size() == count);
-}
-
-TEST_CASE("overlaps: in a cell narrower than two diameters a pair touches through several images") {
-  // two spheres on a square lattice of edge 1.9 in a cell two of them wide: each touches the other four times
-  const packing::Assembly a{.cell = Mat3::diagonal(2.6, 2.6, 20),
-                            .position = {{0, 0, 10}, {1.3, 1.3, 10}},
-                            .radius = {1, 1},
-                            .contacts = {}};
-  const auto found = studies::overlapping_pairs(a, everywhere);
-  REQUIRE(found.size() == 4);
-  for (const packing::Contact& c : found)
-    CHECK(norm(c.branch) == relative(1.3 * std::sqrt(2.0), 1e-12));
 }
 
 TEST_CASE("overlaps: with the material, forces and moduli are those of the specimen") {

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/plan/plan.hpp"
 
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/sizes/distribution.hpp>
 
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 using contact::Shape;
 using triaxial::Density;
@@ -31,25 +26,6 @@ TEST_CASE("the work of a study is that of its parts") {
   }
   CHECK(parts > 0);
   CHECK(total_work(scene) == relative(3 * parts, 1e-12)); // rounding of 40 terms
-}
-
-TEST_CASE("more grains, seeds, pressures or probes are more work") {
-  const Scene scene;
-  const double work = total_work(scene);
-  Scene more = scene;
-  more.study.grains = 8000; // eightfold grains, twice as far for sound
-  CHECK(total_work(more) == relative(16 * work, 1e-12));
-  more = scene;
-  more.study.seeds = 5;
-  CHECK(total_work(more) == relative(5 * work, 1e-12));
-  more = scene;
-  more.study.pressures.push_back(200e3);
-  CHECK(total_work(more) > work);
-  more = scene;
-  more.study.probe_pressures.push_back(50e3);
-  CHECK(total_work(more) > work);
-  CHECK(stage_work(scene, Density::loose, Shape::sphere, 0) >
-        stage_work(scene, Density::dense, Shape::sphere, 0));
 }
 
 TEST_CASE("a plan counts what a study runs") {

@@ -3,10 +3,8 @@
 
 #include <functional>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 
 namespace {

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cells narrower than two diameters, in which a pair of grains touches through several images.
-#include <cmath>
 #include <map>
 
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/assembly.hpp>
 
-#include "relative.hpp"
 #include "studies/analyse/measured_frame.hpp"
 #include "studies/analyse/overlaps.hpp"
+#include "unit.hpp"
 #include "written_packing.hpp"
 
-using namespace granum;
 using namespace granum::samples;
 
 namespace {
@@ -166,19 +163,6 @@ TEST_CASE("small cells: contacts of a pair through several images come out of fi
   check_same_contacts(through_overlaps(own, true).assembly, own);
   check_same_contacts(through_overlaps(own, false).assembly, own);
   CHECK_FALSE(through_csv(own).has(io::Finding::duplicated));
-}
-
-TEST_CASE("small cells: the files and their replica have the same measurements") {
-  const packing::Assembly own = two_grains();
-  const analysis::Given known{.grain_shear_modulus = quartz.shear_modulus};
-  const analysis::Measurement file = studies::measure_frame(through_csv(own), known).packing;
-  const analysis::Measurement replica = analysis::measure(twice(own), known, analysis::everything());
-  CHECK(file.counts.contacts == 8);
-  CHECK(file.counts.coordination_number == replica.counts.coordination_number);
-  CHECK(file.stress->mean() == relative(replica.stress->mean(), 1e-12));
-  const elastic::Matrix6& expected = replica.network->relaxed.stiffness.matrix;
-  CHECK((file.network->relaxed.stiffness.matrix - expected).norm() < 1e-9 * expected.norm());
-  CHECK(file.forces->Z_2 == relative(replica.forces->Z_2, 1e-12));
 }
 
 TEST_CASE("small cells: equal images are taken one after the other, and rows beyond them repeat") {

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/verify/study.hpp"
 
-#include <algorithm>
 #include <atomic>
 
 #include "studies/verify/tables.hpp"
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
+#include "unit.hpp"
 
-#include "relative.hpp"
-
-using namespace granum;
 using namespace granum::studies;
 using contact::Shape;
 using triaxial::Density;

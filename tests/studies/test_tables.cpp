@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/verify/tables.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/io/csv/table.hpp>
 
-#include "relative.hpp"
 #include "synthetic_study.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 using contact::Shape;
 using triaxial::Density;

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/trade/trade.hpp"
 
-#include <algorithm>
 #include <atomic>
 
 #include "studies/trade/trade_parts.hpp"
 #include "studies/verify/findings.hpp"
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/sizes/distribution.hpp>
 
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 using contact::Shape;
 using triaxial::Density;
@@ -166,23 +162,6 @@ TEST_CASE(
 TEST_CASE("a trade study of equal grains keeps its numbers of grains") {
   CHECK(with_enough_grains(quick_trade()).grains == quick_trade().grains);
   CHECK(with_enough_grains(full_trade()).walls == full_trade().walls);
-}
-
-TEST_CASE("a trade study gives the same bits with any number of threads") {
-  TradeScene trade = small_trade();
-  trade.scene.study.threads = 1;
-  trade.compression = trade.shear = {2e-3};
-  trade.time_step = {0.8};
-  trade.walls = {};
-  const std::vector<TradeSample> one = run_trade(trade);
-  trade.scene.study.threads = 2;
-  const std::vector<TradeSample> two = run_trade(trade);
-  REQUIRE(one.size() == two.size());
-  for (std::size_t k = 0; k < one.size(); ++k) {
-    CHECK(one[k].shear_modulus == two[k].shear_modulus);
-    CHECK(one[k].peak_ratio == two[k].peak_ratio);
-    CHECK(one[k].steps == two[k].steps);
-  }
 }
 
 TEST_CASE("a stop keeps finished samples and marks the rest") {

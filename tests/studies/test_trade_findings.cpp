@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/trade/trade_findings.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-
-#include "relative.hpp"
-
-using namespace granum;
 using namespace granum::studies;
 using triaxial::Density;
 

@@ -3,17 +3,11 @@
 // checked.
 #include "studies/analyse/window.hpp"
 
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-#include <relative.hpp>
-
 #include "read_specimen.hpp"
 #include "studies/analyse/measured_frame.hpp"
+#include "unit.hpp"
 #include "written_packing.hpp"
 
-using namespace granum;
 using namespace granum::samples;
 using analysis::InteriorMeasures;
 using studies::WindowChoice;
