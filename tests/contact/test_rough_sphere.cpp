@@ -149,18 +149,6 @@ TEST_CASE("rough spheres: b falls from 1 to 1/3, and X is 1 at the force of tran
   CHECK(X == relative(1 - 1e-3 / 3, 2e-5));
 }
 
-TEST_CASE("rough spheres: pairs of unequal grains have their pair radius and the same surface") {
-  const RoughSphere law(quartz, R, u0);
-  const double d = 40 * u0;
-  for (const auto& [i, j] : {std::pair(1.0, 1.0), {0.5, 2.0}, {3.0, 0.7}}) {
-    const RoughSphere expected(quartz, pair_radius(i * R, j * R), u0);
-    CHECK(of_sizes(law, i, j).force(d) == relative(expected.force(d), 1e-13));
-    CHECK(of_sizes(std::get<RoughSphereKernel>(law.kernel()), i, j)(d).force ==
-          relative(expected.force(d), 1e-9));
-  }
-  CHECK(law.of(quartz, 2 * R).roughness() == u0);
-}
-
 TEST_CASE("rough spheres: numbers far out of the ordinary end in no NaN") {
   for (const double roughness : {1e-300, 1e-30, 1e-12, 1e-8, 10e-6})
     for (const double f : {0.0, 1e-300, 1e-30, 1e-3, 1e3, 1e30, 1e300}) {

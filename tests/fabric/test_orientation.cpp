@@ -46,15 +46,6 @@ TEST_CASE("orientation: closed moments are the means over the density") {
   }
 }
 
-TEST_CASE("orientation: the density is never negative and isotropic at a = 0") {
-  for (double gamma = 0; gamma < 3.2; gamma += 0.1) {
-    CHECK(fabric::density(gamma, 0) == doctest::Approx(1 / (4 * std::numbers::pi)).epsilon(1e-15));
-    for (const double a : {-1.0, -0.3, 0.7, 1.0})
-      CHECK(fabric::density(gamma, a) >= 0);
-  }
-  CHECK(fabric::density(0, -1) == 0);
-}
-
 TEST_CASE("orientation: F33 and a convert into each other over the whole range of F33") {
   for (double a = -5; a <= 5.0 / 3; a += 0.05) {
     CAPTURE(a);

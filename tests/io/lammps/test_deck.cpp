@@ -129,13 +129,6 @@ TEST_CASE("LAMMPS deck: a stress path drives one stress in one sense") {
   says(false, false, "lateral", "-1", "1"); // RTXC
 }
 
-TEST_CASE("LAMMPS deck: the grains are read back") {
-  const std::string text = text_of(lammps_deck(three_grains(), spheres()), "grains.data");
-  const ImportedPacking packing = read_lammps_data(text_source("grains.data", text));
-  CHECK(packing.assembly.position == three_grains().position);
-  CHECK(packing.assembly.radius == three_grains().radius);
-}
-
 TEST_CASE("LAMMPS deck: every file that is included and every number that is used is there") {
   const std::vector<DeckFile> deck = lammps_deck(three_grains(), spheres());
   std::string all;

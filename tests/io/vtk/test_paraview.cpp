@@ -124,10 +124,3 @@ TEST_CASE("ParaView: an assembly without contacts, and one without grains") {
   const std::vector<long> id{1};
   CHECK_THROWS_WITH_AS(grains_vtu(none, id), doctest::Contains("id"), InvalidArgument);
 }
-
-TEST_CASE("ParaView: a series names its files in their order") {
-  const std::vector<SeriesEntry> series{{0, "a.vtu"}, {0.1, "b&c.vtu"}};
-  const std::string file = pvd(series);
-  CHECK(file.find("<DataSet timestep=\"0\" part=\"0\" file=\"a.vtu\"/>") != std::string::npos);
-  CHECK(file.find("<DataSet timestep=\"0.1\" part=\"0\" file=\"b&amp;c.vtu\"/>") != std::string::npos);
-}
