@@ -14,7 +14,7 @@ docs_packages=("${python_packages[@]}" doxygen doxygen-awesome-css libjs-mathjax
 web_packages=("${run_packages[@]}" clang lld wasi-libc libclang-rt-dev-wasm32 libc++-dev-wasm32 binaryen
   nodejs chromium)
 command -v npm >/dev/null || web_packages+=(npm) # some packages of nodejs bring it along
-test_packages=("${docs_packages[@]}" doctest-dev librapidcheck-dev clang-format
+test_packages=("${docs_packages[@]}" doctest-dev clang-format
   clang lld libclang-rt-dev libc++-dev libc++abi-dev libbenchmark-dev dpkg-dev file pkg-config reuse)
 tidy_packages=("${test_packages[@]}" clang-tidy)
 bench_packages=("${run_packages[@]}" libbenchmark-dev python3-numpy)

@@ -163,7 +163,6 @@ def test_a_number_that_is_none_is_refused_with_its_name_value_and_range(name):
             function(**{**good, argument: float("nan")})
         said = str(error.value)
         assert said.startswith((f"{argument} = nan", f"{argument} = -nan")), (argument, said)
-        assert "is outside" in said, (argument, said)
         if name != "uniform_strain_moduli":  # whose errors are messages of a batch
             assert error.value.name == argument and error.value.range
 
@@ -174,18 +173,78 @@ def test_methods_have_signatures_and_name_their_arguments():
         (first, *_) = inspect.signature(method).parameters
         with pytest.raises(TypeError, match=first):
             method("x")
-        with pytest.raises(TypeError, match="unexpected keyword argument 'colour'"):
+        with pytest.raises(TypeError, match="colour"):
             method(1.0, colour=1)
     assert list(inspect.signature(granum.NormalLaw.force).parameters) == ["self", "overlap"]
     assert inspect.signature(sizes.quantile).parameters["k"].default == 0.0
 
 
-def test_a_law_by_name_takes_its_own_numbers_only():
-    with pytest.raises(TypeError, match="cone takes no such number: roughness"):
-        granum.contact_law(**GOOD["contact_law"], roughness=1e-7)
-    with pytest.raises(TypeError, match="cone needs slope"):
-        granum.contact_law("cone", **SOLID)
-    assert granum.contact_law(**GOOD["contact_law"]) == granum.cone(**GOOD["cone"])
+MAKERS = {"sphere": "sphere", "cone": "cone", "flat": "flat_punch", "power-law": "power_law", "rough": "rough_sphere"}
+
+
+@pytest.mark.parametrize("shape", MAKERS)
+def test_a_law_by_name_is_that_of_its_maker_and_takes_its_numbers_only(shape):
+    make, numbers = getattr(granum, MAKERS[shape]), GOOD[MAKERS[shape]]
+    assert repr(granum.contact_law(shape, **numbers)) == repr(make(**numbers))
+    (*_, own) = numbers
+    with pytest.raises(TypeError, match=own):
+        granum.contact_law(shape, **{name: value for name, value in numbers.items() if name != own})
+    with pytest.raises(TypeError, match="colour"):
+        granum.contact_law(shape, **numbers, colour=1)
+
+
+@pytest.mark.parametrize("shape", MAKERS)
+def test_a_bulk_modulus_replaces_poissons_ratio(shape):
+    make = getattr(granum, MAKERS[shape])
+    rest = {name: value for name, value in GOOD[MAKERS[shape]].items() if name != "poisson_ratio"}
+    law = make(**rest, poisson_ratio=0.2)
+    assert law.bulk_modulus == pytest.approx(40e9, rel=1e-14)
+    assert make(**rest, bulk_modulus=40e9).force(1e-6) == pytest.approx(law.force(1e-6), rel=1e-12)
+    for wrong in (dict(poisson_ratio=0.2, bulk_modulus=40e9), {}):
+        with pytest.raises(TypeError, match="bulk_modulus"):
+            make(**rest, **wrong)
+    with pytest.raises(granum.InvalidArgument, match="bulk_modulus = -1"):
+        make(**rest, bulk_modulus=-1)
+
+
+def test_bulk_moduli_of_models_broadcast():
+    K, G = np.array([[30e9], [37e9]]), 44e9
+    rest = dict(shear_modulus=G, porosity=0.36, coordination_number=9, pressure=[1e6, 1e7, 2e7])
+    found = granum.hertz_mindlin(**rest, bulk_modulus=K)
+    same = granum.hertz_mindlin(**rest, poisson_ratio=(3 * K - 2 * G) / (2 * (3 * K + G)))
+    assert found.shear_modulus.shape == (2, 3)
+    np.testing.assert_allclose(found.shear_modulus, same.shear_modulus, rtol=1e-13)
+
+
+def test_both_stresses_keep_their_names_and_arrays_name_the_typed_argument():
+    stresses = dict(stress_v=1e5, stress_h=5e4)
+    rest = {name: value for name, value in STATE.items() if name != "pressure"}
+    for name in stresses:
+        with pytest.raises(granum.InvalidArgument) as error:
+            granum.uniform_strain(**rest, **{**stresses, name: -1.0})
+        assert error.value.name == name
+    errors = granum.uniform_strain(**{**STATE, "pressure": np.array([1e5, -1.0])}).errors
+    assert list(errors) == [(1,)] and errors[(1,)].startswith("pressure = ")
+
+
+@pytest.mark.parametrize("wrong", [Nothing(), None, 1.5, "\ud800"])
+def test_what_is_no_specimen_is_refused_by_name(wrong):
+    for call in (
+        lambda: granum.compress(wrong, [1e5]),
+        lambda: granum.probe(wrong, mode="vh"),
+        lambda: granum.shear(wrong, path="TXC", mean_stress=1e5),
+    ):
+        with pytest.raises(TypeError, match="specimen"):
+            call()
+
+
+def test_fabric_is_one_of_its_measures():
+    measures = granum.fabric_measures(F33=0.4)
+    for name in ("P2_coefficient", "mean_cos_2gamma", "anisotropy"):
+        assert granum.fabric_measures(**{name: getattr(measures, name)}).F33 == pytest.approx(0.4)
+    for wrong in ({}, {"F33": 0.4, "anisotropy": 0.2}, {"a": 1}):
+        with pytest.raises(TypeError):
+            granum.fabric_measures(**wrong)
 
 
 def test_whole_numbers_of_any_length_are_numbers_and_flags_are_not():

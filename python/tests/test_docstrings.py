@@ -104,3 +104,11 @@ def test_members_of_classes_are_documented(name):
 
 def test_there_are_functions_to_look_at():
     assert len(FUNCTIONS) > 60 and len(CLASSES) > 50
+
+
+def test_sources_of_laws_minerals_and_sands_are_typeset_references():
+    sources = granum.references()
+    for table in (granum.known_sands(), granum.measured_laws(), granum.minerals()):
+        for key in {key for row in table.values() for key in row.source.split("; ")}:
+            assert not set("\\{}$") & set(sources[key].text + sources[key].remark)
+    assert sources["Hertz1882"].link == "https://doi.org/10.1515/crll.1882.92.156"

@@ -14,19 +14,6 @@ def cubic(edge=5, overlap=1e-6, **contacts):
     return granum.packing(position=places, radius=0.5e-3, cell=cell, periodic=[False] * 3, **contacts)
 
 
-def test_overlapping_spheres_touch(sphere):
-    packing = cubic()
-    assert len(packing.contacts) == 0
-    found = granum.overlap_contacts(packing, law=sphere)
-    assert len(found.contacts) == 3 * 4 * 25
-    assert np.allclose(found.contacts.overlap, 1e-6, rtol=1e-9)
-    assert np.allclose(found.contacts.normal_force, sphere.force(1e-6), rtol=1e-9)
-    assert not np.any(granum.overlap_contacts(packing).contacts.normal_force)
-    assert granum.overlap_contacts(found, law=sphere) == found
-    with pytest.raises(TypeError, match="packing"):
-        granum.overlap_contacts(1)
-
-
 def as_csv(packing, folder):
     """Files of the packing: grains, and contacts with their normal forces."""
     grains, contacts = folder / "grains.csv", folder / "contacts.csv"
@@ -74,38 +61,6 @@ def test_profiles_are_those_of_the_program_and_add_up(source, run_program):
     for wrong in (dict(axis="w"), dict(slices=0)):
         with pytest.raises(granum.InvalidArgument):
             granum.profile(packing, **wrong)
-
-
-def test_rolling_stiffness_is_that_of_the_contacts(sphere):
-    small = granum.specimen(law=sphere, radius=0.5e-3, friction_coefficient=0.5, kind="dense", grains=60)
-    state = next(iter(granum.compress(small, [50e3]))).packing
-    free = granum.measure(state, law=sphere).network.G_vh
-    by_ratio = granum.measure(state, law=sphere, rolling_stiffness=0.5).network.G_vh
-    assert by_ratio > 1.001 * free
-    plain, resisting = (granum.measure(state, law=sphere, rolling_stiffness=k).rungs["rung3"] for k in (None, 0.5))
-    assert resisting.G_vh / plain.G_vh == pytest.approx(by_ratio / free, rel=0.1)
-    assert "rung3" not in granum.measure(state, law=sphere, rolling_stiffness=1.5).rungs
-    c = state.contacts
-    r = 0.25e-3  # R* of equal grains
-    own = granum.packing(
-        position=state.position,
-        radius=state.radius,
-        cell=state.cell,
-        contacts=np.stack([c.i, c.j], axis=1).astype(int),
-        branch=c.branch,
-        overlap=c.overlap,
-        normal_force=c.normal_force,
-        tangential_force=c.tangential_force,
-        normal_stiffness=c.normal_stiffness,
-        tangential_stiffness=c.tangential_stiffness,
-        rolling_stiffness=0.5 * c.normal_stiffness * r**2,
-    )
-    assert granum.measure(own, law=sphere).network.G_vh == pytest.approx(by_ratio, rel=1e-6)
-    for spring in ((1e-3, "angle"), (2e4, "displacement")):
-        assert granum.measure(state, law=sphere, twisting_stiffness=spring).network.G_vh > 0
-    assert granum.measure(state, law=sphere, twisting_stiffness="marshall").network.G_vh > free
-    with pytest.raises(granum.InvalidArgument, match="rolling_stiffness"):
-        granum.measure(state, law=sphere, rolling_stiffness=(1.0, "elsewhere"))
 
 
 def test_one_rigid_body_among_single_grains_is_kept():

@@ -78,9 +78,9 @@ def test_other_arguments_are_broadcast_with_the_matrices(stack):
     np.testing.assert_array_equal(granum.rotate(stack[0, 0], rotation=rotations)[1], granum.rotate(stack[0, 0], rotation=rotations[1]))
     wet = granum.saturated(stack[0, 0], grain_bulk_modulus=370e9, fluid_bulk_modulus=2.2e9, void_ratio=[0.5, 0.7])
     assert wet.C33.shape == (2,) and wet.C33[0] > wet.C33[1]
-    with pytest.raises(granum.InvalidArgument, match="cannot be broadcast"):
+    with pytest.raises(granum.InvalidArgument):
         granum.plane_waves(stack, bulk_density=[1.0, 2.0], direction=[0, 0, 1])
-    with pytest.raises(granum.InvalidArgument, match="rotation is|rotation must"):
+    with pytest.raises(granum.InvalidArgument, match="rotation"):
         granum.rotate(stack, rotation=2 * rotations)
 
 
@@ -110,8 +110,13 @@ def test_solids_of_arrays():
 @pytest.mark.parametrize("shape", [(6,), (5, 6, 5), (6, 6, 1), ()])
 def test_another_shape_is_refused_by_name(name, shape):
     more = {**OF_A_STIFFNESS.get(name, dict(rotation=np.eye(3)))}
-    with pytest.raises(granum.InvalidArgument, match=r"stiffness has the shape .*not \(..., 6, 6\)"):
+    with pytest.raises(granum.InvalidArgument, match="stiffness"):
         getattr(granum, name)(np.ones(shape), **more)
+
+
+def test_every_function_of_a_stiffness_is_among_those():
+    takes = {name for name in granum.__all__ if "stiffness : (..., 6, 6)" in (getattr(granum, name).__doc__ or "")}
+    assert takes == {*OF_A_STIFFNESS, "rotate"}
 
 
 def test_no_matrices_give_no_numbers():

@@ -73,6 +73,8 @@ COMMON = """
 import granum, numpy as np, os, signal, sys
 signal.signal(signal.SIGINT, signal.default_int_handler)  # which jobs in the background ignore
 law = granum.sphere(shear_modulus=30e9, poisson_ratio=0.15, radius=0.5e-3)
+
+
 def long_array(rows, low=50e3, high=500e3): return np.linspace(low, high, rows)
 """
 LONG_CALLS = {  # a minute and more, or without an end

@@ -41,47 +41,6 @@ def test_a_path_goes_on_from_any_state_with_the_same_bits(states):
     assert granum.specimen(**{**RECIPE, "seed": 2}) != granum.specimen(**RECIPE)
 
 
-def test_states_are_packings(states):
-    packing = states[1].packing
-    assert len(packing) == 80 and packing.periodic == (True, True, True)
-    assert (packing.contacts.normal_stiffness > 0).all()
-    found = granum.measure(packing, law=LAW)
-    np.testing.assert_allclose(np.diag(found.stress.symmetric), 50e3, rtol=1e-3)
-    assert found.void_ratio == pytest.approx(states[1].specimen.void_ratio, rel=1e-12)
-
-
-def test_a_probe_finds_the_modulus_of_the_network(states):
-    network = granum.measure(states[1].packing, law=LAW).network.relaxed
-    for mode, place in (("hh", 5), ("hv", 4), ("vh", 4)):
-        probe = granum.probe(states[1].specimen, mode=mode)
-        assert probe.converged
-        assert probe.shear_modulus == pytest.approx(network[place, place], rel=0.01)
-
-
-def test_a_shear_path_keeps_its_stress(states):
-    points = list(granum.shear(states[1].specimen, path="TXC", mean_stress=50e3, largest_strain=0.004))
-    assert len(points) >= 2
-    for point in points:
-        assert point.stress_h == pytest.approx(50e3, rel=0.05)
-    assert points[-1].axial_strain == pytest.approx(0.004, rel=0.01)
-    assert points[-1].eta > points[0].eta > 0
-    assert len(points[-1].packing) == 80
-
-
-@pytest.mark.parametrize(
-    "name, wrong, said",
-    [
-        ("kind", "medium", "dense, loose"),
-        ("grains", 3, "grains"),
-        ("friction_coefficient", -1, "friction"),
-        ("radius", 0.0, "radius"),
-    ],
-)
-def test_a_specimen_that_cannot_be_is_refused(name, wrong, said):
-    with pytest.raises(granum.InvalidArgument, match=said):
-        granum.specimen(**{**RECIPE, name: wrong})
-
-
 SCENE = {
     "study": {
         "contacts": ["sphere"],
@@ -126,20 +85,6 @@ def test_a_scene_file_is_the_same_scene(tmp_path):
         granum.verify(path)
 
 
-@pytest.mark.parametrize(
-    "scene, said",
-    [
-        ({"grain.colour": "red"}, "grain.colour"),
-        ({"study": {"grains": 3}}, "study.grains"),
-        ({"shear.largest_strain": 0.1}, "ignored by verify"),
-        ({"contact.cone_slope": 0.5, "study.contacts": ["sphere"]}, "no effect"),
-    ],
-)
-def test_a_scene_that_cannot_be_is_refused(scene, said):
-    with pytest.raises(granum.InvalidArgument, match=said):
-        granum.verify(scene)
-
-
 def test_an_exception_of_the_progress_ends_the_study():
     def refuse(done, what):
         raise RuntimeError("enough")
@@ -182,6 +127,8 @@ CTRL_C = """
 import os, signal, sys, threading
 import granum
 go = threading.Event()
+
+
 def press():
     go.wait()
     os.kill(os.getpid(), signal.SIGINT)
@@ -226,3 +173,22 @@ def test_ctrl_c_keeps_the_states_of_a_path():
     """
     done = subprocess.run([sys.executable, "-c", textwrap.dedent(program)], stdout=subprocess.PIPE, text=True)
     assert done.returncode == 0 and done.stdout.strip() == "3"
+
+
+@pytest.mark.parametrize(
+    "call, named",
+    [
+        (lambda: granum.specimen(**{**RECIPE, "kind": "medium"}), "medium"),
+        (lambda: granum.specimen(**{**RECIPE, "grains": 3}), "grains"),
+        (lambda: granum.specimen(**{**RECIPE, "friction_coefficient": -1}), "friction"),
+        (lambda: granum.verify({"grain.colour": "red"}), "grain.colour"),
+        (lambda: granum.verify({"study": {"grains": 3}}), "study.grains"),
+        (lambda: granum.verify({"shear.largest_strain": 0.1}), "shear.largest_strain"),
+        (lambda: granum.verify({"contact.cone_slope": 0.5, "study.contacts": ["sphere"]}), "contact.cone_slope"),
+    ],
+)
+
+
+def test_what_no_specimen_and_no_scene_can_have_is_refused_by_name(call, named):
+    with pytest.raises(granum.InvalidArgument, match=named):
+        call()

@@ -82,7 +82,7 @@ def test_moments_and_clumps(scene):
 def test_other_bodies_are_refused(scene):
     scene.bodies.append(body(4, Clump()))
     scene.interactions.append(contact(3, 4, (0, 0, 1), 0.01, (0, 0, 1), (0, 0, 0)))
-    with pytest.raises(ValueError, match="bodies 3 and 4"):
+    with pytest.raises(ValueError, match="3.*4"):
         granum.from_yade(scene)
 
 

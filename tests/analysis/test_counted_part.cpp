@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/analysis/parts.hpp>
 
-#include <doctest/doctest.h>
 #include <granum/analysis/measure.hpp>
 #include <granum/contact/power_law.hpp>
 #include <granum/contact/rough_sphere.hpp>
 #include <granum/packing/coordination.hpp>
 
 #include "packing/sample_packings.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::analysis;
 
 namespace {

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/analysis/law_check.hpp>
 
-#include <cmath>
-#include <vector>
-
 #include "packing/sample_packings.hpp"
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
+#include "unit.hpp"
 
-#include "relative.hpp"
-
-using namespace granum;
 using analysis::check_law;
 using contact::PowerLaw;
 

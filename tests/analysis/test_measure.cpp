@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/analysis/measure.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/stop.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "analysis/materials.hpp"
 #include "packing/sample_packings.hpp"
-#include "relative.hpp"
 #include "thresholds.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::analysis;
 
 TEST_CASE("strong and weak contacts have their own fabric") {

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/analysis/profile.hpp>
 
-#include <cmath>
-#include <numbers>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "packing/sample_packings.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::analysis;
 
 namespace {

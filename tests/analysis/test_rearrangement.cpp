@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/analysis/rearrangement.hpp>
 
-#include <algorithm>
-
 #include <Eigen/Dense>
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 
 #include "packing/sample_packings.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using analysis::d2min;
 
 namespace {

@@ -27,9 +27,6 @@ struct Line {
   std::string name;               ///< of the command
   std::vector<std::string> words; ///< after it
   bool json = false;
-  double pressure = 0; ///< [kPa]
-  std::string pressure_text;
-  double void_ratio = 0, contacts = 0;
 
   [[nodiscard]] bool has(const std::string& option) const {
     return std::find(words.begin(), words.end(), option) != words.end();
@@ -42,11 +39,6 @@ struct Line {
     const auto found = std::find(line.words.begin(), line.words.end(), option);
     if (found != line.words.end())
       line.words.erase(found, found + 2);
-    return line;
-  }
-  [[nodiscard]] Line with(const std::string& option, double value, const std::string& unit) const {
-    Line line = without(option);
-    line.words.insert(line.words.end(), {option, granum::exact_text(value) + unit});
     return line;
   }
 };
@@ -110,7 +102,7 @@ class Lines {
   Line any() {
     constexpr std::array names{"estimate", "estimate", "estimate", "sweep",  "sweep",
                                "infer",    "fit",      "plan",     "analyse"};
-    Line line{.name = names[random_.below(names.size())], .words = {}, .pressure_text = {}};
+    Line line{.name = names[random_.below(names.size())], .words = {}};
     begin(line);
     const cli::Command& command = *std::find_if(program_->within.begin(), program_->within.end(),
                                                 [&](const cli::Command& c) { return c.name == line.name; });
@@ -166,22 +158,21 @@ class Lines {
   }
 
   void begin_packing(Line& line) {
-    line.void_ratio = random_.between(0.45, 0.95);
-    line.pressure = random_.decades(0.5, 4);
-    line.pressure_text = granum::exact_text(line.pressure);
-    line.words = {"--void-ratio", granum::exact_text(line.void_ratio)};
+    const double pressure = random_.decades(0.5, 4); // [kPa]
+    const std::string text = granum::exact_text(pressure);
+    line.words = {"--void-ratio", granum::exact_text(random_.between(0.45, 0.95))};
     if (line.name == "sweep") {
       if (random_.one_in(2))
-        line.words.insert(line.words.end(), {"--from", "10kPa", "--to", line.pressure_text + "MPa"});
+        line.words.insert(line.words.end(), {"--from", "10kPa", "--to", text + "MPa"});
       else
         line.words.insert(line.words.end(),
                           {"--depth", "1m.." + granum::exact_text(random_.between(2, 200)) + "m"});
       line.words.insert(line.words.end(), {"--points", std::to_string(2 + random_.below(6))});
       return;
     }
-    line.words.insert(line.words.end(), {"--pressure", line.pressure_text + "kPa"});
+    line.words.insert(line.words.end(), {"--pressure", text + "kPa"});
     if (line.name == "infer") // between what few and what many contacts give spheres of quartz
-      line.words.insert(line.words.end(), {"--vs", granum::exact_text(std::pow(line.pressure / 100, 1 / 6.0) *
+      line.words.insert(line.words.end(), {"--vs", granum::exact_text(std::pow(pressure / 100, 1 / 6.0) *
                                                                       random_.between(180, 360)) +
                                                        "m/s"});
   }
@@ -206,8 +197,6 @@ class Lines {
     const std::string value = value_of(name, row.value, command);
     if (value.empty())
       return;
-    if (name == "--mechanical-coordination-number")
-      line.contacts = std::strtod(value.c_str(), nullptr);
     line.words.insert(line.words.end(), {name, value});
   }
 

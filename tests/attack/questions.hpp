@@ -39,37 +39,18 @@ struct MovableInput {
 inline constexpr std::array movable_inputs{
     MovableInput{"void ratio", [](const Question& q) { return q.state.void_ratio; },
                  [](Question& q, double x) { q.state.void_ratio = x; }},
-    MovableInput{"stress_v", [](const Question& q) { return q.state.stress_v; },
-                 [](Question& q, double x) { q.state.stress_v = x; }},
     MovableInput{"stress", [](const Question& q) { return q.state.stress_h; },
                  [](Question& q, double x) {
                    q.state.stress_v *= q.state.stress_h > 0 ? x / q.state.stress_h : 1;
                    q.state.stress_h = x;
                  }},
-    MovableInput{"fabric", [](const Question& q) { return q.state.fabric_anisotropy; },
-                 [](Question& q, double x) { q.state.fabric_anisotropy = x; }},
-    MovableInput{"ratio", [](const Question& q) { return q.state.tangential_ratio; },
-                 [](Question& q, double x) { q.state.tangential_ratio = x; }},
     MovableInput{"grain modulus", [](const Question& q) { return q.state.law.grain().shear_modulus; },
                  [](Question& q, double x) {
                    q.state.law = q.state.law.of_grain(
                        {.shear_modulus = x, .poisson_ratio = q.state.law.grain().poisson_ratio});
                  }},
-    MovableInput{"grain Poisson's ratio", [](const Question& q) { return q.state.law.grain().poisson_ratio; },
-                 [](Question& q, double x) {
-                   q.state.law = q.state.law.of_grain(
-                       {.shear_modulus = q.state.law.grain().shear_modulus, .poisson_ratio = x});
-                 }},
-    MovableInput{"C_n", [](const Question& q) { return q.state.coordination_number.value_or(0); },
-                 [](Question& q, double x) { q.state.coordination_number = x; }},
     MovableInput{"z*", [](const Question& q) { return q.state.mechanical_coordination_number.value_or(0); },
                  [](Question& q, double x) { q.state.mechanical_coordination_number = x; }},
-    MovableInput{"rattlers", [](const Question& q) { return q.rattler_fraction.value_or(0); },
-                 [](Question& q, double x) { q.rattler_fraction = x; }},
-    MovableInput{"grain density", [](const Question& q) { return q.grain_density.value_or(0); },
-                 [](Question& q, double x) { q.grain_density = x; }},
-    MovableInput{"saturation", [](const Question& q) { return q.saturation; },
-                 [](Question& q, double x) { q.saturation = x; }},
 };
 
 inline void tell(RandomQuestion& asked, const std::string& name, double value) {

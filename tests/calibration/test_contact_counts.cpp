@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <contact_counts.hpp>
 
-#include <doctest/doctest.h>
-
 #include "packing/sample_packings.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("contact counts: grains that support each other are jammed, touching pairs are not") {
   packing::Assembly grains = samples::lattice(samples::simple_cubic, {});

@@ -2,9 +2,8 @@
 #include <scatter.hpp>
 
 #include <random>
-#include <vector>
 
-#include <doctest/doctest.h>
+#include "unit.hpp"
 
 using namespace relaxation;
 

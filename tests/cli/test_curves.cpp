@@ -7,17 +7,15 @@
 #include <fstream>
 #include <set>
 
-#include <doctest/doctest.h>
 #include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 #include <nlohmann/json.hpp>
 #include <toml++/toml.h>
 
 #include "swept_file.hpp"
+#include "unit.hpp"
 
 namespace {
-
-using namespace granum;
 
 const std::vector<std::string> state{"--void-ratio", "0.7", "--uniformity", "1.5", "--pressure", "100kPa"};
 

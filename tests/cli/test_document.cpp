@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One small document, and what each printer makes of it.
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "cli/document/document.hpp"
+
+#include "unit.hpp"
 
 namespace {
 
-using namespace granum;
 using namespace granum::cli;
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -128,11 +126,10 @@ TEST_CASE("document: the page has answers, tables, notes and their sources") {
   document.warnings.add("beware");
   const std::string text = page(document);
   for (const char* part :
-       {"What is it?", "sand: G is 100 MPa (90 MPa to 1.2 GPa).", "one standard deviation to each side",
-        "first one", "a note [<a href=\"#Lo2021\">Lo2021</a>]", "<td id=\"Lo2021\">", "beware",
-        "<pre>An example"})
+       {"What is it?", "100 MPa (90 MPa to 1.2 GPa).", "first one", "a note [<a href=\"#Lo2021\">Lo2021</a>]",
+        "<td id=\"Lo2021\">", "beware", "<pre>An example"})
     CHECK_MESSAGE(has(text, part), part, " is missing");
-  for (const char* part : {"for files", "What was asked", ", granum 0."})
+  for (const char* part : {"for files", ", granum 0."})
     CHECK_FALSE(has(text, part));
 }
 

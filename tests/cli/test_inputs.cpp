@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rules of the table of inputs at the doors of the program: options and columns of tables.
 #include <cctype>
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/estimate/answer.hpp>
@@ -13,10 +9,10 @@
 #include "cli/options/input_options.hpp"
 #include "cli/options/slips.hpp"
 #include "thresholds.hpp"
+#include "unit.hpp"
 
 namespace {
 
-using namespace granum;
 using namespace granum::cli;
 using estimate::InputRow;
 
@@ -38,7 +34,18 @@ void by_column(InputValues& values, const InputRow& row, const std::string& text
   values = columns.row(0);
 }
 
-constexpr Door doors[] = {&by_option, &by_column};
+/// As Python gives it.
+void by_keyword(InputValues& values, const InputRow& row, const std::string& text) {
+  values.by_keywords = true;
+  if (row.input == Input::uniformity) // which gives a distribution
+    by_option(values, row, text);
+  else if (row.kind == estimate::Kind::number)
+    values.give(row.input, parse_number(text).value());
+  else
+    values.give(row.input, text);
+}
+
+constexpr Door doors[] = {&by_option, &by_column, &by_keyword};
 
 /// Density and stress for an input, beside which nothing contradicts it.
 InputValues beside(const InputRow& row) {
@@ -90,17 +97,20 @@ std::vector<const InputRow*> numbers() {
 
 } // namespace
 
-TEST_CASE("inputs at doors: a number beyond its limits has one refusal, by option and by column") {
+TEST_CASE("inputs at doors: a number beyond its limits is refused by each, with the name that it has there") {
   for (const InputRow* const row : numbers()) {
     CAPTURE(row->key);
     for (const double beyond : {row->limits.low - 1, row->limits.high * 1.5 + 1}) {
       if (!std::isfinite(beyond))
         continue;
       const std::string text = exact_text(beyond), of_option = refusal(by_option, *row, text),
-                        of_column = refusal(by_column, *row, text);
+                        of_column = refusal(by_column, *row, text),
+                        of_keyword = refusal(by_keyword, *row, text);
       CAPTURE(of_option);
       CHECK(!of_option.empty());
       CHECK(of_option == of_column);
+      CHECK(!of_keyword.empty());
+      CHECK(of_keyword.find("--") == std::string::npos);
     }
   }
 }
@@ -124,14 +134,16 @@ TEST_CASE("inputs at doors: a possible number makes one question, by option and 
       CHECK(values.number(row->input) == number);
       questions.push_back(question_of(completed(values)));
     }
-    CHECK(questions[0].state.law == questions[1].state.law);
-    CHECK(questions[0].state.void_ratio == questions[1].state.void_ratio);
-    CHECK(questions[0].state.stress_h == questions[1].state.stress_h);
-    CHECK(questions[0].sand == questions[1].sand);
-    CHECK(questions[0].grain_shape == questions[1].grain_shape);
-    if (row->read != nullptr) {
-      REQUIRE(row->read(questions[0]).has_value());
-      CHECK(*row->read(questions[0]) == *row->read(questions[1]));
+    for (std::size_t k = 1; k < std::size(doors); ++k) {
+      CHECK(questions[0].state.law == questions[k].state.law);
+      CHECK(questions[0].state.void_ratio == questions[k].state.void_ratio);
+      CHECK(questions[0].state.stress_h == questions[k].state.stress_h);
+      CHECK(questions[0].sand == questions[k].sand);
+      CHECK(questions[0].grain_shape == questions[k].grain_shape);
+      if (row->read != nullptr) {
+        REQUIRE(row->read(questions[0]).has_value());
+        CHECK(*row->read(questions[0]) == *row->read(questions[k]));
+      }
     }
   }
 }
@@ -212,7 +224,7 @@ TEST_CASE("inputs: of two headings of one input the first is read, and others ar
   const auto [first, unread] = remarks("e_0,e_c\n0.8,0.7\n");
   CHECK(first.number(Input::void_ratio) == 0.7); // after consolidation
   REQUIRE(unread.size() == 1);
-  CHECK(unread[0].ends_with(": e_0"));
+  CHECK(unread[0].find("e_0") != std::string::npos);
   const auto [both, none] = remarks("sigma_1_kPa,sigma_3_kPa\n200,100\n");
   CHECK(both.number(Input::stress_h) == 100e3);
   CHECK(none.empty());

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // V_s30, travel time and period of a profile, against a sum over many depths; and tables in units of
 // practice.
-#include <cmath>
 #include <fstream>
 
-#include <doctest/doctest.h>
 #include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 #include <nlohmann/json.hpp>
 
 #include "swept_file.hpp"
+#include "unit.hpp"
 
 namespace {
 
-using namespace granum;
 using nlohmann::json;
 
 std::vector<std::string> profile(const char* depths, const char* points,

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/contact/adhesion.hpp>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include <doctest/doctest.h>
 #include <granum/contact/power_law.hpp>
-#include <granum/core/error.hpp>
 
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using contact::Adhesion;
 using contact::AdhesionModel;
 using contact::adhesive_contact_at_force;

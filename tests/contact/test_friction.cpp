@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/contact/grains.hpp>
 
-#include <limits>
-#include <numbers>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-using namespace granum;
 using contact::Friction;
 
 TEST_CASE("friction angle and coefficient convert into each other") {

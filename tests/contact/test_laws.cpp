@@ -2,20 +2,13 @@
 // Every test runs over the table of laws, so that a new row is tested by being there.
 #include <granum/contact/laws.hpp>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <set>
-#include <vector>
 
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
-#include <granum/core/error.hpp>
 #include <granum/core/numerics.hpp>
 
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::contact;
 
 namespace {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/contact/grains.hpp>
 
-#include <cmath>
 #include <set>
-#include <string>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::contact;
 
 TEST_CASE("minerals: bulk moduli and densities as they are printed") {

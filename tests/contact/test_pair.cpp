@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/contact/grains.hpp>
 
-#include <cmath>
-#include <limits>
-#include <utility>
 #include <variant>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
+#include "unit.hpp"
 
-#include <relative.hpp>
-
-using namespace granum;
 using namespace granum::contact;
 
 namespace {
@@ -67,7 +60,7 @@ TEST_CASE("two grains of different materials are one to the bit, whichever comes
 
 TEST_CASE("a material that cannot be is refused by name") {
   CHECK_THROWS_WITH_AS((void)pair_material(hard_quartz, {.shear_modulus = 0, .poisson_ratio = 0.1}),
-                       "grain_shear_modulus = 0 Pa is outside (0, inf)", InvalidArgument);
+                       doctest::Contains("grain_shear_modulus = 0 Pa"), InvalidArgument);
   CHECK_THROWS_AS((void)pair_material({.shear_modulus = 1e9, .poisson_ratio = 0.6}, hard_quartz),
                   InvalidArgument);
 }

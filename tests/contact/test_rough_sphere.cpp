@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/contact/rough_sphere.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
 #include <variant>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
 #include <granum/contact/laws.hpp>
-#include <granum/core/error.hpp>
 
-#include <relative.hpp>
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::contact;
 
 namespace {
@@ -154,18 +147,6 @@ TEST_CASE("rough spheres: b falls from 1 to 1/3, and X is 1 at the force of tran
   CHECK(law.stiffness_at_force(1e-6 * f1) == relative(1e-6 * f1 / u0, 1e-5));
   const double X = rough_stiffness(1e-3).ratio;
   CHECK(X == relative(1 - 1e-3 / 3, 2e-5));
-}
-
-TEST_CASE("rough spheres: pairs of unequal grains have their pair radius and the same surface") {
-  const RoughSphere law(quartz, R, u0);
-  const double d = 40 * u0;
-  for (const auto& [i, j] : {std::pair(1.0, 1.0), {0.5, 2.0}, {3.0, 0.7}}) {
-    const RoughSphere expected(quartz, pair_radius(i * R, j * R), u0);
-    CHECK(of_sizes(law, i, j).force(d) == relative(expected.force(d), 1e-13));
-    CHECK(of_sizes(std::get<RoughSphereKernel>(law.kernel()), i, j)(d).force ==
-          relative(expected.force(d), 1e-9));
-  }
-  CHECK(law.of(quartz, 2 * R).roughness() == u0);
 }
 
 TEST_CASE("rough spheres: numbers far out of the ordinary end in no NaN") {

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/core/bytes.hpp>
 
-#include <cmath>
-#include <limits>
-
-#include <doctest/doctest.h>
 #include <granum/core/vec3.hpp>
 
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("values come back to the bit, in the order of writing") {
   ByteWriter writer;
@@ -33,10 +29,9 @@ TEST_CASE("bytes that end too early are an error that names their source") {
   writer.put_all(std::vector<double>(3, 1.0));
   const std::string cut = writer.bytes().substr(0, writer.bytes().size() - 1);
   ByteReader list(cut, "run.checkpoint");
-  CHECK_THROWS_WITH_AS((void)list.get_all<double>(), "run.checkpoint: ends within a list of 3 values",
-                       FileError);
+  CHECK_THROWS_WITH_AS((void)list.get_all<double>(), doctest::Contains("run.checkpoint"), FileError);
   ByteReader value("1234567", "short");
-  CHECK_THROWS_WITH_AS((void)value.get<double>(), "short: ends before its last value", FileError);
+  CHECK_THROWS_WITH_AS((void)value.get<double>(), doctest::Contains("short"), FileError);
   // A count beyond all memory is no reason to ask for it.
   ByteWriter huge;
   huge.put(std::uint64_t{1} << 62);

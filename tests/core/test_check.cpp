@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/core/error.hpp>
 
-#include <limits>
-#include <string>
-
-#include <doctest/doctest.h>
-
 #include "refusal_text.hpp"
+#include "unit.hpp"
 
-using namespace granum;
-
-TEST_CASE("a rejected value is named with its unit and range") {
+TEST_CASE("a rejected value is named with its unit and range, also as data") {
   try {
-    require_positive("radius", -0.5, "m");
+    require_closed("stress_v", 2e300, 0, 1e200, "Pa");
     FAIL("no exception");
   } catch (const InvalidArgument& error) {
-    CHECK(std::string(error.what()) == "radius = -0.5 m is outside (0, inf)");
+    for (const char* part : {"stress_v = 2e+300 Pa", "[0, 1e+200]"})
+      CHECK(std::string(error.what()).find(part) != std::string::npos);
+    REQUIRE(error.refused());
+    CHECK(error.refused()->name == "stress_v");
+    CHECK(error.refused()->value == 2e300);
+    CHECK(error.refused()->unit == "Pa");
+    CHECK(error.refused()->range == "[0, 1e+200]");
   }
-  try {
-    require_open("porosity", 38, 0, 1);
-    FAIL("no exception");
-  } catch (const InvalidArgument& error) {
-    CHECK(std::string(error.what()) == "porosity = 38 is outside (0, 1)");
-  }
+  CHECK_FALSE(InvalidArgument("two masses").refused());
 }
 
 TEST_CASE("a range contains what lies between its ends, closed or open, with a unit or a reason behind it") {
@@ -54,9 +49,6 @@ TEST_CASE("no refusal prints a value that is within the range it prints") {
               ++refused;
             }
   CHECK(refused > 500);
-  CHECK(contradicts_itself("--sizes: ratio = 1 is outside [1, 1e+06]"));
-  CHECK_FALSE(contradicts_itself("ratio = 1.00000001 m is outside [0, 1]: too large"));
-  CHECK_FALSE(contradicts_itself("the file is outside"));
 }
 
 TEST_CASE("a NUL in a text does not end the message") {
@@ -67,24 +59,11 @@ TEST_CASE("a NUL in a text does not end the message") {
   CHECK(std::string(InvalidArgument(name, 1, "", "[2, 3]").what()).ends_with("[2, 3]"));
 }
 
-TEST_CASE("a refused number can be read off its exception, and a text that is none has none") {
-  try {
-    require_closed("stress_v", 2e300, 0, 1e200, "Pa");
-    FAIL("no exception");
-  } catch (const InvalidArgument& error) {
-    REQUIRE(error.refused());
-    CHECK(error.refused()->name == "stress_v");
-    CHECK(error.refused()->value == 2e300);
-    CHECK(error.refused()->unit == "Pa");
-    CHECK(error.refused()->range == "[0, 1e+200]");
-  }
-  CHECK_FALSE(InvalidArgument("two masses").refused());
-}
-
 TEST_CASE("a file error contains its path and its line") {
   const FileError error("a.csv", 3, "expected a number");
   CHECK(error.path() == "a.csv");
   CHECK(error.line() == 3);
+  CHECK(std::string(error.what()) == "a.csv:3: expected a number"); // this test's own words
   CHECK(FileError("a.csv", 0, "no such file").line() == 0);
 }
 
@@ -103,9 +82,4 @@ TEST_CASE("checks pass their value on and stop NaN and infinity") {
   CHECK_THROWS_AS(require_open("x", 1, 0, 1), InvalidArgument);
   CHECK_THROWS_AS(require_poisson_ratio("nu", -1), InvalidArgument);
   CHECK_THROWS_AS(require_poisson_ratio("nu", 0.6), InvalidArgument);
-}
-
-TEST_CASE("a file error begins with path and line") {
-  CHECK(std::string(FileError("a.csv", 3, "expected a number").what()) == "a.csv:3: expected a number");
-  CHECK(std::string(FileError("a.csv", 0, "no such file").what()) == "a.csv: no such file");
 }

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/core/text.hpp>
 
-#include <string>
-#include <vector>
-
-#include <doctest/doctest.h>
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("slips are counted, whichever word comes first") {
   const struct {
@@ -51,11 +46,14 @@ TEST_CASE("the word that was meant is found, and none where none is near") {
 
 TEST_CASE("the question lists up to three words") {
   const std::vector<std::string> words{"rung1", "rung2", "rung3", "rung4", "sphere", "cone", "bone", "tone"};
-  CHECK(did_you_mean("sphre", words) == "; did you mean sphere?");
-  CHECK(did_you_mean("xone", words) == "; did you mean cone, bone or tone?");
+  const auto has = [](const std::string& text, std::initializer_list<const char*> parts) {
+    return std::all_of(parts.begin(), parts.end(),
+                       [&](const char* part) { return text.find(part) != std::string::npos; });
+  };
+  CHECK(has(did_you_mean("sphre", words), {"sphere"}));
+  CHECK(has(did_you_mean("xone", words), {"cone", "bone", "tone"}));
   CHECK(did_you_mean("rung", words).empty());
   CHECK(did_you_mean("flat", words).empty());
-  CHECK(unknown_word("contact", "sphere2", words) == "contact 'sphere2' is unknown; did you mean sphere?");
-  CHECK(unknown_word("contact", "flat", std::vector<std::string>{"cone", "punch"}) ==
-        "contact 'flat' is unknown; known are cone, punch");
+  CHECK(has(unknown_word("contact", "sphere2", words), {"contact", "'sphere2'", "sphere?"}));
+  CHECK(has(unknown_word("contact", "flat", std::vector<std::string>{"cone", "punch"}), {"cone, punch"}));
 }

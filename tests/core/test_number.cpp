@@ -2,13 +2,9 @@
 #include <granum/core/text.hpp>
 
 #include <bit>
-#include <cstdint>
-#include <limits>
 #include <random>
 
-#include <doctest/doctest.h>
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("a number is all of the text or nothing") {
   CHECK(parse_number("-1.5e3") == -1500);

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/core/numerics.hpp>
 
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("Gauss-Legendre rules integrate polynomials up to degree 2 n - 1 exactly and no further") {
   for (const int order : {1, 2, 3, 7, 16, 48, 101}) {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/root.hpp"
 
-#include <cmath>
-
-#include <doctest/doctest.h>
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("root: intervals contain the root and are as narrow as asked, within the calls allowed") {
   std::size_t calls = 0;

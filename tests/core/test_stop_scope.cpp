@@ -3,16 +3,13 @@
 
 #include <functional>
 #include <thread>
-#include <utility>
-#include <vector>
 
-#include <doctest/doctest.h>
 #include <granum/effective/batch.hpp>
 #include <granum/fabric/estimates.hpp>
 #include <granum/fabric/orientation.hpp>
 #include <granum/sizes/distribution.hpp>
 
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/core/numerics.hpp>
 
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include <doctest/doctest.h>
-
-#include <granum/core/error.hpp>
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("points on a line give the line, without error") {
   std::vector<Point> points;

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/core/text.hpp>
 
-#include <string>
-
-#include <doctest/doctest.h>
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("utf8: lengths of characters, 0 for invalid ones") {
   for (const auto& [text, length] :

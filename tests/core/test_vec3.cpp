@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/core/vec3.hpp>
 
-#include <doctest/doctest.h>
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("vector and matrix identities") {
   const Vec3 a{1, -2, 3}, b{0.5, 4, -1};

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/sweep/contact_sweep.hpp"
 
-#include <cmath>
-#include <vector>
-
-#include <doctest/doctest.h>
 #include <granum/dem/neighbours.hpp>
 
 #include "dem/sweep/normal_forces.hpp"
 #include "lattice_state.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::dem;
 
 namespace {

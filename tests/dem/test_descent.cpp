@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-
-#include <doctest/doctest.h>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 
 #include "lattice_state.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::dem;
 
 namespace {
@@ -117,36 +110,6 @@ TEST_CASE("a descent turns a tenth of the velocities towards the forces") {
   const Vec3 before = free.state().velocity[0], after = turned.state().velocity[0];
   CHECK(std::abs(after.y) == relative(0.9 * std::abs(before.y), 0.01));
   CHECK(after.x / before.x > 1);
-}
-
-TEST_CASE("a descent has the same bits with any number of threads, and after save and load") {
-  for (const bool unequal : {false, true})
-    for (const bool walls : {false, true}) {
-      CAPTURE(unequal);
-      CAPTURE(walls);
-      const Specimen start = shaken(9, unequal, walls);
-      Engine one(start, sticking()), many(start, sticking());
-      many.set_threads(2);
-      REQUIRE(many.threads() == 2);
-      one.descend();
-      many.descend();
-      const auto run = [](Engine& engine) {
-        for (int k = 0; k < 20; ++k)
-          engine.step();
-      };
-      run(one);
-      run(many);
-      ByteWriter bytes;
-      many.save(bytes);
-      ByteReader reader(bytes.bytes(), "bytes");
-      Engine resumed = Engine::load(reader, sticking());
-      run(one);
-      run(many);
-      run(resumed);
-      CHECK(one.state() == many.state());
-      CHECK(one.state() == resumed.state());
-      CHECK(one.kinetic_energy() > 0);
-    }
 }
 
 TEST_CASE("a drag that is set ends a descent") {

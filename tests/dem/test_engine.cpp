@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/dem/engine.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <utility>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "lattice_state.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::dem;
 
 namespace {
@@ -109,20 +99,6 @@ TEST_CASE("a tangential force shrinks with its stiffness when the contact unload
   const packing::Contact contact = contact_network(engine.state(), material).contacts.at(0);
   CHECK(contact.overlap == relative(0.99 * overlap, 1e-8));
   CHECK(contact.tangential_force.y == relative(1e-4 * std::sqrt(0.99), 1e-8));
-}
-
-TEST_CASE("stress of a compressed face-centred cubic lattice") {
-  const Material material = test::quartz(radius, 0.5);
-  const double overlap = 2e-7;
-  Engine engine(test::fcc(radius, 3, overlap), material);
-  // p = f/(sqrt 2 R^2) with R half of the branch.
-  const double half_branch = radius - overlap / 2;
-  const double pressure = material.law.force(overlap) / (std::numbers::sqrt2 * half_branch * half_branch);
-  // The overlaps are differences of lengths 1e4 times as large: 1e-12 of them is round-off.
-  for (int axis = 0; axis < 3; ++axis)
-    CHECK(engine.figures().stress(axis, axis) == relative(pressure, 1e-9));
-  CHECK(engine.figures().contacts == 6 * 108);
-  CHECK(std::abs(engine.figures().stress(0, 1)) < 1e-9 * pressure);
 }
 
 TEST_CASE("the chosen time step stays below the stability limit of a stiff, regular packing") {

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/sweep/frequency_bound.hpp"
 
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <random>
-#include <vector>
 
 #include <Eigen/Dense>
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
 #include <granum/contact/laws.hpp>
 #include <granum/dem/quasistatic.hpp>
@@ -17,9 +13,8 @@
 
 #include "dem/sweep/verlet_list.hpp"
 #include "lattice_state.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::dem;
 
 namespace {

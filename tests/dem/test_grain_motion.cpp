@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/sweep/grain_motion.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-
-#include "relative.hpp"
-
-using namespace granum;
 using namespace granum::dem;
 
 namespace {

@@ -6,13 +6,10 @@
 #include <set>
 #include <tuple>
 
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/stop.hpp>
 
-using namespace granum;
+#include "unit.hpp"
+
 using namespace granum::dem;
 
 namespace {

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/dem/quasistatic.hpp>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <utility>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "lattice_state.hpp"
-#include "relative.hpp"
 #include "stop_at.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::dem;
 
 namespace {

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/sweep/partition.hpp"
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-
-using namespace granum;
 using namespace granum::dem;
 
 namespace {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/dem/specimen.hpp>
 
-#include <limits>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "lattice_state.hpp"
-#include "relative.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
-
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
-#include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/packing/forces.hpp>
 
 #include "lattice_state.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::dem;
 
 namespace {
@@ -92,37 +83,6 @@ TEST_CASE("the contact of two unequal grains is Hertz's, in the network and in t
     CHECK(engine.figures().contacts == 1);
     CHECK(engine.figures().mean_normal_force == relative(contact.normal_force, 1e-9));
   }
-}
-
-TEST_CASE("unequal grains part with the momentum and the angular momentum that they had") {
-  const Material material = test::quartz(radius, inf);
-  Specimen state = pair_state(0.6, 1.9, 1e-7);
-  state.velocity = {{0, 0.002, 0}, {0.001, 0, 0.001}};
-  state.angular_velocity = {{1, 2, 3}, {-2, 0.5, 1}};
-  const auto weight = [&](std::size_t g) { return std::pow(state.size[g], mass_exponent); };
-  const auto momentum = [&](const Specimen& s) {
-    return weight(0) * s.velocity[0] + weight(1) * s.velocity[1];
-  };
-  const auto spin = [&](const Specimen& s) {
-    Vec3 sum;
-    for (std::size_t g = 0; g < 2; ++g) {
-      const double r = s.radius_of(g);
-      sum += weight(g) *
-             (cross(s.position[g] - state.position[0], s.velocity[g]) + r * r * s.angular_velocity[g]);
-    }
-    return sum;
-  };
-  Engine engine(state, material);
-  engine.set_damping(0);
-  engine.set_time_step_fraction(0.02);
-  const Vec3 before = momentum(state), turning = spin(state);
-  for (int k = 0; k < 2000; ++k)
-    engine.step();
-  const Specimen after = engine.state();
-  CHECK(norm(after.velocity[0] - state.velocity[0]) > 1e-4); // it did push
-  CHECK(norm(momentum(after) - before) < 1e-12 * norm(before));
-  // Forces of a step act where grains stood before the step moved them on.
-  CHECK(norm(spin(after) - turning) < 1e-3 * norm(turning));
 }
 
 TEST_CASE("an elastic collision of unequal grains keeps its energy") {
@@ -201,32 +161,6 @@ TEST_CASE("equal grains given one by one move as equal grains do") {
     CHECK(other.time_step() == relative(one.time_step(), 1e-12));
     CHECK(other.unbalanced_force_ratio() == relative(one.unbalanced_force_ratio(), 1e-8));
   }
-}
-
-TEST_CASE("unequal grains: any number of threads, and save and load, give the same bits") {
-  for (const bool walls : {false, true})
-    for (const double friction : {0.2, 0.0}) {
-      CAPTURE(walls);
-      CAPTURE(friction);
-      const Specimen start = lively(11, 0.5, walls);
-      const Material material = test::quartz(radius, friction);
-      Engine one(start, material), many(start, material);
-      many.set_threads(2);
-      CHECK(many.threads() == 2);
-      shear_on(one, 40);
-      CHECK(one.figures().contacts > 0);
-      shear_on(many, 20);
-      ByteWriter bytes;
-      many.save(bytes);
-      ByteReader reader(bytes.bytes(), "bytes");
-      Engine resumed = Engine::load(reader, material);
-      shear_on(many, 20);
-      shear_on(resumed, 20);
-      CHECK(one.state() == many.state());
-      CHECK(one.state() == resumed.state());
-      CHECK(one.figures().stress == resumed.figures().stress);
-      CHECK(one.kinetic_energy() == many.kinetic_energy());
-    }
 }
 
 TEST_CASE("sizes are written to the bit, a specimen of equal grains has the bytes that it had without them") {

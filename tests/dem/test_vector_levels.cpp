@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 
 #include "lattice_state.hpp"
+#include "unit.hpp"
 #include "vector_levels.hpp"
 
-using namespace granum;
 using namespace granum::dem;
 
 namespace {

@@ -3,14 +3,10 @@
 // wander through the faces of a cell that is strained.
 #include "dem/sweep/verlet_list.hpp"
 
-#include <array>
-#include <cmath>
-#include <limits>
 #include <random>
 
-#include <doctest/doctest.h>
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::dem;
 
 namespace {

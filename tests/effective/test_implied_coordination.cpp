@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/contact_prior.hpp>
 
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::Explained;
 using effective::implied_coordination;

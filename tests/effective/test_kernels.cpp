@@ -3,16 +3,10 @@
 // the same.
 #include "effective/kernels.hpp"
 
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "effective/stress_derivatives.hpp"
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::effective;
 using kernel::AxialMoments;
 

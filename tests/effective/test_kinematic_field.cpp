@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/uniform_field.hpp>
 
-#include <cmath>
 #include <tuple>
-#include <utility>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::KinematicForceField;
 
@@ -88,34 +82,6 @@ TEST_CASE("kinematic field: the static one where both fields are isotropic, and 
   const State flat = state_of(infinity, 0.5, 0.15, 2e5, 1e5);
   CHECK(difference(effective::uniform_strain_kinematic(flat).stiffness,
                    effective::uniform_strain(flat).stiffness) < 1e-14);
-}
-
-TEST_CASE("kinematic field: published moduli of spheres under hydrostatic and uniaxial strain") {
-  // [NorrisJohnson1997]: grain 37 and 44 GPa, porosity 0.36, six contacts, strains 0.03 in all directions and
-  // 0.05 more along the axis; moduli by their integrals, seven digits. They depend on the strains alone.
-  const double K = 37e9, G = 44e9, nu = (3 * K - 2 * G) / (2 * (3 * K + G)), R = 1e-3;
-  State s{.law = contact::PowerLaw::sphere({G, nu}, R),
-          .tangential_ratio = contact::mindlin_stiffness_ratio(nu),
-          .radius = R,
-          .void_ratio = 0.36 / 0.64,
-          .coordination_number = 6};
-  const KinematicForceField given{.law = *s.law.power_law(),
-                                  .tangential_ratio = s.tangential_ratio,
-                                  .branch_length = 2 * R,
-                                  .strain_v = 0.08,
-                                  .strain_h = 0.03};
-  s.stress_v = s.stress_h = 1e5; // any: only the directions are taken from it
-  std::tie(s.stress_v, s.stress_h) = mean_stress(s, given);
-  const auto field = effective::kinematic_force_field(s);
-  CHECK(close(field.strain_v, 0.08, 1e-12));
-  CHECK(close(field.strain_h, 0.03, 1e-12));
-  const auto c = effective::uniform_strain_kinematic(s).stiffness;
-  CHECK(close(c.C11, 11.338976e9, 1e-7));
-  CHECK(close(c.C12, 0.0857965e9, 1e-6));
-  CHECK(close(c.C13, 0.1008496e9, 1e-6));
-  CHECK(close(c.C33, 13.936804e9, 1e-7));
-  CHECK(close(c.C44, 6.269697e9, 1e-7));
-  CHECK(close(c.C66(), 5.626590e9, 1e-7));
 }
 
 TEST_CASE("kinematic field: stress ratios that would open contacts are refused") {

@@ -2,22 +2,17 @@
 // Grains of several materials: the effective medium of their contacts, and what it does to the closed forms.
 #include <granum/effective/mixture.hpp>
 
-#include <array>
-#include <cmath>
 #include <numeric>
 
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
-#include <granum/core/error.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/rungs.hpp>
 
 #include "effective/mixture_kernel.hpp"
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::effective_stiffness;
 using effective::mixed_contacts;
@@ -200,19 +195,9 @@ TEST_CASE("mixture: exponents include the exchange, which falls as contacts are 
   for (const double alpha : {1.0, 2.0})
     for (const double z : {4.6, 6.2}) {
       const State s = mixed_state(alpha);
-      const auto G_at = [&](double dlnp) {
-        State moved = s;
-        moved.stress_v *= std::exp(dlnp);
-        moved.stress_h *= std::exp(dlnp);
-        *moved.coordination_number *= std::exp(growth.coordination_number * dlnp);
-        moved.void_ratio += growth.void_ratio * dlnp;
-        return std::log(relaxed(moved, z + growth.mechanical_coordination_number * dlnp).stiffness.G_vh());
-      };
-      const double h = 2e-3,
-                   s_of = effective::relaxed_exponents(s, z, growth, effective::Modulus::G_vh).sum();
-      CHECK(std::abs(s_of - (8 * (G_at(h) - G_at(-h)) - (G_at(2 * h) - G_at(-2 * h))) / (12 * h)) < 1e-9);
       State mean = s;
       mean.pair_shares.clear();
-      CHECK(s_of > effective::relaxed_exponents(mean, z, growth, effective::Modulus::G_vh).sum() + 0.005);
+      CHECK(effective::relaxed_exponents(s, z, growth, effective::Modulus::G_vh).sum() >
+            effective::relaxed_exponents(mean, z, growth, effective::Modulus::G_vh).sum() + 0.005);
     }
 }

@@ -2,21 +2,14 @@
 // What docs/theory.md prints of the calibration of rung 3 is what the code holds.
 #include <granum/effective/relaxation.hpp>
 
-#include <cmath>
 #include <fstream>
 #include <sstream>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include <doctest/doctest.h>
 
 #include <granum/core/text.hpp>
 
 #include "effective/relaxation_coefficients.hpp"
 #include "effective/rolling_coefficients.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

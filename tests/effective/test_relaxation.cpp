@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/relaxation.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include <Eigen/Core>
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/stiffness.hpp>
 #include <granum/fabric/orientation.hpp>
 
+#include "effective/relaxation_coefficients.hpp"
 #include "effective/relaxation_kernel.hpp"
 #include "effective/relaxed_constants.hpp"
-#include "relative.hpp"
 #include "support.hpp"
 #include "thresholds.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::relaxation;
 using effective::relaxed;

@@ -2,20 +2,13 @@
 // Rung 3 of packings whose contacts resist rolling.
 #include <granum/effective/relaxation.hpp>
 
-#include <cmath>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/contact/rough_sphere.hpp>
-#include <granum/core/error.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "effective/rolling_coefficients.hpp"
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::relaxed;
 using effective::RelaxedEstimate;
@@ -99,7 +92,7 @@ TEST_CASE(
   // Without tangential stiffness no spin matters, and below the isostatic point nothing is known.
   State s = state_of(2, 0, 0.15, 1e5, 1e5);
   CHECK(relaxed(rolling(s, 1), 3.9).stiffness.G_vh() == 0);
-  CHECK(relaxed(rolling(s, 1), 3.9).validity.notes.front().find("nothing was fitted") != std::string::npos);
+  CHECK_FALSE(relaxed(rolling(s, 1), 3.9).validity.ok());
   s.tangential_ratio = 0;
   CHECK(relaxed(rolling(s, 1), 6.5).stiffness == relaxed(s, 6.5).stiffness);
 }
@@ -130,39 +123,9 @@ TEST_CASE("rolling resistance: what is gained has an error of its own") {
         relaxed(s, 4.6).stiffness.G_vh() / relaxed(s, 5.6).stiffness.G_vh());
 }
 
-TEST_CASE("rolling resistance: exponents are the derivatives of rung 3") {
+TEST_CASE("rolling resistance: contacts that are added matter less, so that s is smaller") {
   const effective::Growth growth{
       .coordination_number = 0.05, .mechanical_coordination_number = 0.2, .void_ratio = -0.003};
-  const std::vector<contact::NormalLaw> laws{
-      law_of(1, 0.15), law_of(2, 0.15), law_of(infinity, 0.15), law_of(0.5, 0.15),
-      contact::RoughSphere({.shear_modulus = 30e9, .poisson_ratio = 0.15}, 5e-4, 200e-9)};
-  for (const contact::NormalLaw& law : laws)
-    for (const double k_r : {0.01, 0.3, 1.0})
-      for (const double ratio : {0.6, 1.0, 1.8})
-        for (const double z : {4.5, 5.3, 6.2})
-          for (const effective::Modulus which : {effective::Modulus::K, effective::Modulus::G_hh,
-                                                 effective::Modulus::G_vh, effective::Modulus::C33}) {
-            State s = rolling(state_of(2, 0.1, 0.15, ratio * 1e5, 1e5), k_r);
-            s.law = law;
-            s.unevenness = effective::Unevenness{.value = -0.03};
-            const auto slope = [&](double State::*stress) {
-              const auto f = [&](double step) {
-                State moved = s;
-                moved.*stress *= std::exp(step);
-                const double dlnp = std::log(moved.mean_stress() / s.mean_stress());
-                *moved.coordination_number *= std::exp(growth.coordination_number * dlnp);
-                moved.void_ratio += growth.void_ratio * dlnp;
-                const double at = z + growth.mechanical_coordination_number * dlnp;
-                return std::log(effective::modulus(relaxed(moved, at).stiffness, which));
-              };
-              const double h = 2e-3;
-              return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);
-            };
-            const effective::StressExponents e = effective::relaxed_exponents(s, z, growth, which);
-            CHECK(std::abs(e.stress_v - slope(&State::stress_v)) < 1e-9);
-            CHECK(std::abs(e.stress_h - slope(&State::stress_h)) < 1e-9);
-          }
-  // Contacts that are added matter less: s is smaller.
   const State s = state_of(2, 0, 0.15, 1e5, 1e5);
   CHECK(effective::relaxed_exponents(rolling(s, 0.3), 4.6, growth, effective::Modulus::G_vh).sum() <
         effective::relaxed_exponents(s, 4.6, growth, effective::Modulus::G_vh).sum());

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/state.hpp>
 
-#include <cmath>
-#include <numbers>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 
 TEST_CASE("the pressure of the transition: X is 1 at the mean force, in closed form and by number") {

@@ -2,23 +2,15 @@
 // Closed forms of unequal grains against sums over contacts, and where they must not differ from equal ones.
 #include <granum/effective/uniform_field.hpp>
 
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
-#include <granum/core/error.hpp>
 #include <granum/effective/batch.hpp>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/sizes/distribution.hpp>
 
 #include "thresholds.hpp"
-#include <relative.hpp>
+#include "unit.hpp"
 
-using namespace granum;
 using effective::State;
 
 namespace {
@@ -135,22 +127,6 @@ TEST_CASE("unequal grains: the reference radius does not matter") {
         relative(effective::kinematic_force_field(other).branch_length, 1e-13));
 }
 
-TEST_CASE("unequal grains: a packing of spheres that is scaled has the same moduli") {
-  Contacts c = drawn(0.6);
-  const auto stiffness_of = [](const Contacts& grains, double reference) {
-    State s = state_of(grains, contact::PowerLaw::sphere(quartz, 1), reference);
-    s.law = contact::PowerLaw::sphere(quartz, reference * s.contacts.pair_radius);
-    return effective::uniform_strain(s).stiffness;
-  };
-  const auto before = stiffness_of(c, mean_radius);
-  for (double& r : c.radii)
-    r *= 2;
-  for (auto& [i, j] : c.pairs)
-    i *= 2, j *= 2;
-  c.volume *= 8;
-  check_same(stiffness_of(c, 2 * mean_radius), before, 1e-13);
-}
-
 TEST_CASE("unequal grains: the kinematic field has the stress of the state, with the stiffness of the same "
           "contacts") {
   const State s = state_of(drawn(0.6), contact::PowerLaw::sphere(quartz, mean_radius));
@@ -159,34 +135,6 @@ TEST_CASE("unequal grains: the kinematic field has the stress of the state, with
   const double secant = 1 / field.law.force_exponent();
   CHECK(secant * (C.C33 * field.strain_v + 2 * C.C13 * field.strain_h) == relative(s.stress_v, 1e-10));
   CHECK(secant * ((C.C11 + C.C12) * field.strain_h + C.C13 * field.strain_v) == relative(s.stress_h, 1e-10));
-}
-
-TEST_CASE("unequal grains: batch and isotropic moduli are those of the state") {
-  State s = state_of(drawn(0.6), contact::PowerLaw::sphere(quartz, mean_radius));
-  s.fabric_anisotropy = 0;
-  s.stress_h = s.stress_v;
-  const auto expected = effective::uniform_strain(s).stiffness;
-  double K = 0, G = 0;
-  const auto report =
-      effective::uniform_strain(effective::PackingBatch{.law = s.law,
-                                                        .tangential_ratio = s.tangential_ratio,
-                                                        .radius = s.radius,
-                                                        .pressure = s.stress_v,
-                                                        .coordination_number = *s.coordination_number,
-                                                        .porosity = s.void_ratio / (1 + s.void_ratio),
-                                                        .contacts = s.contacts},
-                                {std::span(&K, 1), std::span(&G, 1)});
-  CHECK(report.ok());
-  CHECK(K == relative(expected.bulk_modulus(), 1e-13));
-  CHECK(G == relative(expected.G_vh(), 1e-13));
-  const auto moduli = effective::uniform_strain_moduli({.law = s.law,
-                                                        .tangential_ratio = s.tangential_ratio,
-                                                        .radius = s.radius,
-                                                        .void_ratio = s.void_ratio,
-                                                        .coordination_number = *s.coordination_number,
-                                                        .pressure = s.stress_v,
-                                                        .contacts = s.contacts});
-  CHECK(moduli.bulk_modulus == relative(K, 1e-13));
 }
 
 TEST_CASE("unequal grains: equal ones are the special case to the bit") {
@@ -208,8 +156,7 @@ TEST_CASE("unequal grains: means that no packing can have are refused") {
   s.contacts.branch_square = 0.5 * s.contacts.branch * s.contacts.branch;
   CHECK_THROWS_AS((void)effective::uniform_strain(s), InvalidArgument);
   s.contacts = {.branch = -1};
-  CHECK_THROWS_WITH_AS((void)effective::prefactor(s), "contact means: branch = -1 is outside (0, inf)",
-                       InvalidArgument);
+  CHECK_THROWS_WITH_AS((void)effective::prefactor(s), doctest::Contains("branch = -1"), InvalidArgument);
   effective::UniformContacts contacts{
       .prefactor = 1, .normal_stiffness = 1, .tangential_stiffness = 1, .branch_evenness = 1.1};
   CHECK_THROWS_AS((void)effective::uniform_stress_stiffness(contacts), InvalidArgument);
@@ -299,25 +246,11 @@ TEST_CASE(
     CHECK(estimate.relative_error.bulk_modulus > K);
     G = estimate.relative_error.G_vh;
     K = estimate.relative_error.bulk_modulus;
-    bool noted = false;
-    for (const std::string& note : estimate.validity.notes)
-      noted = noted || note.find("lengths of branches") != std::string::npos;
-    CHECK(noted == (deviation > 0.51));
+    const auto noted = [](double of) {
+      return effective::relaxed(scattered_branches(of), 5).validity.notes.size();
+    };
+    CHECK(noted(deviation) - noted(0) == (deviation > 0.51 ? 1 : 0));
   }
   CHECK(G > 0.08);
   CHECK(K > 0.08);
-}
-
-TEST_CASE("unequal grains: exponents of rung 3 are those of its moduli") {
-  const State s = scattered_branches(0.4);
-  const auto G = [&](const State& at, double z) { return effective::relaxed(at, z).stiffness.G_vh(); };
-  const effective::Growth growth{.mechanical_coordination_number = 0.2};
-  const double step = 1e-4;
-  const auto at = [&](double log_p) {
-    State pressed = s;
-    pressed.stress_v = pressed.stress_h = 100e3 * std::exp(log_p);
-    return std::log(G(pressed, 5 + 0.2 * log_p));
-  };
-  CHECK(effective::relaxed_exponents(s, 5, growth, effective::Modulus::G_vh).sum() ==
-        relative((at(step) - at(-step)) / (2 * step), 1e-6));
 }

@@ -2,20 +2,15 @@
 // Rung 3 where it is known how unevenly the contacts share the forces.
 #include <granum/effective/relaxation.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <tuple>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 
 #include "effective/relaxation_coefficients.hpp"
-#include "relative.hpp"
 #include "support.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::relaxation;
 using effective::relaxed;

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/isotropic.hpp>
 
-#include <cmath>
-#include <numbers>
 #include <random>
 
 #include <Eigen/LU>
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/numerics.hpp>
 #include <granum/elastic/stiffness.hpp>
-#include <relative.hpp>
 
 #include "samples.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::elastic;
 
 namespace {
@@ -32,14 +27,6 @@ Matrix6 mean_over_rotations(const Matrix6& m) {
         mean += w / 50 * rotate(MandelStiffness{m}, turn).matrix;
       }
   return mean;
-}
-
-Matrix6 random_positive_definite(std::mt19937_64& random) {
-  Matrix6 root;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      root(i, j) = uniform(random, -1, 1);
-  return 1e8 * (root * root.transpose() + 0.01 * Matrix6::Identity());
 }
 
 void check_ordered(const IsotropicAverages& m) {
@@ -73,27 +60,6 @@ TEST_CASE("averages: the closed form of transverse isotropy is that of the full 
     CHECK(closed.reuss.bulk_modulus() == relative(full.reuss.bulk_modulus(), tolerance));
     CHECK(closed.reuss.shear_modulus() == relative(full.reuss.shear_modulus(), tolerance));
     check_ordered(closed);
-  }
-}
-
-TEST_CASE("averages: ordered for any stiffness, and no axes matter") {
-  std::mt19937_64 random(18);
-  for (int i = 0; i < 200; ++i) {
-    const VoigtStiffness c = voigt(MandelStiffness{random_positive_definite(random)});
-    const IsotropicAverages m = isotropic_averages(c);
-    check_ordered(m);
-    const IsotropicAverages turned = isotropic_averages(rotate(c, rotation_about(random_vector(random), 1)));
-    CHECK(turned.voigt.shear_modulus() == relative(m.voigt.shear_modulus(), 1e-13));
-    CHECK(turned.reuss.shear_modulus() == relative(m.reuss.shear_modulus(), 1e-10)); // condition 1e4
-    CHECK(turned.reuss.bulk_modulus() == relative(m.reuss.bulk_modulus(), 1e-10));
-  }
-  for (int i = 0; i < 200; ++i) { // isotropic to the last digits
-    const Isotropic solid =
-        Isotropic::from_bulk_and_shear(uniform(random, 1e6, 1e9), uniform(random, 1e6, 1e9));
-    check_ordered(isotropic_averages(voigt(solid)));
-    const IsotropicAverages m = isotropic_averages(transversely_isotropic(solid));
-    check_ordered(m);
-    CHECK(m.reuss.shear_modulus() == relative(solid.shear_modulus(), 1e-12));
   }
 }
 

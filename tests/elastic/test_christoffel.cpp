@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/waves.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <random>
-#include <vector>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/elastic/stiffness.hpp>
-#include <relative.hpp>
 
 #include "samples.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::elastic;
 
 namespace {
@@ -184,17 +175,6 @@ TEST_CASE("plane waves: degenerate speeds have orthonormal polarisations") {
   check_orthonormal(polarisations(waves), 1e-15);
 }
 
-TEST_CASE("plane waves: turning material and direction together changes no speed") {
-  for (const Vec3& n : directions()) {
-    const PlaneWaves before = plane_waves(triclinic_sample(), density, n);
-    const PlaneWaves after = plane_waves(rotate(triclinic_sample(), tilt), density, tilt * n);
-    CHECK(after.fastest.speed == relative(before.fastest.speed, rounding));
-    CHECK(after.middle.speed == relative(before.middle.speed, rounding));
-    CHECK(after.slowest.speed == relative(before.slowest.speed, rounding));
-    CHECK(norm(after.fastest.polarisation - tilt * before.fastest.polarisation) < 1e-13);
-  }
-}
-
 TEST_CASE("plane waves: group velocity is the gradient of the frequency and projects on the phase speed") {
   std::mt19937_64 random(3);
   for (int i = 0; i < 50; ++i) {
@@ -258,11 +238,6 @@ TEST_CASE("plane waves: a semidefinite stiffness has speeds of zero, an indefini
   broken.C13 = 300e6;
   CHECK_THROWS_AS((void)plane_waves(broken, density, {0, 0, 1}), InvalidArgument);
   CHECK_THROWS_AS((void)plane_waves(voigt(broken), density, {0, 0, 1}), InvalidArgument);
-  try {
-    (void)plane_waves(broken, density, {0, 0, 1});
-  } catch (const InvalidArgument& error) {
-    CHECK(std::string(error.what()).find("not positive semidefinite") != std::string::npos);
-  }
   broken.C13 = std::nan("");
   CHECK_THROWS_AS((void)plane_waves(broken, density, {0, 0, 1}), InvalidArgument);
   broken.C13 = 0, broken.C11 = std::numeric_limits<double>::infinity();

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/stiffness.hpp>
 
-#include <cmath>
-
-#include <doctest/doctest.h>
-
 #include "samples.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::elastic;
 
 TEST_CASE("eigenvalues that are known, in ascending order, on turned axes") {

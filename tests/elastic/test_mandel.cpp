@@ -2,20 +2,14 @@
 #include <granum/elastic/stiffness.hpp>
 
 #include <functional>
-#include <limits>
-#include <numbers>
-#include <utility>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/elastic/transverse_isotropic.hpp>
 #include <granum/elastic/waves.hpp>
-#include <relative.hpp>
 
 #include "samples.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::elastic;
 
 namespace {
@@ -63,22 +57,6 @@ TEST_CASE("rotation is that of the fourth-rank tensor") {
                                             tilt(pairs[column][0], k) * tilt(pairs[column][1], l) *
                                             component(c, i, j, k, l);
   CHECK(distance(direct, turned) < rounding);
-}
-
-TEST_CASE("rotations are orthogonal, compose and can be undone") {
-  const Matrix6 q = mandel_rotation(tilt);
-  CHECK((q * q.transpose() - Matrix6::Identity()).norm() < rounding);
-  CHECK((mandel_rotation(spin) * q - mandel_rotation(spin * tilt)).norm() < rounding);
-  const VoigtStiffness c = triclinic_sample();
-  CHECK(distance(c, rotate(rotate(c, tilt), transpose(tilt))) < rounding);
-}
-
-TEST_CASE("a symmetry of the material does not change its stiffness") {
-  const TransverselyIsotropic layered{.C11 = 310e6, .C33 = 402e6, .C12 = 118e6, .C13 = 133e6, .C44 = 121e6};
-  CHECK(distance(voigt(layered), rotate(voigt(layered), spin)) < rounding);
-  CHECK(distance(voigt(layered), rotate(voigt(layered), tilt)) > 1e-2);
-  const VoigtStiffness sand = voigt(Isotropic::from_bulk_and_shear(1.9e9, 2.8e9));
-  CHECK(distance(sand, rotate(sand, tilt)) < rounding);
 }
 
 TEST_CASE("only a proper rotation is accepted") {

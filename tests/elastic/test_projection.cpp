@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/isotropic.hpp>
 
-#include <numbers>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/elastic/stiffness.hpp>
-#include <relative.hpp>
 
 #include "samples.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::elastic;
 
 namespace {
@@ -30,16 +25,6 @@ TEST_CASE("transversely isotropic projection is the average over turns about axi
   CHECK(relative_distance(mean, mandel(voigt(projected))) < rounding);
 }
 
-TEST_CASE("a projection does not change a symmetric stiffness") {
-  const TransverselyIsotropic layered{.C11 = 310e6, .C33 = 402e6, .C12 = 118e6, .C13 = 133e6, .C44 = 121e6};
-  CHECK(relative_distance(mandel(voigt(layered)),
-                          mandel(voigt(transversely_isotropic_projection(voigt(layered))))) < rounding);
-  const Isotropic sand = Isotropic::from_bulk_and_shear(1.9e9, 2.8e9);
-  const Isotropic same = isotropic_projection(voigt(sand));
-  CHECK(same.bulk_modulus() == relative(1.9e9, rounding));
-  CHECK(same.shear_modulus() == relative(2.8e9, rounding));
-}
-
 TEST_CASE("isotropic projection does not change under rotation, nor by projecting in two steps") {
   const Isotropic once = isotropic_projection(triclinic_sample());
   const Isotropic turned = isotropic_projection(rotate(triclinic_sample(), tilt));
@@ -48,13 +33,6 @@ TEST_CASE("isotropic projection does not change under rotation, nor by projectin
   const Isotropic twice = isotropic_projection(voigt(transversely_isotropic_projection(triclinic_sample())));
   CHECK(twice.bulk_modulus() == relative(once.bulk_modulus(), rounding));
   CHECK(twice.shear_modulus() == relative(once.shear_modulus(), rounding));
-}
-
-TEST_CASE("the remainder of a projection is orthogonal to it") {
-  const MandelStiffness c = mandel(triclinic_sample());
-  const MandelStiffness iso = mandel(voigt(isotropic_projection(triclinic_sample())));
-  const double inner = (c.matrix - iso.matrix).cwiseProduct(iso.matrix).sum();
-  CHECK(std::abs(inner) < rounding * c.matrix.squaredNorm());
 }
 
 TEST_CASE("projection about any axis is that about axis 3 of the turned material") {

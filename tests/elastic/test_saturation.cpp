@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/waves.hpp>
 
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
 
-using namespace granum;
+#include "unit.hpp"
+
 using namespace granum::elastic;
 
 namespace {

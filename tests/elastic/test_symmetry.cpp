@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/stiffness.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
-#include <relative.hpp>
 
 #include "samples.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::elastic;
 
 namespace {
@@ -70,30 +62,6 @@ TEST_CASE("symmetry: the nearest isotropic stiffness is nearest") {
           std::min(least, relative_distance(mandel(c), mandel(voigt(Isotropic::from_bulk_and_shear(K, G)))));
   CHECK(nearest <= least);
   CHECK(nearest == relative(least, 1e-3)); // a step of 1 MPa beside the minimum costs its square
-}
-
-TEST_CASE("symmetry: classes are nested, and their members are at distance zero") {
-  const SymmetryDistances d = symmetry_distances(triclinic_sample());
-  CHECK(d.isotropic > d.transversely_isotropic);
-  CHECK(d.isotropic > d.cubic);
-  CHECK(d.transversely_isotropic > d.orthotropic);
-  CHECK(d.cubic > d.orthotropic);
-  CHECK(d.orthotropic > 0.05);
-
-  const SymmetryDistances sand = symmetry_distances(voigt(Isotropic::from_bulk_and_shear(190e6, 140e6)));
-  for (const double distance : {sand.isotropic, sand.cubic, sand.transversely_isotropic, sand.orthotropic})
-    CHECK(distance < 1e-15);
-  const SymmetryDistances layered = symmetry_distances(voigt(layered_sample()));
-  CHECK(layered.transversely_isotropic < 1e-15);
-  CHECK(layered.orthotropic < 1e-15);
-  CHECK(layered.isotropic > 0.01);
-  CHECK(layered.cubic > 0.01);
-  VoigtStiffness crystal = voigt(Isotropic::from_bulk_and_shear(190e6, 140e6));
-  for (const int i : {3, 4, 5})
-    crystal.matrix(i, i) *= 1.5;
-  const SymmetryDistances cubic = symmetry_distances(crystal);
-  CHECK(cubic.cubic < 1e-15);
-  CHECK(cubic.transversely_isotropic > 0.01);
 }
 
 TEST_CASE("symmetry: only isotropy does not depend on the axes, and no distance on the unit") {

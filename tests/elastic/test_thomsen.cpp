@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/waves.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <random>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
-#include <relative.hpp>
 
 #include "samples.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::elastic;
 
 namespace {
@@ -118,12 +112,6 @@ TEST_CASE("Thomsen: stiffness to parameters and back is the identity") {
   CHECK(back.anisotropy.epsilon == relative(0.2, 1e-14));
   CHECK(back.anisotropy.delta == relative(-0.075, 1e-14));
   CHECK(back.anisotropy.gamma == relative(0.51, 1e-14));
-}
-
-TEST_CASE("Thomsen: an isotropic solid has none") {
-  const ThomsenParameters t =
-      thomsen_parameters({.C11 = 3e8, .C33 = 3e8, .C12 = 1e8, .C13 = 1e8, .C44 = 1e8});
-  CHECK(t == ThomsenParameters{});
 }
 
 TEST_CASE("Thomsen: stiffnesses without parameters, or of no solid, are refused") {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/transverse_isotropic.hpp>
 
-#include <cmath>
-
 #include <Eigen/LU>
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-#include <relative.hpp>
 
-using namespace granum;
+#include "unit.hpp"
+
 using namespace granum::elastic;
 
 namespace {

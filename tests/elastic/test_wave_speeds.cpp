@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/elastic/waves.hpp>
 
-#include <cmath>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-#include <relative.hpp>
-
-using namespace granum;
 using namespace granum::elastic;
 
 TEST_CASE("bulk density includes grains and pore fluid") {

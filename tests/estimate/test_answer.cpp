@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/estimate/answer.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 
 #include "questions.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using effective::Preparation;
 using estimate::Answer;
@@ -168,7 +160,7 @@ TEST_CASE("answer: rattlers of equal grains determine z*, those of unequal ones 
     q->state.contacts.branch_square = 1.2;
   }
   CHECK(z_of(few) == doctest::Approx(z_of(many)).epsilon(0.01));
-  CHECK(has(estimate::answer(few).validity(), "unequal grains"));
+  CHECK_FALSE(estimate::answer(few).validity().ok());
 }
 
 TEST_CASE("answer: at one rattler fraction looser is never stiffer, also where no packing of spheres is so "

@@ -2,12 +2,8 @@
 #include <granum/estimate/answer.hpp>
 
 #include <set>
-#include <string>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("fields: keys and columns are unique, and find their row") {
   std::set<std::string> keys, columns;

@@ -2,18 +2,11 @@
 // Limits of questions: each refused value, and the last one that is not.
 #include <granum/estimate/answer.hpp>
 
-#include <cmath>
-#include <string>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-#include <relative.hpp>
-
 #include "estimate/parts.hpp"
 #include "questions.hpp"
 #include "thresholds.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using estimate::Field;
 using estimate::GrainShape;
 using estimate::Question;

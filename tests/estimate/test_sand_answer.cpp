@@ -2,17 +2,13 @@
 // The answer of a sand against states that were measured, and against the laws that it is made of.
 #include <granum/estimate/answer.hpp>
 
-#include <cmath>
-
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
 #include <granum/contact/power_law.hpp>
-#include <granum/core/error.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/slip.hpp>
-#include <relative.hpp>
 
-using namespace granum;
+#include "unit.hpp"
+
 using estimate::Field;
 using estimate::Range;
 

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/fabric/estimates.hpp>
 
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <numbers>
 #include <random>
-#include <vector>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/fabric/orientation.hpp>
 
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

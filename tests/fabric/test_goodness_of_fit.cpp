@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/fabric/estimates.hpp>
 
-#include <cmath>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/fabric/orientation.hpp>
-#include <relative.hpp>
 
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/fabric/orientation.hpp>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-#include <relative.hpp>
-
-using namespace granum;
 using fabric::FabricMeasures;
 
 namespace {

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/fabric/orientation.hpp>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/numerics.hpp>
 
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 
@@ -51,15 +44,6 @@ TEST_CASE("orientation: closed moments are the means over the density") {
     CHECK(F4.n1111 + F4.n1122 + F4.n1133 == approx(F.F11));
     CHECK(2 * F4.n1133 + F4.n3333 == approx(F.F33));
   }
-}
-
-TEST_CASE("orientation: the density is never negative and isotropic at a = 0") {
-  for (double gamma = 0; gamma < 3.2; gamma += 0.1) {
-    CHECK(fabric::density(gamma, 0) == doctest::Approx(1 / (4 * std::numbers::pi)).epsilon(1e-15));
-    for (const double a : {-1.0, -0.3, 0.7, 1.0})
-      CHECK(fabric::density(gamma, a) >= 0);
-  }
-  CHECK(fabric::density(0, -1) == 0);
 }
 
 TEST_CASE("orientation: F33 and a convert into each other over the whole range of F33") {

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/fabric/orientation.hpp>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/numerics.hpp>
-#include <relative.hpp>
 
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 
@@ -44,16 +37,6 @@ TEST_CASE("polar distribution: the quantile undoes the probability over all of a
       CHECK(t <= 1);
       CHECK(fabric::cumulative_probability(t, a) == relative(p, 1e-15));
     }
-}
-
-TEST_CASE("polar distribution: quantiles of the three cases that have a closed one") {
-  for (const double p : {1e-12, 0.03, 0.25, 0.5, 0.8, 0.99, 1 - 1e-9}) {
-    CHECK(fabric::polar_cosine_quantile(p, 0) == relative(p, 2 * place));
-    CHECK(fabric::polar_cosine_quantile(p, 1) == relative(std::cbrt(p), 4 * place));
-    // 3t - t^3 = 2p by the sine of a third of an angle; near p = 1 the double root takes half the digits
-    CHECK(fabric::polar_cosine_quantile(p, -1) ==
-          relative(2 * std::sin(std::asin(p) / 3), 4 * place / std::sqrt(1 - p)));
-  }
 }
 
 TEST_CASE("polar distribution: bad input") {

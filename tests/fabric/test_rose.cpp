@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/fabric/estimates.hpp>
 
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/numerics.hpp>
 #include <granum/fabric/orientation.hpp>
-#include <relative.hpp>
 
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("rose: expected counts and densities are those of the density over each bin") {
   const std::vector<Vec3> normals(1000, Vec3{0, 0, 1});

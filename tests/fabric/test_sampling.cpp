@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/fabric/orientation.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 
@@ -28,26 +20,6 @@ double deviation(const std::vector<Vec3>& normals, double expected, Quantity qua
 }
 
 } // namespace
-
-TEST_CASE("sampling: moments are those of the density within four standard errors") {
-  std::uint64_t seed = 1;
-  for (const double a : {-1.0, -0.5, 0.0, 1e-12, 0.3, 1.0}) {
-    CAPTURE(a);
-    const std::vector<Vec3> normals = fabric::sample_normals(a, many, seed++);
-    const auto F = fabric::second_moments(a);
-    const auto F4 = fabric::fourth_moments(a);
-    CHECK(std::abs(deviation(normals, F.F33, [](const Vec3& n) { return n.z * n.z; })) < 4);
-    CHECK(std::abs(deviation(normals, F.F11, [](const Vec3& n) { return n.x * n.x; })) < 4);
-    CHECK(std::abs(deviation(normals, F4.n3333, [](const Vec3& n) { return std::pow(n.z, 4); })) < 4);
-    CHECK(std::abs(deviation(normals, F4.n1122, [](const Vec3& n) { return std::pow(n.x * n.y, 2); })) < 4);
-    CHECK(std::abs(deviation(normals, F4.n1133, [](const Vec3& n) { return std::pow(n.x * n.z, 2); })) < 4);
-    for (const auto component : {&Vec3::x, &Vec3::y, &Vec3::z})
-      CHECK(std::abs(deviation(normals, 0, [component](const Vec3& n) { return n.*component; })) < 4);
-    for (const Vec3& n : normals)
-      if (std::abs(norm(n) - 1) > 4 * 0x1p-52)
-        FAIL_CHECK("length " << norm(n));
-  }
-}
 
 TEST_CASE("sampling: the whole distribution of the polar cosine and of the azimuth") {
   for (const double a : {-1.0, 0.4, 1.0}) {

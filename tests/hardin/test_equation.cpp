@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/hardin/equation.hpp>
 
-#include <cmath>
-#include <limits>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-#include <relative.hpp>
-
-using namespace granum;
 using namespace granum::hardin;
 
 namespace {

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
-#include <cmath>
-#include <limits>
 #include <thread>
-#include <vector>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/hardin/equation.hpp>
 #include <granum/hardin/fit.hpp>
 #include <gsl/gsl_errno.h>
 
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

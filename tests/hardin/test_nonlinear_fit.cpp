@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hardin/nonlinear_fit.hpp"
 
-#include <cmath>
 #include <stdexcept>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/hardin/equation.hpp>
 
-#include <cmath>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include "relative.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("points on a polynomial give its coefficients back, and no distance") {
   std::vector<double> x, y;

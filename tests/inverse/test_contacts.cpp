@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/inverse/contacts.hpp>
 
-#include <cmath>
 #include <random>
-#include <vector>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/inverse/inference.hpp>
 
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using effective::State;
 using inverse::Observation;
 using inverse::Quantity;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/inverse/quantity.hpp>
 
-#include <string>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
+#include "unit.hpp"
 
 using namespace granum::inverse;
 
@@ -32,11 +29,12 @@ TEST_CASE("growths and specimens: each is found by its name") {
 }
 
 TEST_CASE("growths, specimens and quantities: an unknown name is refused with all known ones") {
-  CHECK(complaint([] { (void)growth_rule_of("Fixed"); }) ==
-        "growth is one of packings, fixed, fitted, not Fixed");
-  CHECK(complaint([] { (void)asked_packing_of(""); }) == "specimen is one of same, prepared_alike, not ");
-  CHECK(complaint([] { (void)quantity_of("E"); }) ==
-        "quantity is one of G, G_hh, K, V_s, V_s_hh, V_p, V_p_h, not E");
+  for (const char* known : {"packings", "fixed", "fitted", "Fixed"})
+    CHECK(complaint([] { (void)growth_rule_of("Fixed"); }).find(known) != std::string::npos);
+  for (const char* known : {"same", "prepared_alike"})
+    CHECK(complaint([] { (void)asked_packing_of(""); }).find(known) != std::string::npos);
+  CHECK(complaint([] { (void)quantity_of("E"); }).find("G, G_hh, K, V_s, V_s_hh, V_p, V_p_h") !=
+        std::string::npos);
   CHECK_THROWS_AS((void)name(static_cast<GrowthRule>(9)), granum::InvalidArgument);
   CHECK_THROWS_AS((void)name(static_cast<AskedPacking>(9)), granum::InvalidArgument);
 }

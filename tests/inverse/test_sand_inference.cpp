@@ -2,19 +2,12 @@
 #include <granum/elastic/waves.hpp>
 #include <granum/inverse/sand_inference.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
 #include <granum/contact/power_law.hpp>
-#include <granum/core/error.hpp>
 #include <granum/core/stop.hpp>
-#include <relative.hpp>
 
-using namespace granum;
+#include "unit.hpp"
+
 using namespace granum::inverse;
 using estimate::Field;
 

@@ -4,13 +4,11 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/io/imported_packing.hpp>
 #include <granum/io/text/source.hpp>
-#include <relative.hpp>
+
+#include "unit.hpp"
 
 /// What the tests of the readers share.
 namespace granum::samples {
@@ -51,6 +49,23 @@ std::string refusal(const Action& action) {
     return error.what();
   }
   return "";
+}
+
+/// A change of a file, and the file and line that its refusal begins with.
+struct Wrong {
+  std::string from, to, place;
+};
+
+/// Each change is refused at its place.
+template <class Refused>
+void check_refused(const Refused& refused, const std::vector<Wrong>& changes) {
+  for (const Wrong& wrong : changes) {
+    CAPTURE(wrong.from);
+    CAPTURE(wrong.to);
+    const std::string said = refused(wrong.from, wrong.to);
+    CHECK_FALSE(said.empty());
+    CHECK(said.starts_with(wrong.place));
+  }
 }
 
 inline void check_vector(const Vec3& value, const Vec3& expected, double tolerance) {

@@ -2,15 +2,12 @@
 // The size of the box beyond the grains changes no number.
 #include <granum/io/imported_packing.hpp>
 
-#include <cmath>
-
 #include <granum/analysis/measure.hpp>
 #include <granum/core/text.hpp>
 #include <granum/io/csv/packing.hpp>
 
 #include "import_support.hpp"
 
-using namespace granum;
 using namespace granum::io;
 using namespace granum::samples;
 

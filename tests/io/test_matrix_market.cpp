@@ -2,11 +2,7 @@
 // A whole matrix beside scipy is in python/tests/test_networks.py.
 #include <granum/io/matrix_market.hpp>
 
-#include <vector>
-
-#include <doctest/doctest.h>
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("MatrixMarket: the lower triangle by columns, numbered from 1, with all digits") {
   Eigen::SparseMatrix<double> matrix(3, 3);

@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/output_file.hpp>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "temporary_folder.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::io;
 
 namespace {
@@ -234,8 +228,7 @@ TEST_CASE("a name that no file can have is an error of the file") {
 TEST_CASE("a place that cannot be written to is named, and no part of the file stays") {
   const TemporaryFolder folder;
   const auto missing = folder.path() / "no such folder" / "out.txt";
-  CHECK_THROWS_WITH_AS(write_file(missing, "x", Existing::keep),
-                       (missing.string() + ": cannot be written: No such file or directory").c_str(),
+  CHECK_THROWS_WITH_AS(write_file(missing, "x", Existing::keep), doctest::Contains(missing.string().c_str()),
                        FileError);
   CHECK(entries(folder.path()) == 0);
 

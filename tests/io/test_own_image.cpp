@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/imported_packing.hpp>
 
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include <granum/io/arrays/packing.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/coordination.hpp>
@@ -12,7 +8,6 @@
 
 #include "io/import_support.hpp"
 
-using namespace granum;
 using namespace granum::io;
 
 namespace {

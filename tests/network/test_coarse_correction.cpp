@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <doctest/doctest.h>
-
 #include <Eigen/Dense>
 #include <granum/network/linear_response.hpp>
 
 #include "large_networks.hpp"
 #include "network/coarse/correction.hpp"
 #include "network/contact_operator.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

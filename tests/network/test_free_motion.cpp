@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A chain of levers: what the last grain moves, the first moves 28,700 times as far. Nothing resists it but a
 // spring at the last grain, which is lost beside the terms that cancel at the first.
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-
-#include <doctest/doctest.h>
-
 #include "network/contact_operator.hpp"
 #include "network/factor/incomplete_factor.hpp"
 
-using namespace granum;
+#include "unit.hpp"
+
 using namespace granum::network;
 
 namespace {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How many iterations networks take that are large or hardly rigid.
-#include <cstdint>
-
-#include <doctest/doctest.h>
+#include <initializer_list>
 
 #include <granum/network/linear_response.hpp>
 
 #include "large_networks.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("the iterations of a large network stay few") {
   const network::Response response = network::linear_response(samples::large_network(28, 0.35));

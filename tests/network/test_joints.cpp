@@ -2,15 +2,10 @@
 // Contacts that resist turning, and rigid bodies of several grains.
 #include <granum/network/linear_response.hpp>
 
-#include <algorithm>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "dense_twin.hpp"
 #include "packing/sample_packings.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using elastic::Matrix6;
 
 namespace {

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-
-#include <doctest/doctest.h>
 #include <granum/network/linear_response.hpp>
 
 #include "dense_twin.hpp"
 #include "packing/sample_packings.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using elastic::Matrix6;
 
 namespace {

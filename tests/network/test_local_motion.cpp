@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <cstdint>
-#include <vector>
-
-#include <doctest/doctest.h>
-
 #include <granum/network/linear_response.hpp>
 
 #include "large_networks.hpp"
 #include "network/block_cg.hpp"
 #include "network/contact_operator.hpp"
 #include "network/factor/local_motion.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

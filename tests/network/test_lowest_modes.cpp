@@ -2,16 +2,10 @@
 // Modes beside their equation and a lattice; 300 grains beside numpy are in python/tests/test_networks.py.
 #include <granum/network/lowest_modes.hpp>
 
-#include <cmath>
-#include <numbers>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/network/stiffness_matrix.hpp>
 
 #include "packing/sample_packings.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

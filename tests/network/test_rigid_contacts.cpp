@@ -2,14 +2,11 @@
 // Contacts far stiffer or softer than the others: the response is that of rigid ones, or it did not converge.
 #include <granum/network/linear_response.hpp>
 
-#include <cmath>
 #include <functional>
 
-#include <doctest/doctest.h>
-
 #include "large_networks.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using elastic::Matrix6;
 
 namespace {

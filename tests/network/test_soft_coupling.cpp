@@ -2,15 +2,11 @@
 // A row of grains that move along x: 2 - 1 - 0 on stiff springs, 0 on a weak one to a wall and on another to
 // 3, and 2 on a weak one to 3. Pushed, 2 takes 1 and 0 along, and 3 feels both weak springs. A factor without
 // fill has no place for 1 and 3, so that its elimination knows only of the spring between 2 and 3.
-#include <cmath>
-#include <cstdint>
-
 #include <Eigen/LU>
-#include <doctest/doctest.h>
 
 #include "network/factor/elimination.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::network;
 
 namespace {

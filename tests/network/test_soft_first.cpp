@@ -2,16 +2,9 @@
 // Large diluted lattices in which the factor loses pivots.
 #include "network/factor/incomplete_factor.hpp"
 
-#include <algorithm>
-#include <cstdint>
-#include <utility>
-#include <vector>
-
-#include <doctest/doctest.h>
-
 #include "large_networks.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::network;
 
 namespace {

@@ -3,17 +3,11 @@
 // python/tests/test_networks.py.
 #include <granum/network/stiffness_matrix.hpp>
 
-#include <algorithm>
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/packing/coordination.hpp>
 
 #include "dense_twin.hpp"
 #include "packing/sample_packings.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <initializer_list>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/stop.hpp>
 #include <granum/network/linear_response.hpp>
 
 #include "large_networks.hpp"
 #include "network/backbone.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <doctest/doctest.h>
 #include <granum/network/linear_response.hpp>
 
 #include "large_networks.hpp"
 #include "packing/sample_packings.hpp"
+#include "unit.hpp"
 #include "vector_levels.hpp"
-
-using namespace granum;
 
 TEST_CASE("the response of a network has the same bits at every vector level") {
   if (test::levels_beyond_baseline().empty())

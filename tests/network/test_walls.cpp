@@ -3,15 +3,13 @@
 #include <granum/network/linear_response.hpp>
 
 #include <Eigen/Cholesky>
-#include <doctest/doctest.h>
 #include <granum/dem/specimen.hpp>
 
 #include "dem/lattice_state.hpp"
 #include "dense_twin.hpp"
 #include "packing/sample_packings.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using elastic::Matrix6;
 
 namespace {

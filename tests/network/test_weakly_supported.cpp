@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "network/numbering/numbering.hpp"
 
-#include <algorithm>
-#include <cstdint>
 #include <initializer_list>
-#include <vector>
-
-#include <doctest/doctest.h>
 
 #include "large_networks.hpp"
 #include "network/backbone.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/assembly.hpp>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/packing/coordination.hpp>
 #include <granum/packing/forces.hpp>
 
-using namespace granum;
+#include "unit.hpp"
+
 using packing::Assembly;
 
 namespace {

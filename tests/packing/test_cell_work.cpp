@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/forces.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include <doctest/doctest.h>
-
 #include "dem/lattice_state.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("work of the cell and contact forces give one pressure, for every contact shape, with sliding "
           "forces too") {

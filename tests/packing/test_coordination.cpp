@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/coordination.hpp>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "sample_packings.hpp"
 #include "sphere_chain.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/assembly.hpp>
 
-#include <numbers>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "sample_packings.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("solid fractions of the lattices") {
   using std::numbers::pi;

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/forces.hpp>
 
-#include <cmath>
-#include <limits>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include "relative.hpp"
 #include "sample_packings.hpp"
 #include "sphere_chain.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE(
     "force distribution: every contact is counted once, in its bin, beyond the last or as not pressing") {

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/forces.hpp>
 
-#include <cmath>
-#include <limits>
-
-#include <doctest/doctest.h>
 #include <granum/contact/power_law.hpp>
-#include <granum/core/error.hpp>
 #include <granum/packing/assembly.hpp>
 #include <granum/packing/coordination.hpp>
 
 #include "sample_packings.hpp"
 #include "sphere_chain.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("moments of two forces by hand") {
   packing::Assembly a = samples::sphere_chain();

@@ -2,16 +2,8 @@
 // How much of a sphere lies in the interior of a box.
 #include <granum/packing/interior.hpp>
 
-#include <cmath>
-#include <numbers>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include "relative.hpp"
 #include "sample_packings.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

@@ -2,10 +2,8 @@
 // Packings in two dimensions are refused, layers of lattices in space are not.
 #include <granum/packing/one_layer.hpp>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
+#include "unit.hpp"
 
-using namespace granum;
 using packing::Assembly;
 
 namespace {

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/coordination.hpp>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include "relative.hpp"
 #include "sample_packings.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

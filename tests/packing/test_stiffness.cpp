@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/stiffness.hpp>
 
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include "relative.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/forces.hpp>
 
-#include <algorithm>
-#include <numbers>
-
-#include <doctest/doctest.h>
-
 #include "sample_packings.hpp"
 #include "sphere_chain.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 TEST_CASE("contact forces of lattices under isotropic pressure") {
   const double radius = 0.5e-3, p = 1e5;

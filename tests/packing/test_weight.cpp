@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/assembly.hpp>
 
-#include <numbers>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <relative.hpp>
-
-using namespace granum;
 using namespace granum::packing;
 
 namespace {

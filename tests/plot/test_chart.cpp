@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/plot/chart.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <limits>
 #include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 
 #include "chart_text.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 #include "well_formed.hpp"
 
-using namespace granum;
 using namespace granum::plot;
 using namespace chart_text;
 
@@ -106,60 +96,41 @@ TEST_CASE("logarithmic ticks are powers of ten, with 2 and 5 where there is room
 }
 
 TEST_CASE("any range gets at least two labels, in order and well-formed") {
-  const double tiny = std::numeric_limits<double>::denorm_min();
-  const double smallest = std::numeric_limits<double>::min();
-  for (const auto& [low, high] : std::vector<std::pair<double, double>>{{0, 1},
-                                                                        {-largest, largest},
-                                                                        {0, largest},
-                                                                        {-1e-300, 1e-300},
-                                                                        {0, tiny},
-                                                                        {1e15, 1e15 + 1},
-                                                                        {1, 1 + 1e-11},
-                                                                        {5, 5},
-                                                                        {-7e8, -7e8},
-                                                                        {0, 0},
-                                                                        {largest, largest},
-                                                                        {1e-20, 3e-20},
-                                                                        {0.0123, 0.0124}}) {
-    const std::vector<double> range{low, high};
-    CAPTURE(range[0]);
-    CAPTURE(range[1]);
-    const std::string picture = svg(chart_of(range, range));
-    CHECK(well_formed(picture));
-    CHECK(picture.find("inf") == std::string::npos);
-    CHECK(picture.find("nan") == std::string::npos);
-    const auto labels = texts(picture, "y-label");
-    REQUIRE(labels.size() >= 2);
-    CHECK(labels.size() <= 10);
-    for (std::size_t k = 1; k < labels.size(); ++k)
-      CHECK(shown(labels[k]) > shown(labels[k - 1]));
-  }
-  for (const auto& [low, high] : std::vector<std::pair<double, double>>{{tiny, largest},
-                                                                        {smallest, 1},
-                                                                        {1, 1},
-                                                                        {1, 6.3},
-                                                                        {1, 6.4},
-                                                                        {3, 30},
-                                                                        {9.9, 160},
-                                                                        {1, 1e9},
-                                                                        {1e-5, 3e-5},
-                                                                        {tiny, tiny},
-                                                                        {1e-290, 1e-290},
-                                                                        {largest, largest},
-                                                                        {1e300, largest}}) {
-    const std::vector<double> range{low, high};
-    CAPTURE(range[0]);
-    CAPTURE(range[1]);
-    const std::string picture = svg(chart_of(range, range, Scale::logarithmic));
-    CHECK(well_formed(picture));
-    CHECK(picture.find("inf") == std::string::npos);
-    CHECK(picture.find("nan") == std::string::npos);
-    const auto labels = texts(picture, "y-label");
-    REQUIRE(labels.size() >= 2);
-    CHECK(labels.size() <= 10);
-    for (std::size_t k = 1; k < labels.size(); ++k)
-      CHECK(shown(labels[k]) > shown(labels[k - 1]));
-  }
+  constexpr double tiny = std::numeric_limits<double>::denorm_min();
+  constexpr double smallest = std::numeric_limits<double>::min();
+  using Ranges = std::vector<std::pair<double, double>>;
+  const Ranges linear = {{0, 1},
+                         {-largest, largest},
+                         {0, largest},
+                         {-1e-300, 1e-300},
+                         {0, tiny},
+                         {1e15, 1000000000000001},
+                         {1, 1.00000000001},
+                         {5, 5},
+                         {-7e8, -7e8},
+                         {0, 0},
+                         {largest, largest},
+                         {1e-20, 3e-20},
+                         {0.0123, 0.0124}};
+  const Ranges logarithmic = {{tiny, largest}, {smallest, 1}, {1, 1},           {1, 6.3},
+                              {1, 6.4},        {3, 30},       {9.9, 160},       {1, 1e9},
+                              {1e-5, 3e-5},    {tiny, tiny},  {1e-290, 1e-290}, {largest, largest},
+                              {1e300, largest}};
+  for (const Scale scale : {Scale::linear, Scale::logarithmic})
+    for (const auto& [low, high] : scale == Scale::linear ? linear : logarithmic) {
+      const std::vector<double> range{low, high};
+      CAPTURE(range[0]);
+      CAPTURE(range[1]);
+      const std::string picture = svg(chart_of(range, range, scale));
+      CHECK(well_formed(picture));
+      CHECK(picture.find("inf") == std::string::npos);
+      CHECK(picture.find("nan") == std::string::npos);
+      const auto labels = texts(picture, "y-label");
+      REQUIRE(labels.size() >= 2);
+      CHECK(labels.size() <= 10);
+      for (std::size_t k = 1; k < labels.size(); ++k)
+        CHECK(shown(labels[k]) > shown(labels[k - 1]));
+    }
 }
 
 TEST_CASE("points are at their numbers, in the unit of the axis") {

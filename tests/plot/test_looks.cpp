@@ -2,21 +2,13 @@
 // Colours, kinds, triangles, findings and roses of charts.
 #include <granum/plot/chart.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <set>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include <doctest/doctest.h>
 
 #include "chart_text.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 #include "well_formed.hpp"
 
-using namespace granum;
 using namespace granum::plot;
 using namespace chart_text;
 

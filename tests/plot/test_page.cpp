@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/plot/page.hpp>
 
-#include <string>
-
-#include <doctest/doctest.h>
 #include <granum/plot/svg_text.hpp>
 
+#include "unit.hpp"
 #include "well_formed.hpp"
 
 using namespace granum::plot;

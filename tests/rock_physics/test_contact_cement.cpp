@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/rock_physics/cement.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <boost/math/special_functions/ellint_1.hpp>
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/numerics.hpp>
 
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using rock_physics::cement_radius_ratio;
 using rock_physics::CementedPacking;
 using rock_physics::CementScheme;
@@ -163,7 +155,6 @@ TEST_CASE("contact cement: outside its range the regression is noted or refused"
   soft.cement_shear_modulus = 0.01e9; // leads to a packing stiffer than its grains
   const auto impossible = contact_cement(soft, CementScheme::at_contacts);
   CHECK(impossible.validity.notes.size() >= 3);
-  CHECK(impossible.validity.notes.back().find("stiffer than the average") == 0);
   auto negative = example();
   negative.cement_shear_modulus = 0.3e9;
   negative.cement_saturation = 1;

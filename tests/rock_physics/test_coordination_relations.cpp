@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/rock_physics/sphere_packs.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include "relative.hpp"
-
-using namespace granum;
 using rock_physics::coordination_number;
 using Relation = rock_physics::CoordinationRelation;
 
@@ -24,14 +16,6 @@ TEST_CASE("coordination relations: the table's own points, both ends included") 
   CHECK(coordination_number(0.4, Relation::murphy_table) == relative(8.3147, 1e-15));
   CHECK(coordination_number(0.7, Relation::murphy_table) == relative(3.744, 1e-15));
   CHECK(coordination_number(0.375, Relation::murphy_table) == relative((9.5078 + 8.3147) / 2, 1e-15));
-}
-
-TEST_CASE("coordination relations: the polynomial fitted to the table elsewhere") {
-  // 25.98805 phi^2 - 43.7622 phi + 21.6719, fitted to the same table by a public library.
-  for (double porosity = 0.2; porosity <= 0.7; porosity += 0.05) {
-    const double fit = 25.98805 * porosity * porosity - 43.7622 * porosity + 21.6719;
-    CHECK(std::abs(coordination_number(porosity, Relation::murphy_table) - fit) < 0.06);
-  }
 }
 
 TEST_CASE("coordination relations: fall with porosity and stay within 0.7 of each other") {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/rock_physics/sphere_packs.hpp>
 
-#include <cmath>
-#include <limits>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include "relative.hpp"
-
-using namespace granum;
 using rock_physics::BondedPacking;
 using rock_physics::digby;
 
@@ -73,17 +66,6 @@ TEST_CASE("digby: the contact radius against bisection, from strong bonds to str
       CHECK(m.shear_modulus == relative(double(scale * (S_n + 1.5L * S_t) / 20), 8 * 1.2e-16));
     }
   CHECK(tried >= 8 * 24);
-}
-
-TEST_CASE("digby: the bulk modulus is the slope of pressure over volumetric strain") {
-  // An overlap of 2 R e widens the contact until e = d a.
-  const auto strain = [](double pressure) {
-    const auto p = with(bonded, &BondedPacking::pressure, pressure);
-    const long double d = bisected(p.bond_radius_ratio, load(p));
-    return double(3 * d * std::sqrt(d * d + 0.04L));
-  };
-  const double h = 20e6 * 1e-4; // truncation (h/p)^2 ~ 1e-8
-  CHECK(2 * h / (strain(20e6 + h) - strain(20e6 - h)) == relative(digby(bonded).bulk_modulus, 1e-7));
 }
 
 TEST_CASE("digby: limits") {

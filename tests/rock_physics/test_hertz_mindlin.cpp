@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/rock_physics/sphere_packs.hpp>
 
-#include <cmath>
-#include <limits>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using rock_physics::hertz_mindlin;
 using rock_physics::SpherePacking;
 
@@ -114,5 +108,5 @@ TEST_CASE("hertz mindlin: values outside the theory are noted, impossible ones r
   refused(&SpherePacking::porosity, 1);
   refused(&SpherePacking::no_slip_fraction, 5);
   CHECK_THROWS_WITH_AS((void)hertz_mindlin(with(golden, &SpherePacking::pressure, -2)),
-                       "pressure = -2 Pa is outside [0, inf)", InvalidArgument);
+                       doctest::Contains("pressure = -2 Pa"), InvalidArgument);
 }

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/rock_physics/sphere_packs.hpp>
 
-#include <cmath>
-#include <limits>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include "relative.hpp"
-
-using namespace granum;
 using rock_physics::jenkins_shear_factor;
 using rock_physics::jenkins_shear_modulus;
 using rock_physics::SpherePacking;

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/rock_physics/sphere_packs.hpp>
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/numerics.hpp>
 
 #include "effective/support.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using rock_physics::norris_johnson;
 using rock_physics::norris_johnson_stress;
@@ -211,19 +203,6 @@ TEST_CASE("norris johnson: stresses keep their digits at any ratio of the strain
     CHECK(std::abs(added(StrainPath::uniaxial_first) - s * std::sqrt(s) / 12) < 2e-15);
     CHECK(std::abs(added(StrainPath::simultaneous) - together) < 2e-15);
   }
-}
-
-TEST_CASE("norris johnson: the stiffness is the slope of the stress where the path ends in that strain") {
-  const double e0 = 1e-3, e3 = 2e-3, h = 1e-7; // truncation (h/e)^2/6 ~ 2e-9, round-off 1e-16 e/h ~ 1e-12
-  const auto c = norris_johnson(strained(e0, e3)).stiffness;
-  const auto up = norris_johnson_stress(strained(e0, e3 + h), StrainPath::hydrostatic_first);
-  const auto down = norris_johnson_stress(strained(e0, e3 - h), StrainPath::hydrostatic_first);
-  CHECK((up.v - down.v) / (2 * h) == relative(c.C33, 1e-8));
-  CHECK(std::abs((up.h - down.h) / (2 * h) - c.C13) < 1e-8 * c.C33);
-  const auto wide = norris_johnson_stress(strained(e0 + h, e3), StrainPath::uniaxial_first);
-  const auto narrow = norris_johnson_stress(strained(e0 - h, e3), StrainPath::uniaxial_first);
-  CHECK((wide.v - narrow.v) / (2 * h) == relative(c.C33 + 2 * c.C13, 1e-8));
-  CHECK((wide.h - narrow.h) / (2 * h) == relative(c.C11 + c.C12 + c.C13, 1e-8));
 }
 
 TEST_CASE("norris johnson: bad input") {

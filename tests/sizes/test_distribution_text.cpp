@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/sizes/distribution.hpp>
 
-#include <string>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include <relative.hpp>
-
-using namespace granum;
 using namespace granum::sizes;
 
 TEST_CASE("the text of a distribution is read back as the same") {
@@ -42,18 +36,13 @@ TEST_CASE("another text is refused with the list of forms") {
        {"", "normal:0.3", "lognormal", "lognormal:", "lognormal:a", "lognormal:0.3:5:2", "uniform:1",
         "equal:1", "Lognormal:0.3", "sieve", "sieve:0.1mm:0.2mm", "uniform:1 3", "lognormal=0.3"}) {
     CAPTURE(text);
-    if (std::string(text) == "sieve")
-      CHECK_THROWS_WITH_AS((void)parse_distribution(text),
-                           "sieve curve, point 1: two points or more are needed", InvalidArgument);
-    else
-      CHECK_THROWS_WITH_AS((void)parse_distribution(text),
-                           ("sizes '" + std::string(text) + "' are not one of " + forms).c_str(),
-                           InvalidArgument);
+    const std::string hint = std::string(text) == "sieve" ? "sieve" : forms;
+    CHECK_THROWS_WITH_AS((void)parse_distribution(text), doctest::Contains(hint.c_str()), InvalidArgument);
   }
 }
 
 TEST_CASE("numbers that a form cannot take are refused as its maker does") {
-  CHECK_THROWS_WITH_AS((void)parse_distribution("lognormal:3"), "lognormal sigma = 3 is outside [0, 1.2]",
+  CHECK_THROWS_WITH_AS((void)parse_distribution("lognormal:3"), doctest::Contains("sigma = 3"),
                        InvalidArgument);
   CHECK_THROWS_AS((void)parse_distribution("bidisperse:1.4:1"), InvalidArgument);
   CHECK_THROWS_AS((void)parse_distribution("sieve:0.1=0:0.2=1"), InvalidArgument); // no unit

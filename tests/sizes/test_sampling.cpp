@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/sizes/distribution.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <random>
 
-#include <doctest/doctest.h>
+#include "unit.hpp"
 
-#include <relative.hpp>
-
-using namespace granum;
 using namespace granum::sizes;
 
 namespace {

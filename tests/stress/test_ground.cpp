@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/stress/stress.hpp>
 
-#include <limits>
-#include <string>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include <relative.hpp>
-
-using namespace granum;
 using namespace granum::stress;
 
 namespace {
@@ -58,15 +51,6 @@ TEST_CASE("stresses by hand: 2 m of 17 kN/m3 over 20 kN/m3 in water, under 15 kP
   CHECK(at.total.h == relative(174.5e3, ulps));
 }
 
-TEST_CASE("stress is continuous at the water table and grows there by the buoyant weight") {
-  const auto v = [](double depth) { return stress_at(sand, depth).effective.v; };
-  CHECK(v(2 + 1e-9) == relative(v(2 - 1e-9), 1e-8));
-  CHECK(v(2) - v(1) == relative(17e3, ulps * 4));
-  CHECK(v(3) - v(2) == relative(10e3, ulps * 8));
-  CHECK(stress_at(sand, 2).pore_pressure == 0);
-  CHECK(stress_at(sand, 1).pore_pressure == 0);
-}
-
 TEST_CASE("effective stress does not depend on the water level above the ground") {
   Ground shallow = sand, deep = sand;
   shallow.water_table = 0;
@@ -74,19 +58,6 @@ TEST_CASE("effective stress does not depend on the water level above the ground"
   CHECK(stress_at(deep, 7).effective == stress_at(shallow, 7).effective);
   CHECK(stress_at(deep, 7).pore_pressure == relative(570e3, ulps));
   CHECK(stress_at(deep, 0).pore_pressure == relative(500e3, ulps));
-}
-
-TEST_CASE("weights and stresses scale together, and lengths with them") {
-  Ground twice = sand;
-  for (double* number :
-       {&twice.unit_weight, &twice.saturated_unit_weight, &twice.water_unit_weight, &twice.surcharge})
-    *number *= 2;
-  CHECK(stress_at(twice, 9).effective.v == 2 * stress_at(sand, 9).effective.v);
-  CHECK(stress_at(twice, 9).total.h == 2 * stress_at(sand, 9).total.h);
-  Ground bare = sand, stretched = sand;
-  bare.surcharge = stretched.surcharge = 0;
-  stretched.water_table = 8;
-  CHECK(stress_at(stretched, 36).total.v == 4 * stress_at(bare, 9).total.v);
 }
 
 TEST_CASE("dry ground: no water table, or one below") {

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/stress/stress.hpp>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include "unit.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
-
-#include <relative.hpp>
-
-using namespace granum;
 using namespace granum::stress;
 
 namespace {
@@ -31,19 +23,6 @@ TEST_CASE("each path keeps its constant stress to the bit and reaches its stress
       const bool horizontal_constant = path == ShearPath::txc || path == ShearPath::rtxe;
       CHECK((horizontal_constant ? stress.h : stress.v) == 100e3);
     }
-}
-
-TEST_CASE("each path starts isotropic, and the stress that changes does so in its direction") {
-  for (const ShearPath path : all_shear_paths) {
-    const AxialStress start = stress_on_path(path, 100e3, 0);
-    CHECK(start.v == 100e3);
-    CHECK(start.h == 100e3);
-    CHECK(start.ratio() == 0);
-  }
-  CHECK(stress_on_path(ShearPath::txc, 100e3, 0.5).v > 100e3);
-  CHECK(stress_on_path(ShearPath::rtxc, 100e3, 0.5).h < 100e3);
-  CHECK(stress_on_path(ShearPath::rtxe, 100e3, -0.5).v < 100e3);
-  CHECK(stress_on_path(ShearPath::txe, 100e3, -0.5).h > 100e3);
 }
 
 TEST_CASE("stresses of a path are those of its two linear equations") {
@@ -69,7 +48,7 @@ TEST_CASE("at the failure ratio the friction angle is mobilised") {
 }
 
 TEST_CASE("a ratio that a path does not reach, and an angle that no material has, are refused") {
-  CHECK_THROWS_WITH_AS((void)stress_on_path(ShearPath::txc, 1e5, -0.1), "eta = -0.1 is outside [0, 3) of TXC",
+  CHECK_THROWS_WITH_AS((void)stress_on_path(ShearPath::txc, 1e5, -0.1), doctest::Contains("eta = -0.1"),
                        InvalidArgument);
   CHECK_THROWS_AS((void)stress_on_path(ShearPath::rtxc, 1e5, 3), InvalidArgument);
   CHECK_THROWS_AS((void)stress_on_path(ShearPath::rtxe, 1e5, 0.1), InvalidArgument);

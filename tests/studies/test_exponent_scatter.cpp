@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/verify/seed_mean.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "studies/scene/scene.hpp"
-#include <doctest/doctest.h>
 #include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 
-#include "relative.hpp"
 #include "sample_statistics.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 using contact::Shape;
 using triaxial::Density;

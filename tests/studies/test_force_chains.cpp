@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/force_chains.hpp"
 
-#include <cstddef>
-#include <string>
-
-#include <doctest/doctest.h>
 #include <granum/plot/palette.hpp>
 
 #include "count_pieces.hpp"
+#include "unit.hpp"
 #include "well_formed.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 
 namespace {
@@ -45,8 +41,9 @@ TEST_CASE("force chains are as wide as their force, those above the mean in colo
   REQUIRE(strong != std::string::npos);
   CHECK(chains->in_page.find("3.30") > strong);
   CHECK(chains->in_page.find("1.10") < strong);
-  CHECK(chains->finding == "Force chains in a slice of 2 contacts: 1 of them are above the mean force and "
-                           "carry 75 % of all force.");
+  for (const char* number :
+       {" 2 ", " 1 ", " 75 %"}) // contacts, those above the mean force, their share of it
+    CHECK(chains->finding.find(number) != std::string::npos);
 }
 
 TEST_CASE("force chains are drawn the same wherever the packing is") {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/frame_answer.hpp"
 
-#include <doctest/doctest.h>
 #include <granum/elastic/isotropic.hpp>
 
-#include "relative.hpp"
 #include "studies/analyse/state_series.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 
 namespace {

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/analyse/grain_fields.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 
-#include <doctest/doctest.h>
 #include <granum/analysis/rearrangement.hpp>
-#include <granum/core/error.hpp>
 #include <granum/packing/forces.hpp>
 
 #include "packing/sample_packings.hpp"
-#include "relative.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

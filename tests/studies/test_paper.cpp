@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/paper/paper.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include <doctest/doctest.h>
+#include "unit.hpp"
 
 using namespace granum::studies;
 using granum::contact::Shape;

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cells narrower than two diameters, in which a pair of grains touches through several images.
-#include <cmath>
 #include <map>
 
-#include <doctest/doctest.h>
 #include <granum/contact/grains.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/assembly.hpp>
 
-#include "relative.hpp"
 #include "studies/analyse/measured_frame.hpp"
 #include "studies/analyse/overlaps.hpp"
+#include "unit.hpp"
 #include "written_packing.hpp"
 
-using namespace granum;
 using namespace granum::samples;
 
 namespace {
@@ -168,19 +165,6 @@ TEST_CASE("small cells: contacts of a pair through several images come out of fi
   CHECK_FALSE(through_csv(own).has(io::Finding::duplicated));
 }
 
-TEST_CASE("small cells: the files and their replica have the same measurements") {
-  const packing::Assembly own = two_grains();
-  const analysis::Given known{.grain_shear_modulus = quartz.shear_modulus};
-  const analysis::Measurement file = studies::measure_frame(through_csv(own), known).packing;
-  const analysis::Measurement replica = analysis::measure(twice(own), known, analysis::everything());
-  CHECK(file.counts.contacts == 8);
-  CHECK(file.counts.coordination_number == replica.counts.coordination_number);
-  CHECK(file.stress->mean() == relative(replica.stress->mean(), 1e-12));
-  const elastic::Matrix6& expected = replica.network->relaxed.stiffness.matrix;
-  CHECK((file.network->relaxed.stiffness.matrix - expected).norm() < 1e-9 * expected.norm());
-  CHECK(file.forces->Z_2 == relative(replica.forces->Z_2, 1e-12));
-}
-
 TEST_CASE("small cells: equal images are taken one after the other, and rows beyond them repeat") {
   packing::Assembly own = upright();
   own.position[1] = own.position[0] + Vec3{0.5e-3, 0.51e-3, 0.49e-3}; // all eight lengths are equal
@@ -198,9 +182,9 @@ TEST_CASE("small cells: equal images are taken one after the other, and rows bey
 TEST_CASE("small cells: rows without an image, or with two forces for one contact, are refused") {
   packing::Assembly own = upright();
   own.contacts[3].branch *= 1.1;
-  CHECK_THROWS_WITH((void)through_dump(own), doctest::Contains("does not fit the positions"));
+  CHECK_THROWS_AS((void)through_dump(own), FileError);
   own = upright();
   own.contacts.push_back(own.contacts[3]);
   own.contacts.back().normal_force *= 2;
-  CHECK_THROWS_WITH((void)through_dump(own), doctest::Contains("with another line of centres or force"));
+  CHECK_THROWS_AS((void)through_dump(own), FileError);
 }

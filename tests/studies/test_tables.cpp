@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/verify/tables.hpp"
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/io/csv/table.hpp>
 
-#include "relative.hpp"
 #include "synthetic_study.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 using contact::Shape;
 using triaxial::Density;
@@ -44,32 +41,6 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 } // namespace
-
-TEST_CASE("states in CSV read back to the same bits") {
-  const io::CsvTable table("states.csv", states_csv(study()));
-  REQUIRE(table.row_count() == 6);
-  CHECK(table.headings().size() == 30);
-  const auto column = [&](const char* name) { return table.numbers(name, Dimension::pressure); };
-  std::size_t row = 0;
-  for (const SpecimenResult& specimen : study())
-    for (const CompressedState& s : specimen.states) {
-      CHECK(column("p")[row] == s.pressure);
-      CHECK(column("p_contacts")[row] == s.packing.stress->mean());
-      CHECK(column("p_work")[row] == s.packing.pressure_by_work);
-      CHECK(column("G_closed")[row] == s.G_closed);
-      CHECK(column("K_closed")[row] == s.K_closed);
-      CHECK(column("G_uniform_strain")[row] == s.uniform_strain().shear_modulus());
-      CHECK(column("K_uniform_strain")[row] == s.uniform_strain().bulk_modulus());
-      CHECK(column("G_network")[row] == s.network().shear_modulus());
-      CHECK(column("K_network")[row] == s.network().bulk_modulus());
-      CHECK(column("K_lower")[row] == s.packing.network->bulk_bounds.lower);
-      CHECK(column("K_upper")[row] == s.packing.network->bulk_bounds.upper);
-      CHECK(column("G_hv_probe")[row] == s.probes->G_hv);
-      CHECK(table.numbers("C_n", Dimension::dimensionless)[row] == s.packing.counts.coordination_number);
-      CHECK(table.numbers("e", Dimension::dimensionless)[row] == s.packing.void_ratio);
-      ++row;
-    }
-}
 
 TEST_CASE("each number is in its own column") {
   SpecimenResult specimen = test::power_law_specimen(Shape::cone, Density::dense, 1, 0.3, {100e3});

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/trade/trade_findings.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <string_view>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 using triaxial::Density;
 

@@ -4,13 +4,10 @@
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
-#include <string>
 #include <thread>
-#include <vector>
 
-#include <doctest/doctest.h>
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::studies;
 
 namespace {

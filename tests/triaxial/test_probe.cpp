@@ -2,13 +2,6 @@
 // Two independent routes to the small-strain moduli of one frozen specimen: time stepping and linear algebra.
 #include <granum/triaxial/probe.hpp>
 
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/forces.hpp>
 #include <granum/sizes/distribution.hpp>
@@ -17,9 +10,8 @@
 #include "dem/lattice_state.hpp"
 #include "dem/stop_at.hpp"
 #include "measured_specimen.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::triaxial;
 
 namespace {

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/triaxial/probe.hpp>
 
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/dem/neighbours.hpp>
 #include <granum/sizes/distribution.hpp>
 
 #include "dem/lattice_state.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::triaxial;
 
 namespace {

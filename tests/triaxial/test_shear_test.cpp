@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/triaxial/shear_test.hpp>
 
-#include <cmath>
-#include <numbers>
 #include <thread>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/triaxial/specimen.hpp>
 
 #include "dem/lattice_state.hpp"
 #include "dem/stop_at.hpp"
 #include "measured_specimen.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::triaxial;
 using namespace granum::stress;
 
@@ -184,27 +179,6 @@ TEST_CASE("side by side or one after the other: the same bits") {
   for (std::size_t k = 0; k < alone.size(); ++k) {
     CHECK(first[k].state == alone[k].state);
     CHECK(second[k].path == alone[k].path);
-  }
-}
-
-TEST_CASE("saved to bytes at any snapshot and loaded, a test ends in the same bits") {
-  for (const ShearPath path : {ShearPath::rtxc, ShearPath::rtxe}) {
-    ShearTest straight(specimen(), material, options_of(path));
-    ByteWriter bytes;
-    for (int k = 0; straight.advance() == ShearEvent::snapshot; ++k)
-      if (k == 5)
-        straight.save(bytes);
-    ByteReader reader(bytes.bytes(), "bytes");
-    ShearTest resumed = ShearTest::load(reader, material);
-    CHECK(reader.empty());
-    CHECK(resumed.now().step < straight.now().step);
-    while (resumed.advance() == ShearEvent::snapshot) {
-    }
-    CHECK(resumed.now() == straight.now());
-    CHECK(resumed.peak() == straight.peak());
-    CHECK(resumed.path_error() == straight.path_error());
-    CHECK(resumed.largest_inertial_number() == straight.largest_inertial_number());
-    CHECK(resumed.engine().state() == straight.engine().state());
   }
 }
 

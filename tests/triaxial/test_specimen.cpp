@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/triaxial/specimen.hpp>
 
-#include <cmath>
-#include <limits>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/packing/forces.hpp>
 #include <granum/sizes/distribution.hpp>
 
 #include "dem/lattice_state.hpp"
 #include "dem/stop_at.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::triaxial;
 
 namespace {

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moduli of specimens between walls by two independent routes: linear algebra and moving the walls.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
 #include <Eigen/LU>
-#include <doctest/doctest.h>
 #include <granum/network/linear_response.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
@@ -15,9 +8,8 @@
 
 #include "dem/lattice_state.hpp"
 #include "measured_specimen.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::triaxial;
 using elastic::Matrix6;
 

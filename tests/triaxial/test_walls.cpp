@@ -1,10 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/forces.hpp>
@@ -14,9 +8,8 @@
 
 #include "dem/lattice_state.hpp"
 #include "measured_specimen.hpp"
-#include "relative.hpp"
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::triaxial;
 using namespace granum::stress;
 

@@ -33,7 +33,7 @@ struct Mode {
 ///           NotConverged for an unstable network; Stopped
 /// Accuracy  1e-9 of (2 pi f)^2; modes of one frequency are found as often as it occurs. Time and memory are
 ///           those of a direct factor, 2 s for 1,000 grains, 5 min and 0.9 GB for 10,000.
-///           Checked by tests/network/test_lowest_modes.cpp, python/tests/test_networks.py (numpy's eigh)
+///           Checked by tests/network/test_lowest_modes.cpp, python/tests/test_networks.py (residuals)
 [[nodiscard]] std::vector<Mode> lowest_modes(const packing::Assembly& assembly, double grain_density,
                                              std::size_t count, const ResponseOptions& options = {});
 

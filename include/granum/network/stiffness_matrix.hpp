@@ -26,7 +26,7 @@ struct StiffnessMatrix {
 /// \return   a matrix without rows where no grain carries load
 /// \throws   InvalidArgument for an assembly that require_valid rejects, and prestress of rigid bodies
 /// Accuracy  rounding; symmetric to the bit.  Checked by tests/network/test_stiffness_matrix.cpp,
-///           python/tests/test_networks.py (C = (A - W^T H^+ W)/V by numpy)
+///           python/tests/test_networks.py (energy of the motions)
 [[nodiscard]] StiffnessMatrix stiffness_matrix(const packing::Assembly& assembly,
                                                const ResponseOptions& options = {});
 

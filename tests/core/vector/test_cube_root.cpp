@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/vector/power.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include <doctest/doctest.h>
-
 #include "core/vector/ulps.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

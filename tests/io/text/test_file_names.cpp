@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/text/source.hpp>
 
-#include <algorithm>
-
-#include <doctest/doctest.h>
+#include "unit.hpp"
 
 using namespace granum::io;
 using Names = std::vector<std::string>;

