@@ -233,9 +233,10 @@ TEST_CASE("a sound study confirms every claim, and each claim fails just beyond 
                                             {law + 0.0501, 0.6, false},
                                             {0.34, 0.4601, true},
                                             {0.34, 0.4599, false}}) {
-    CAPTURE(dense);
-    CAPTURE(loose);
-    CHECK(holds(sound_study(dense, loose)) == sound);
+    const double of_dense = dense, of_loose = loose;
+    CAPTURE(of_dense);
+    CAPTURE(of_loose);
+    CHECK(holds(sound_study(of_dense, of_loose)) == sound);
   }
   for (const auto& [rms, sound] : {std::pair{0.0299, true}, {0.0301, false}}) {
     const double difference[] = {1, -7, 21, -35, 35, -21, 7, -1};
@@ -248,17 +249,19 @@ TEST_CASE("a sound study confirms every claim, and each claim fails just beyond 
   }
   for (const auto& [lower, upper, sound] :
        {std::tuple{1.0, 1.15, true}, {1 + 1e-8, 1.15, false}, {0.9, 1.0, true}, {0.9, 1 - 1e-8, false}})
-    CHECK(holds_after([&](CompressedState& s) {
+    CHECK(holds_after([&, low = lower, high = upper](CompressedState& s) {
             const double K = s.network().bulk_modulus();
-            s.packing.network->bulk_bounds.lower = lower * K;
-            test::set_uniform_strain(s, upper * K, s.uniform_strain().shear_modulus());
+            s.packing.network->bulk_bounds.lower = low * K;
+            test::set_uniform_strain(s, high * K, s.uniform_strain().shear_modulus());
           }) == sound);
   for (const double sign : {1.0, -1.0}) {
     for (const auto& [part, sound] : {std::pair{0.0098, true}, {0.0102, false}})
-      CHECK(holds_after([&](CompressedState& s) { s.probes->G_vh *= 1 + sign * part; }) == sound);
-    for (const auto& [part, sound] : {std::pair{0.99e-6, true}, {1.01e-6, false}})
-      CHECK(holds_after([&](CompressedState& s) { *s.packing.pressure_by_work *= 1 + sign * part; }) ==
+      CHECK(holds_after([factor = 1 + sign * part](CompressedState& s) { s.probes->G_vh *= factor; }) ==
             sound);
+    for (const auto& [part, sound] : {std::pair{0.99e-6, true}, {1.01e-6, false}})
+      CHECK(holds_after([factor = 1 + sign * part](CompressedState& s) {
+              *s.packing.pressure_by_work *= factor;
+            }) == sound);
   }
 }
 
