@@ -227,16 +227,16 @@ TEST_CASE("a sound study confirms every claim, and each claim fails just beyond 
   CHECK(holds(sound_study()));
   // s of dense specimens from 0.01 below to 0.05 above the contact law's, that of loose ones larger by 0.12
   constexpr double law = 1.0 / 3;
-  struct Case {
-    double first, second;
-    bool sound;
-  };
-  for (const Case& s :
-       {Case{law - 0.0099, 0.5, true}, Case{law - 0.0101, 0.5, false}, Case{law + 0.0499, 0.6, true},
-        Case{law + 0.0501, 0.6, false}, Case{0.34, 0.4601, true}, Case{0.34, 0.4599, false}}) {
-    CAPTURE(s.first);
-    CAPTURE(s.second);
-    CHECK(holds(sound_study(s.first, s.second)) == s.sound);
+  for (const auto& [dense, loose, sound] : {std::tuple{law - 0.0099, 0.5, true},
+                                            {law - 0.0101, 0.5, false},
+                                            {law + 0.0499, 0.6, true},
+                                            {law + 0.0501, 0.6, false},
+                                            {0.34, 0.4601, true},
+                                            {0.34, 0.4599, false}}) {
+    const double of_dense = dense, of_loose = loose;
+    CAPTURE(of_dense);
+    CAPTURE(of_loose);
+    CHECK(holds(sound_study(of_dense, of_loose)) == sound);
   }
   for (const auto& [rms, sound] : {std::pair{0.0299, true}, {0.0301, false}}) {
     const double difference[] = {1, -7, 21, -35, 35, -21, 7, -1};
@@ -247,19 +247,20 @@ TEST_CASE("a sound study confirms every claim, and each claim fails just beyond 
     }
     CHECK(holds(study) == sound);
   }
-  for (const Case& bounds :
-       {Case{1.0, 1.15, true}, Case{1 + 1e-8, 1.15, false}, Case{0.9, 1.0, true}, Case{0.9, 1 - 1e-8, false}})
-    CHECK(holds_after([&](CompressedState& s) {
+  for (const auto& [lower, upper, sound] :
+       {std::tuple{1.0, 1.15, true}, {1 + 1e-8, 1.15, false}, {0.9, 1.0, true}, {0.9, 1 - 1e-8, false}})
+    CHECK(holds_after([&, low = lower, high = upper](CompressedState& s) {
             const double K = s.network().bulk_modulus();
-            s.packing.network->bulk_bounds.lower = bounds.first * K;
-            test::set_uniform_strain(s, bounds.second * K, s.uniform_strain().shear_modulus());
-          }) == bounds.sound);
+            s.packing.network->bulk_bounds.lower = low * K;
+            test::set_uniform_strain(s, high * K, s.uniform_strain().shear_modulus());
+          }) == sound);
   for (const double sign : {1.0, -1.0}) {
-    for (const auto& [by, sound] : {std::pair{0.0098, true}, {0.0102, false}})
-      CHECK(holds_after([&, part = by](CompressedState& s) { s.probes->G_vh *= 1 + sign * part; }) == sound);
-    for (const auto& [by, sound] : {std::pair{0.99e-6, true}, {1.01e-6, false}})
-      CHECK(holds_after([&, part = by](CompressedState& s) {
-              *s.packing.pressure_by_work *= 1 + sign * part;
+    for (const auto& [part, sound] : {std::pair{0.0098, true}, {0.0102, false}})
+      CHECK(holds_after([factor = 1 + sign * part](CompressedState& s) { s.probes->G_vh *= factor; }) ==
+            sound);
+    for (const auto& [part, sound] : {std::pair{0.99e-6, true}, {1.01e-6, false}})
+      CHECK(holds_after([factor = 1 + sign * part](CompressedState& s) {
+              *s.packing.pressure_by_work *= factor;
             }) == sound);
   }
 }

@@ -76,18 +76,6 @@ TEST_CASE("extended XYZ: without a lattice the box is that of the user, or aroun
   CHECK(recognise(source).format == &extended_xyz_format);
 }
 
-TEST_CASE("extended XYZ: of a restarted job the later run answers") {
-  std::string text;
-  for (const char* time : {"1", "2", "3", "2", "3.5"})
-    text += with(xyz_by_hand, "Time=1.5", std::string("Time=") + time);
-  const PackingFrames all = xyz_frames(text);
-  std::vector<double> times;
-  while (const auto packing = all.next())
-    times.push_back(packing->time.value());
-  CHECK(times == std::vector<double>{1, 2, 3.5});
-  CHECK(all.moments.size() == 5);
-}
-
 TEST_CASE("extended XYZ: files that are none, or are cut, are refused with the line") {
   CHECK(xyz_refused("") != "");
   CHECK(xyz_refused("2\n") != "");
