@@ -29,6 +29,8 @@ granum_cli_test("analyse: CSV in a box" EXIT 0 STDERR "the void ratio is 39\\.7:
 granum_cli_test("analyse: a profile across x" EXIT 0 STDERR "." JSON "frames/0/profile/1/low=^0\\.0015" "frames/0/profile/3/grains=^0$"
     "frames/0/profile/3/solid_fraction=^0(\\.0)?$" "frames/0/profile/3/shear_modulus=MISSING"
   ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv --box 4mm,4mm,4mm --profile x:4 --json)
+granum_cli_test("analyse: slices of a diameter" EXIT 0 STDERR "." STDOUT "4 slices across x, each 1 mm wide, 1 mean"
+  ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv --box 4mm,4mm,4mm --profile x:4)
 foreach(wrong "20" "z" "z:0" "w:3" "z:2.5" "z:")
   granum_cli_test("analyse: profile ${wrong}" EXIT 2 STDERR "--profile takes an axis"
     ARGS analyse analyse_chain_grains.csv analyse_chain_contacts.csv --profile ${wrong})
