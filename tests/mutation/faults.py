@@ -214,7 +214,7 @@ def commands(options):
 
 
 # Of a room of the program, the runs that begin so; of others those with its name.
-RUNS = {"document": "answer|estimate: |export|sands: ", "frame": "help|answer|completion|unknown|no sub", "sweep": "sweep|depth|curves",
+RUNS = {"document": "answer|estimate: |export|sands: ", "frame": "help|sweep: |fit: |unknown|no sub", "sweep": "sweep|depth|curves",
         "estimate": "answer|estimate: |sands", "options": "people|units|scene|sands", "reference": "manual|completion"}
 RUNS["all"] = "|".join(["analyse|fit|infer|plan|reproduce|trade|verify", *RUNS.values()])
 
