@@ -12,11 +12,11 @@
 #include "cli/commands.hpp"
 #include "io/temporary_folder.hpp"
 
-/// What `granum sweep` writes to a file.
-inline std::string swept(const std::vector<std::string>& words) {
+/// What `granum sweep`, or another command, writes to a file.
+inline std::string swept(const std::vector<std::string>& words, const std::string& command = "sweep") {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "curve").string();
-  std::vector<std::string> all{"granum", "sweep", "--out", file};
+  std::vector<std::string> all{"granum", command, "--out", file};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> arguments;
   for (std::string& word : all)

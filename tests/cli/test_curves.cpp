@@ -148,3 +148,50 @@ TEST_CASE("curves: the numbers are those of a single strain") {
   for (const char* key : {"modulus_ratio", "damping_ratio", "strained_shear_modulus"})
     CHECK(points[2].at(key) == row.at("answer").at(key));
 }
+
+TEST_CASE("sweeps: weights below each layer's water, names of equal curves, depths of a picture, porosity of "
+          "a fit") {
+  const TemporaryFolder folder;
+  const auto written = [&](const std::string& text) {
+    const std::string file = (folder.path() / "table.csv").string();
+    std::ofstream(file) << text;
+    return file;
+  };
+  const nlohmann::json layered = nlohmann::json::parse(
+      swept({"--layers",
+             written("top_m,e,unit_weight_kN/m3,saturated_unit_weight_kN/m3\n0,0.8,15,18\n5,0.7,17,20\n"),
+             "--water-table", "12m", "--depth", "10m..15m", "--points", "2", "--strain", "0.0001%..1%",
+             "--for", "strata"}));
+  REQUIRE(layered.size() == 2);
+  CHECK(layered[0].at("untWt") == 17); // above the water
+  CHECK(layered[1].at("untWt") == 20);
+  const nlohmann::json alike =
+      nlohmann::json::parse(swept({"--table", written("e,C_u,p_kPa\n0.7,2,100\n0.7,2,100\n0.7,2,100\n"),
+                                   "--strain", "0.0001%..1%", "--for", "strata"}));
+  std::set<std::string> names;
+  for (const nlohmann::json& curve : alike)
+    names.insert(curve.at("name").get<std::string>());
+  CHECK(names.size() == 3);
+  const std::string svg = (folder.path() / "depth.svg").string();
+  (void)swept({"--void-ratio", "0.7", "--unit-weight", "16kN/m3", "--depth", "5m..10m", "--points", "3",
+               "--picture", svg});
+  std::ostringstream picture;
+  picture << std::ifstream(svg).rdbuf();
+  std::size_t labels = 0;
+  const std::string begin = "<text class=\"y-label\"", text = picture.str();
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1), ++labels)
+    CHECK(parse_number(text.substr(text.find('>', at) + 1, text.find('<', at + 1) - text.find('>', at) - 1))
+              .value_or(0) <= 10);
+  CHECK(labels > 0);
+  const auto fitted = [&](const std::string& heading, const std::string& one, const std::string& other) {
+    std::string rows = "sigma_v_kPa,sigma_h_kPa,G_MPa," + heading + "\n";
+    bool first = true;
+    for (const char* const row : {"50,50,60,", "100,60,85,", "200,150,130,", "400,180,170,", "100,100,95,"}) {
+      rows += row + (first ? one : other) + "\n";
+      first = !first;
+    }
+    return nlohmann::json::parse(swept({written(rows), "--json"}, "fit"));
+  };
+  CHECK(fitted("porosity", "0.375", "0.4").at("s").get<double>() ==
+        doctest::Approx(fitted("e", "0.6", "0.66666666666666667").at("s").get<double>()).epsilon(1e-9));
+}

@@ -5,6 +5,7 @@
 #include <granum/effective/contact_prior.hpp>
 #include <granum/estimate/answer.hpp>
 
+#include "cli/analyse/analyse_options.hpp"
 #include "cli/options/input_columns.hpp"
 #include "cli/options/input_options.hpp"
 #include "cli/options/slips.hpp"
@@ -319,4 +320,15 @@ TEST_CASE("numbers that look like a mistake are told from where on, with the num
       judge_contacts({"z", z}, without, state, validity);
       return validity.notes.size();
     });
+}
+
+TEST_CASE("the surface energy of grains is read in each of its units") {
+  for (const auto& [unit, factor] : {std::pair("J/m2", 1.0),
+                                     {"J/m^2", 1.0},
+                                     {"N/m", 1.0},
+                                     {"mJ/m2", 1e-3},
+                                     {"mJ/m^2", 1e-3},
+                                     {"mN/m", 1e-3}})
+    CHECK(parse_adhesion(std::string("jkr:50") + unit)->surface_energy ==
+          doctest::Approx(50 * factor).epsilon(1e-14));
 }

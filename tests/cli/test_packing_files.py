@@ -37,7 +37,7 @@ def test_files_of_an_analysis(granum, tmp_path):
     assert [row["frame"] for row in frames] == ["0", "1"] and all(row["file"].endswith("lammps_chain.atoms") for row in frames)
     rose = first["rose.csv"].decode()
     assert len(rows(rose)) == 2 * 18 and len(rows(first["forces.csv"].decode())) == 2 * 32
-    assert len(re.findall(r"^[01],[^a-z]*,90,", rose, re.M)) == 2  # the last bin of a quadrant ends upright
+    assert len(re.findall(r"^[01],[^a-z\n]*,90,", rose, re.M)) == 2  # the last bin of a quadrant ends upright
     for name in "rose.svg", "forces.svg":
         texts(first[name].decode())
     assert "frames.csv" in granum(*analyse, code=3).err

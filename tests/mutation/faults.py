@@ -209,13 +209,13 @@ def commands(options):
              if os.access(p, os.X_OK) and p.is_file()}
     if (tree / "granum").exists():
         found["runs"] = [shutil.which("ctest"), "--test-dir", tree, "-L", "^cli$", "-LE", "slow", "--stop-on-failure",
-                         f"-j{options.jobs}"]
+                         f"-j{os.cpu_count()}"]
     return found
 
 
 # Of a room of the program, the runs that begin so; of others those with its name.
-RUNS = {"document": "answer|estimate|export", "frame": "help|estimate|completion|unknown|no sub", "sweep": "sweep|depth|curves",
-        "estimate": "answer|estimate|sands", "options": "people|units|scene|sands", "reference": "manual|completion"}
+RUNS = {"document": "answer|estimate: |export|sands: ", "frame": "help|sweep: |fit: |unknown|no sub", "sweep": "sweep|depth|curves",
+        "estimate": "answer|estimate: |sands", "options": "people|units|scene|sands", "reference": "manual|completion"}
 RUNS["all"] = "|".join(["analyse|fit|infer|plan|reproduce|trade|verify", *RUNS.values()])
 
 

@@ -50,7 +50,14 @@ TEST_CASE("force chains are drawn the same wherever the packing is") {
   packing::Assembly moved = row();
   for (Vec3& x : moved.position)
     x += Vec3{100, 7, -50};
-  CHECK(force_chains(moved)->in_page == force_chains(row())->in_page);
+  const std::string picture = force_chains(moved)->in_page;
+  CHECK(picture == force_chains(row())->in_page);
+  double last = 12 - 52.5; // four grains of two radii each on 420 between edges of 12
+  for (std::size_t at = picture.find(" cx=\""); at != std::string::npos;
+       at = picture.find(" cx=\"", at + 1)) {
+    CHECK(std::stod(picture.substr(at + 5)) == doctest::Approx(last + 105).epsilon(1e-3));
+    last += 105;
+  }
 }
 
 TEST_CASE("without pressing contacts there are no chains") {

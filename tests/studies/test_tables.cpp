@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/verify/tables.hpp"
 
+#include <granum/core/units.hpp>
 #include <granum/io/csv/table.hpp>
 
+#include "studies/verify/local_exponents.hpp"
 #include "synthetic_study.hpp"
 #include "unit.hpp"
 
@@ -106,4 +108,25 @@ TEST_CASE("exponents in CSV are read back, with empty cells for missing values")
   CHECK(full.numbers("network_error", Dimension::dimensionless)[1] == rows[3].network->standard_error);
   CHECK(full.numbers("closed_form", Dimension::dimensionless)[1] == rows[3].closed_form->value);
   CHECK(full.numbers("probe", Dimension::dimensionless)[1] == rows[3].probe->value);
+}
+
+TEST_CASE("tables: numbers are shown in the unit of their heading") {
+  std::size_t with_units = 0;
+  const auto check = [&](const auto& columns) {
+    for (const auto& column : columns)
+      if (const std::size_t open = column.shown ? column.shown->heading.find('[') : std::string::npos;
+          open != std::string::npos) {
+        const std::string& heading = column.shown->heading;
+        CAPTURE(heading);
+        const std::optional<Unit> unit = find_unit(heading.substr(open + 1, heading.find(']') - open - 1));
+        REQUIRE(unit);
+        CHECK(column.shown->unit == unit->factor);
+        ++with_units;
+      }
+  };
+  check(state_columns());
+  check(exponent_columns());
+  check(verdict_columns());
+  check(local_exponent_columns());
+  CHECK(with_units > 2);
 }
