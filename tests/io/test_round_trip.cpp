@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One packing, in a box whose corner is not the origin, with contacts through its faces, clumps and walls, written in
-// each format and in several units, is the same packing when it is read.
+// One packing, in a box whose corner is not the origin, with contacts through its faces, clumps and walls,
+// written in each format and in several units, is the same packing when it is read.
 #include <algorithm>
 #include <cmath>
 

@@ -91,8 +91,8 @@ TEST_CASE("contact cement: a published value") {
   CHECK(contact_cement(example(), CementScheme::at_contacts).bulk_modulus == relative(10.68e9, 5e-4));
 }
 
-TEST_CASE(
-    "contact cement: the regression as it is printed") { // [Dvorkin and Nur 1996, as the Rock Physics Handbook has it]
+// [Dvorkin and Nur 1996, as the Rock Physics Handbook has it]
+TEST_CASE("contact cement: the regression as it is printed") {
   for (const double nu : {0.0, 0.2, 0.4}) {
     CementedPacking p = example();
     p.poisson_ratio = nu;

@@ -9,8 +9,8 @@
 
 namespace granum::test {
 
-/// The value of a formula as a law states it: "a (p/p_a)^n, a = 2 MPa, n = 0.5". What is not an equation behind
-/// the first comma is words.
+/// The value of a formula as a law states it: "a (p/p_a)^n, a = 2 MPa, n = 0.5". What is not an equation
+/// behind the first comma is words.
 class Formula {
  public:
   /// \param    values   of names and units
