@@ -22,8 +22,8 @@ TEST_CASE("a network that is hardly rigid takes few iterations, and one lost piv
   CHECK(response.report().iterations <= 85);  // measured 67; 140 with one level of fill
 }
 
-// The preset sanitize leaves out this test and those on "soft motions": they take minutes there, on code that the
-// others run as well.
+// The preset sanitize leaves out this test and those on "soft motions": they take minutes there, on code that
+// the others run as well.
 TEST_CASE(
     "in a large network that is hardly rigid soft motions are as soft as they are, and lost ones found") {
   struct Soft {

@@ -6,7 +6,8 @@
 
 #include <granum/io/csv/columns.hpp>
 
-/// Tables in units of practice: stresses in kPa, moduli in MPa, five digits. Checked by tests/cli/rows/units.txt
+/// Tables in units of practice: stresses in kPa, moduli in MPa, five digits.
+/// Checked by tests/cli/rows/units.txt
 namespace granum::cli {
 
 /// A heading in a unit of practice, and the factor to its numbers.
