@@ -124,13 +124,15 @@ TEST_CASE("flat contacts: G constant is claimed of dense specimens, and not of l
   const Synthetic constant{.m = 0, .n = 0}, growing{.m = 0.2, .n = 0.2};
   CHECK(of(Density::dense, constant) < of(Density::dense, growing));
   CHECK(of(Density::loose, constant) > of(Density::loose, growing));
-  const std::size_t claims = of(Density::dense, constant);
+  const std::vector<Verdict> before = not_confirmed(synthetic_experiment(one_kind(Shape::flat), constant));
   for (const bool horizontal : {true, false}) { // one of both moduli
     Experiment experiment = synthetic_experiment(one_kind(Shape::flat), constant);
     std::array<double, 36>& network = experiment.specimens[0].runs[2].points[1].network;
     for (const int place : horizontal ? std::vector{35} : std::vector{21, 28})
       network[static_cast<std::size_t>(place)] *= 1.1;
-    CHECK(not_confirmed(experiment).size() > claims);
+    CHECK(std::ranges::any_of(not_confirmed(experiment), [&](const Verdict& v) {
+      return std::ranges::none_of(before, [&](const Verdict& b) { return b.claim == v.claim; });
+    }));
   }
 }
 
