@@ -71,7 +71,8 @@ def agrees(value, expected):
     except ValueError:
         return False
     decimals, exponent = re.fullmatch(r"-?\d+\.?(\d*)(?:e([-+]?\d+))?", expected).groups()
-    return abs(value - number) <= (0.6 * 10.0 ** (int(exponent or 0) - len(decimals)) if decimals or exponent else 0)
+    last_digit = 10.0 ** (int(exponent or 0) - len(decimals)) if decimals or exponent else 0
+    return abs(value - number) <= max(0.6 * last_digit, 1e-12 * abs(number))
 
 
 def member(document, keys):
