@@ -223,7 +223,17 @@ void remember_asked(const std::vector<TypedArgument>& arguments) {
 
 InvalidArgument as_typed(const InvalidArgument& error, const std::vector<TypedArgument>& arguments) {
   const auto& refused = error.refused();
-  if (!refused || !std::string_view(error.what()).starts_with(refused->name))
+  const std::string text = error.what();
+  if (!refused) { // "<name>: ...", whose option was typed
+    const std::size_t end = text.find(": ");
+    std::string name = text.substr(0, end);
+    std::replace(name.begin(), name.end(), ' ', '_');
+    for (const TypedArgument& typed : arguments)
+      if (end != std::string::npos && typed.option != nullptr && is_named(*typed.option, option_of(name)))
+        return InvalidArgument(typed.word + text.substr(end));
+    return error;
+  }
+  if (!text.starts_with(refused->name))
     return error;
   const estimate::InputRow* const row = estimate::find_input(refused->name);
   const std::string option = row != nullptr ? row->option() : option_of(refused->name);

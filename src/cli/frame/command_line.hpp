@@ -45,7 +45,8 @@ struct AskedOption {
 void remember_asked(const std::vector<TypedArgument>& arguments);
 
 /// The error with a number that the library refused named as it was typed, "--stress-h" for "stress_h"; as it
-/// is where another number was typed: the refused one is of another state, such as a prediction.
+/// is where another number was typed: the refused one is of another state, such as a prediction. A text that
+/// begins with a name, "column map: ", begins with the option if that was typed. Checked by tests/cli/rows
 [[nodiscard]] InvalidArgument as_typed(const InvalidArgument& error,
                                        const std::vector<TypedArgument>& arguments);
 
