@@ -54,7 +54,7 @@ def test_path_depth_and_table(granum, tmp_path, known):
 
 
 def test_rows_of_tables(granum):
-    """Whether rows share or tell contacts, preparation and sizes."""
+    """Whether rows share or give contacts, preparation and sizes."""
     row = states(granum, "--table sweep_states.csv", code=1)  # some of whose rows are refused
     for k, text in {0: "--coordination-number 5.73 --fabric 0.1 --stress-v 200kPa --stress-h 100kPa",
                     1: "--contact cone --slope 0.4 --coordination-number 5.9 --fabric 0 --pressure 100kPa",

@@ -29,9 +29,9 @@ def test_hostile_name(attack, tmp_path):
     (tmp_path / hostile).write_bytes((DATA / "analyse_chain_contacts.csv").read_bytes())
     assert "x1b" in attack("analyse", hostile).out
     assert "x1b" in attack("analyse", "absent" + hostile, code=3).err
-    told = attack("analyse", hostile, "--json", "--out", "results")
-    assert "\\u001b" in told.out and "\\u009b" in told.out and "\\u202e" in told.out
-    assert told.json["files"][0]["path"] == hostile.replace("\udcff", "\ufffd")
+    shown = attack("analyse", hostile, "--json", "--out", "results")
+    assert "\\u001b" in shown.out and "\\u009b" in shown.out and "\\u202e" in shown.out
+    assert shown.json["files"][0]["path"] == hostile.replace("\udcff", "\ufffd")
     files = {"frames.csv", "rose.csv", "forces.csv", "rose.svg", "forces.svg", "analysis.json"}
     assert files <= set(names(tmp_path / "results"))
 
@@ -56,8 +56,8 @@ def test_command_for_a_name(attack, tmp_path):
 def test_frames_without_end(granum):
     """No more of them are held than one answer has."""
     done = granum("analyse", "/dev/stdin", input="".join(FRAME % k for k in range(10500)))
-    for told, name in (done.out, "frame 9999"), (done.err, "--frames"):
-        assert name in told and "10000" in told
+    for shown, name in (done.out, "frame 9999"), (done.err, "--frames"):
+        assert name in shown and "10000" in shown
 
 
 @pytest.mark.parametrize("study", ["export lammps --start scattered", "verify", "reproduce"])

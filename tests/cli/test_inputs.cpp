@@ -259,7 +259,7 @@ TEST_CASE("inputs: suction is refused with its line") {
   }
 }
 
-TEST_CASE("numbers that look like a mistake are told from where on, with the number that was meant") {
+TEST_CASE("numbers that look like a mistake are noted from where on, with the number that was meant") {
   using Judge = void (*)(const Typed&, Validity&);
   const struct {
     Judge judge;

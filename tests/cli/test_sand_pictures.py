@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which answers and published laws stand in pictures, and reports as a client reads them: what was asked, the answer,
+"""Which answers and published laws are in pictures, and reports as a client reads them: what was asked, the answer,
 assumptions and sources, and a way from each citation to its source."""
 import datetime
 import re
@@ -19,7 +19,7 @@ STRAINED = f"{STATE} --strain 0.01%"
     *[(f"{SAND} {path}", [], [LAWS]) for path in (PATH, "--depth 1m..20m", "--path txc --from 100kPa --eta 0.6")],
     *[(f"{SAND} {path} --laws", [LAWS], []) for path in (PATH, "--depth 1m..20m", "--path txc --from 100kPa --eta 0.6")],
     (f"{SAND} {PATH} --laws --picture-of K", [], [LAWS]),
-    # where nothing says what the grains are both stand in the picture by name
+    # where nothing says what the grains are both are named in the picture
     (f"sweep --points 3 --void-ratio 0.7 {PATH} --laws", ["sand", "beads", LAWS], ["answer"]),
     (f"sweep --points 3 --void-ratio 0.7 {PATH}", ["sand", "beads"], ["answer", LAWS]),
     (f"{SAND} {PATH} --laws", ["answer"], ["beads"]),

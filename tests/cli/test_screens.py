@@ -25,7 +25,7 @@ def assert_narrow(text):
     ("trade", "--scene --quick --redraw --out"), ("export lammps", "--scene --start --out"),
 ])
 def test_help(granum, command, first):
-    """All options stand in groups; the last group is that of the output."""
+    """All options are in groups; the last group is that of the output."""
     run = granum.line(f"{command} --help")
     assert_narrow(run.out)
     assert run.err == ""

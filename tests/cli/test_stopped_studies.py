@@ -38,16 +38,16 @@ def stop(granum, tmp_path):
 def test_signals(stop, number, expected):
     """Of a thousand stages, which no machine is done with when the signal comes; what was not run is not judged."""
     pressures = ",".join(f"{k}0Pa" for k in range(1001, 2001))
-    code, files, told, _ = stop(number, "verify --grains 300 --set study.contacts=sphere --set study.probe_pressures="
+    code, files, result, _ = stop(number, "verify --grains 300 --set study.contacts=sphere --set study.probe_pressures="
                                 f" --set study.pressures={pressures}")
-    assert (code, files, told["complete"]) == (expected, VERIFY, False) and told["specimens"][1]["failure"]
-    assert [verdict for verdict in told["verdicts"] if verdict["finding"] or not verdict["holds"]] == []
+    assert (code, files, result["complete"]) == (expected, VERIFY, False) and result["specimens"][1]["failure"]
+    assert [verdict for verdict in result["verdicts"] if verdict["finding"] or not verdict["holds"]] == []
 
 
 def test_interrupted_trade(stop):
     """Of thousands of specimens; each row that is shown has some of them."""
-    code, files, told, out = stop(signal.SIGINT, "trade --quick --grains 60 --seeds 900 --set study.densities=dense")
-    assert (code, files, told["complete"]) == (130, TRADE, False) and told["failure"]
+    code, files, result, out = stop(signal.SIGINT, "trade --quick --grains 60 --seeds 900 --set study.densities=dense")
+    assert (code, files, result["complete"]) == (130, TRADE, False) and result["failure"]
     assert re.findall("(?:dense|loose) +0 ", out) == []
 
 

@@ -69,10 +69,10 @@ def test_files_of_trade(granum, tmp_path, grains, sizes, count, walls):
     run = granum.line(text, folder)
     assert ("grain.sizes" in run.err and "1:7.4" in run.err) if sizes == WIDE else run.err == ""
     assert names(folder) == TRADE
-    first, told = contents(folder), manifest(folder)
+    first, result = contents(folder), manifest(folder)
     table, samples = rows(first["trade.csv"].decode()), rows(first["samples.csv"].decode())
-    assert told["complete"] is True and len(told["rows"]) == len(table) == count
-    assert [(row["varied"], float(row["value"])) for row in table] == [(row["varied"], row["value"]) for row in told["rows"]]
+    assert result["complete"] is True and len(result["rows"]) == len(table) == count
+    assert [(row["varied"], float(row["value"])) for row in table] == [(row["varied"], row["value"]) for row in result["rows"]]
     assert {row["density"] for row in table} == {"dense"} and {row["specimens"] for row in table} == {"2"}
     assert {row["value"] for row in table if "walls" in row["boundary"]} == {str(walls)}
     references = [row for row in table if row["reference"] == "1"]

@@ -42,7 +42,7 @@ G, S = "shear_modulus", "stress_exponent"
     # sigma_h follows from sigma_v and K_0, whichever of them moves
     ("stress-v", "200kPa", "10kPa", "190kPa", "210kPa", f"{SPHERES} --k0 0.5", {}),
     ("k0", "0.5", "0.1", "0.4", "0.6", f"{SPHERES} --stress-v 200kPa", {}),
-    # one number of the contacts at the other that is told with it, and alone
+    # one number of the contacts at the other that is given with it, and alone
     ("rattler-fraction", "2%", "0.01", "1%", "3%", f"{STATE} --coordination-number 5.9", {}),
     ("coordination-number", "5.9", "0.1", "5.8", "6", f"{STATE} --rattler-fraction 2%", {}),
     ("coordination-number", "5.9", "0.1", "5.8", "6", f"{STATE} --mechanical-coordination-number 6.2", {}),

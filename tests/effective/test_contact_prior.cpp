@@ -40,6 +40,16 @@ double overlap_of(State s, const ContactCounts& counts) {
   return s.law.overlap(effective::mean_contact_force(s)) / (2 * s.radius * s.contacts.branch);
 }
 
+/// Moduli with the contacts that the prior expects.
+elastic::TransverselyIsotropic prepared(double e, double p, double alpha, const Preparation& preparation) {
+  State s = spheres(e, p);
+  s.law = law_of(alpha, 0.15);
+  s.tangential_ratio = 0.9;
+  const ContactCounts counts = effective::contact_prior(s, preparation).middle;
+  s.coordination_number = counts.coordination_number();
+  return effective::relaxed(s, z(counts)).stiffness;
+}
+
 } // namespace
 
 TEST_CASE("contact prior: spheres at 10 kPa as granum's own packings have them") {
@@ -124,8 +134,8 @@ TEST_CASE("contact prior: a preparation narrows the range, and more friction mea
   for (const double e : {0.56, 0.6, 0.65, 0.7}) {
     const State s = spheres(e, 1e5);
     const ContactPrior all = effective::contact_prior(s);
-    for (const Preparation& told : {dense, loose, friction(0.1), friction(0.5)}) {
-      const ContactPrior some = effective::contact_prior(s, told);
+    for (const Preparation& preparation : {dense, loose, friction(0.1), friction(0.5)}) {
+      const ContactPrior some = effective::contact_prior(s, preparation);
       CHECK(z(some.loosest) >= z(all.loosest) - 1e-12);
       CHECK(z(some.densest) <= z(all.densest) + 1e-12);
       CHECK(z(some.loosest) <= z(some.middle));
@@ -149,24 +159,19 @@ TEST_CASE("contact prior: a preparation narrows the range, and more friction mea
 TEST_CASE("contact prior: denser is never softer, for any preparation, shape and pressure") {
   for (const double alpha : {1.0, 1.5, 2.0, 4.0, infinity})
     for (const double p : {1.0, 1e3, 1e4, 1e5, 2e6, 1e7, 1e9, 1e12})
-      for (const Preparation& told :
+      for (const Preparation& preparation :
            {Preparation{}, dense, loose, friction(1e-3), friction(0.02), friction(0.1), friction(0.3),
             friction(0.5), friction(1), friction(3)}) {
         double G_before = infinity, K_before = infinity, e_before = 0;
         // With more friction than minerals have one begins where packings of spheres do: closer than they can
         // be, a larger void ratio presses contacts faster (0.3 %) than it takes them away.
-        for (double e = told.friction_coefficient > 0.5 ? 0.56 : 0.2; e < 1.5; e += 0.01) {
-          State s = spheres(e, p);
-          s.law = law_of(alpha, 0.15);
-          s.tangential_ratio = 0.9;
-          const ContactCounts counts = effective::contact_prior(s, told).middle;
-          s.coordination_number = counts.coordination_number();
-          const auto moduli = effective::relaxed(s, z(counts)).stiffness;
+        for (double e = preparation.friction_coefficient > 0.5 ? 0.56 : 0.2; e < 1.5; e += 0.01) {
+          const auto moduli = prepared(e, p, alpha, preparation);
           const double G = moduli.C44, K = moduli.bulk_modulus();
           CAPTURE(alpha);
           CAPTURE(p);
           CAPTURE(e_before);
-          CAPTURE(told.friction_coefficient);
+          CAPTURE(preparation.friction_coefficient);
           REQUIRE(G <= G_before * (1 + 1e-9));
           REQUIRE(K <= K_before * (1 + 1e-9));
           std::tie(G_before, K_before, e_before) = std::tuple(G, K, e);
@@ -177,15 +182,10 @@ TEST_CASE("contact prior: denser is never softer, for any preparation, shape and
 TEST_CASE("contact prior: more pressure is never softer, where contacts are not given") {
   for (const double alpha : {1.0, 2.0, infinity})
     for (const double e : {0.45, 0.6, 0.75, 0.95})
-      for (const Preparation& told : {Preparation{}, dense, loose, friction(0.1), friction(0.5)}) {
+      for (const Preparation& preparation : {Preparation{}, dense, loose, friction(0.1), friction(0.5)}) {
         double before = 0;
         for (double p = 1e3; p < 2e7; p *= 1.3) {
-          State s = spheres(e, p);
-          s.law = law_of(alpha, 0.15);
-          s.tangential_ratio = 0.9;
-          const ContactCounts counts = effective::contact_prior(s, told).middle;
-          s.coordination_number = counts.coordination_number();
-          const auto moduli = effective::relaxed(s, z(counts)).stiffness;
+          const auto moduli = prepared(e, p, alpha, preparation);
           const double G = moduli.C44;
           if (p > 0.01 * moduli.bulk_modulus()) // not nearly rigid any more
             break;
@@ -230,8 +230,8 @@ TEST_CASE("contact prior: void ratios without sphere packings are reported, and 
 }
 
 TEST_CASE("contact prior: notes on friction, sizes and overlaps") {
-  const auto notes = [](const State& s, const Preparation& told = {}) {
-    return effective::contact_prior(s, told).validity.notes.size();
+  const auto notes = [](const State& s, const Preparation& preparation = {}) {
+    return effective::contact_prior(s, preparation).validity.notes.size();
   };
   CHECK(notes(spheres(0.7, 1e5), friction(0.05)) == notes(spheres(0.7, 1e5), friction(0.5)) + 1);
   CHECK(notes(spheres(0.6, 1e9)) > notes(spheres(0.6, 1e5)));

@@ -246,7 +246,7 @@ TEST_CASE("ladder: missing inputs are listed, with their benefit") {
   CHECK(*ladder_of(q, 0.02).rungs[3].largest_error() < *ladder.rungs[3].largest_error());
 }
 
-TEST_CASE("ladder: the error of rung 3 is told by its parts") {
+TEST_CASE("ladder: the error of rung 3 is stated by its parts") {
   const estimate::Answer answer = estimate::answer(known(recorded().front()));
   std::set<std::string> sources; // of an answer whose contacts were counted: the calibration alone
   for (const estimate::Effect& effect : answer.effects())

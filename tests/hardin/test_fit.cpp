@@ -258,7 +258,7 @@ TEST_CASE("stresses that hardly determine m and n separately give a note and lar
   CHECK(report.fit().exponent_sum.standard_error < 0.02);
 }
 
-TEST_CASE("stresses that tell no exponent, or only their sum, are refused from where on") {
+TEST_CASE("stresses that determine no exponent, or only their sum, are refused from where on") {
   const Equation truth = equation(215, 0.273, 0.237);
   const auto refused = [&](auto fitter, double spread, double power) { // sigma_j ~ sigma_i^power
     std::vector<SoilState> states;

@@ -213,16 +213,19 @@ def commands(options):
     return found
 
 
-# Of a room of the program, the runs that begin so; of others those with its name.
-RUNS = {"document": "answer|estimate: |export|sands: ", "frame": "help|sweep: |fit: |unknown|no sub", "sweep": "sweep|depth|curves",
-        "estimate": "answer|estimate: |sands", "options": "people|units|scene|sands", "reference": "manual|completion"}
-RUNS["all"] = "|".join(["analyse|fit|infer|plan|reproduce|trade|verify", *RUNS.values()])
+# Of a room of the program, the tests of its runs; of others the table with its name.
+RUNS = {"analyse": "rows, analyse|packing_files", "document": "rows, (answer|estimate|export|sands)|sand_pictures",
+        "frame": "rows, (program|sweep|fit|people)|screens", "sweep": "rows, (sweep|depth|curves)|written_tables",
+        "estimate": "rows, (answer|estimate|sands)|answers", "options": "rows, (people|units|scene|sands)|columns",
+        "infer": "rows, infer|columns", "plan": "rows, verify", "reference": "screens", "trade": "rows, trade|studies"}
+RUNS["all"] = "|".join([*RUNS.values(), "rows, (reproduce|verify)"])
 
 
-def told(command, name, row):
+def with_test(command, name, row):
     """A test command for a fault."""
     room = row[0].split("/")[-1]
-    return [*command, "-R", f"^cli: ({RUNS.get(room, room)})", "-E", "resume"] if name == "runs" else command
+    tests = RUNS.get(room, f"rows, {room}")
+    return [*command, "-R", f"^cli: test_({tests})$"] if name == "runs" else command
 
 
 def own_tests(row):
@@ -244,7 +247,7 @@ def run(options):
         program = options.copy / "build/granum" if name == "runs" else pathlib.Path(tests[name][0])
         built = program.stat().st_mtime
         if known.get(name, [0, 0])[0] != built:
-            known[name] = [built, seconds(told(tests[name], name, ["cli/all"]), 0, 2000)]
+            known[name] = [built, seconds(with_test(tests[name], name, ["cli/all"]), 0, 2000)]
             times.write_text(json.dumps(known))
         if known[name][1] is None:
             print("fails without a fault, not used:", name)
@@ -265,7 +268,7 @@ def run(options):
             order += [name for name in sorted(healthy, key=healthy.get)
                       if name not in order and name != "runs" and healthy[name] <= options.longest]
         by = next((name for name in order
-                   if seconds(told(tests[name], name, row), number, 20 + 4 * healthy[name]) is None), "-")
+                   if seconds(with_test(tests[name], name, row), number, 20 + 4 * healthy[name]) is None), "-")
         with options.results.open("a", newline="") as file:
             csv.writer(file, delimiter="\t", lineterminator="\n").writerow([*key, by])
         done[key] = by

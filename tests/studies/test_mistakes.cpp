@@ -50,7 +50,7 @@ TEST_CASE("mistakes: a good packing has none, in any unit of length") {
 
 TEST_CASE("mistakes: radii and lengths of another unit, and grains of no material, are named with numbers") {
   io::ImportedPacking no_law =
-      rescaled(1e3, 1); // where the law does not tell G_g, the size of the grains does
+      rescaled(1e3, 1); // where the law does not show G_g, the size of the grains does
   for (packing::Contact& c : no_law.assembly.contacts)
     c.normal_force = 1;
   CHECK(one_names(mistakes_in(rescaled(1, 2)), "e = 0.")); // diameters, which are halved
