@@ -131,8 +131,8 @@ TEST_CASE("VTK XML: YADE's recorder, contacts matched with the centres of the gr
 TEST_CASE("VTK XML: every way in which VTK packs arrays gives the same numbers") {
   const ImportedPacking text = read_xml(grains);
   const std::string lines = data_text("vtk_appended.vtp");
-  for (const char* name : {"vtk_appended.vtu", "vtk_binary.vtu", "vtk_packed.vtu", "vtk_raw.vtu",
-                           "vtk_blocks.vtu", "vtk_big.vtu"}) {
+  for (const char* name :
+       {"vtk_appended.vtu", "vtk_packed.vtu", "vtk_raw.vtu", "vtk_blocks.vtu", "vtk_big.vtu"}) {
     INFO(name);
     const ImportedPacking packing = read_xml(data_text(name));
     CHECK(packing.assembly.position == text.assembly.position);
@@ -190,8 +190,8 @@ TEST_CASE("VTK XML: packed arrays that are damaged are refused") {
   damaged("vtk_packed.vtu",
           {{block + "eJz7", {block + "eJz8", block + "eJ!7", block, "AQAAAACAAAAY/////wAAAA==eJz7"}, "g:6:"},
            {"NumberOfPoints=\"3\"", {"NumberOfPoints=\"4\""}, "g:19:"}});
-  damaged("vtk_binary.vtu", {{"type=\"Float64\" Name=\"radii\"", {"type=\"Bit\" Name=\"radii\""}, "g:6:"},
-                             {"GAAAAP", {"//////"}, ""}});
+  damaged("vtk_big.vtu", {{"type=\"Float64\" Name=\"radii\"", {"type=\"Bit\" Name=\"radii\""}, "g:6:"},
+                          {"AAAAGD", {"//////"}, ""}});
   damaged("vtk_appended.vtu", {{"offset=\"0\"", {"offset=\"9999\""}, "g:6:"},
                                {"encoding=\"base64\"", {"encoding=\"base32\""}, ""}});
   CHECK(refused(with(data_text("vtk_packed.vtu"), "vtkZLibDataCompressor", "vtkLZ4DataCompressor"))
