@@ -149,10 +149,19 @@ TEST_CASE(
                     box = "ITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n";
   const std::string two = head + "ATOMS\n2\n" + box + "ITEM: ATOMS id radius x y z\n1 0.0005 0.5 0.5 0.5\n" +
                           "2 0.0005 0.49955278640450004 0.49910557280900008 0.5\n";
-  const std::string one = head + "ENTRIES\n1\n" + box +
-                          "ITEM: ENTRIES c_i[1] c_i[2] c_p[1] c_p[2] c_p[3] c_p[4] c_p[5] c_p[6]\n"
-                          "1 2 0.001 0.002 0 0 0 0\n";
-  const std::string message = refusal_of(lammps_dump_format, two, one);
+  const auto one = [&](int values, const std::string& row) {
+    std::string text = head + "ENTRIES\n1\n" + box + "ITEM: ENTRIES c_i[1] c_i[2]";
+    for (int k = 1; k <= values; ++k)
+      text += " c_p[" + std::to_string(k) + "]";
+    return text + "\n1 2 " + row + "\n";
+  };
+  // the last three of twelve granular ones are the place of grain 1 from grain 2, of this sign
+  const std::string granular = "0.002 8.9442719e-4 1.78885438e-3 0 0 0 0 0 0 0 0 0 0 ",
+                    place = "4.4721359e-4 8.9442719e-4 0";
+  CHECK(told(first_of(lammps_dump_format, two, one(16, granular + place))).find("force fx fy fz p1 to p12") !=
+        std::string::npos);
+  CHECK(refusal_of(lammps_dump_format, two, one(16, granular + "-4.4721359e-4 -8.9442719e-4 0")) != "");
+  const std::string message = refusal_of(lammps_dump_format, two, one(6, "0.001 0.002 0 0 0 0"));
   for (const char* map : {"dist force p1 to p4", "id1=c_i[1],id2=c_i[2],force=c_p[2],ftx=c_p[3]",
                           "fx fy fz p1 p2 p3", "id1=c_i[1],id2=c_i[2],fnx=c_p[1]"})
     CHECK(message.find(map) != std::string::npos);
