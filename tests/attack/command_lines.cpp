@@ -80,9 +80,7 @@ class Attack {
         std::fprintf(report_, "  %d: %zu", code, count);
       std::fprintf(report_, "\n");
     }
-    std::fprintf(report_, "%zu runs, %zu rows of tables, %zu promises broken\n", runs_, rows_, broken_);
-    for (const auto& [promise, count] : count_)
-      std::fprintf(report_, "%9zu  %s\n", count, promise.c_str());
+    std::fprintf(report_, "%zu runs, %zu rows of tables\n", runs_, rows_);
     bool answered = true; // of each command a fifth or more of the lines has an answer
     for (const auto& [name, codes] : codes_) {
       std::size_t all = 0, good = 0;
@@ -92,8 +90,7 @@ class Attack {
       }
       answered = answered && (5 * good >= all || all < 50);
     }
-    std::fflush(report_);
-    return broken_ == 0 && answered ? 0 : 1;
+    return promises_.report() && answered ? 0 : 1;
   }
 
  private:
@@ -109,20 +106,16 @@ class Attack {
     std::string error;
     try {
       ended.code = static_cast<int>(cli::parse_and_run(static_cast<int>(argv.size()), argv.data()));
-    } catch (const InvalidArgument& e) {
-      ended.code = 2;
-      error = e.what();
-      ended.refused = e.refused();
-    } catch (const FileError& e) {
-      ended.code = 3;
-      error = e.what();
-    } catch (const NotConverged& e) {
-      ended.code = 4;
-      error = e.what();
     } catch (const std::exception& e) {
-      ended.code = 1;
       error = e.what();
-      demand(false, "ends in what is no error of granum: " + error.substr(0, 60));
+      const auto* invalid = dynamic_cast<const InvalidArgument*>(&e);
+      ended.code = invalid                                 ? 2
+                   : dynamic_cast<const FileError*>(&e)    ? 3
+                   : dynamic_cast<const NotConverged*>(&e) ? 4
+                                                           : 1;
+      if (invalid)
+        ended.refused = invalid->refused();
+      demand(ended.code != 1, "ends in what is no error of granum: " + error.substr(0, 60));
     }
     ended.out = out_.take();
     ended.said = said_.take() + error;
@@ -226,19 +219,7 @@ class Attack {
     }
   }
 
-  void demand(bool holds, const std::string& promise) {
-    if (holds)
-      return;
-    ++broken_;
-    if (++count_[promise] > 3)
-      return;
-    std::fprintf(report_, "%s\n ", promise.c_str());
-    std::fprintf(report_, " granum %s", here_->name.c_str());
-    for (const std::string& word : here_->words)
-      std::fprintf(report_, " %s", word.c_str());
-    std::fprintf(report_, "\n");
-    std::fflush(report_);
-  }
+  void demand(bool holds, const std::string& promise) { promises_.demand(holds, promise); }
 
   Random random_;
   Lines lines_;
@@ -246,8 +227,13 @@ class Attack {
   Caught out_, said_;
   std::string row_;
   const Line* here_ = nullptr;
-  std::size_t runs_ = 0, rows_ = 0, broken_ = 0;
-  std::map<std::string, std::size_t> count_;
+  std::size_t runs_ = 0, rows_ = 0;
+  attack::Promises promises_{report_, [this] {
+                               std::string line = "granum " + here_->name;
+                               for (const std::string& word : here_->words)
+                                 line += " " + word;
+                               return line;
+                             }};
   std::map<std::string, std::map<int, std::size_t>> codes_;
 };
 

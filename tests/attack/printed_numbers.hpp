@@ -5,7 +5,6 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -15,11 +14,10 @@
 #include <granum/core/text.hpp>
 #include <nlohmann/json.hpp>
 
+#include "samples.hpp"
+
 /// What must be true of every number that a command prints.
 namespace attack {
-
-/// Takes whether a promise is kept, and the promise in words.
-using Demand = std::function<void(bool, const std::string&)>;
 
 /// "nan" or "inf" where a number should be.
 inline bool speaks_of_no_number(const std::string& text) {

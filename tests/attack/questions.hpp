@@ -3,10 +3,8 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <granum/core/text.hpp>
@@ -53,6 +51,7 @@ inline constexpr std::array movable_inputs{
                  [](Question& q, double x) { q.state.mechanical_coordination_number = x; }},
 };
 
+/// A number of what is known; -1 of what is not.
 inline void tell(RandomQuestion& asked, const std::string& name, double value) {
   asked.text += name + " " + exact_text(value) + "; ";
 }
@@ -69,35 +68,26 @@ inline void know_contacts(Random& random, RandomQuestion& asked, const Sample& s
     q.rattler_fraction = random.one_in(4)   ? 0
                          : random.one_in(4) ? 1 - random.decades(-12, 0)
                                             : random.between(0, 0.3);
-  if (q.state.coordination_number)
-    tell(asked, "C_n", *q.state.coordination_number);
-  if (q.state.mechanical_coordination_number)
-    tell(asked, "z*", *q.state.mechanical_coordination_number);
-  if (q.rattler_fraction)
-    tell(asked, "x_0", *q.rattler_fraction);
+  tell(asked, "C_n", q.state.coordination_number.value_or(-1));
+  tell(asked, "z*", q.state.mechanical_coordination_number.value_or(-1));
+  tell(asked, "x_0", q.rattler_fraction.value_or(-1));
 }
 
-inline void prepare(Random& random, RandomQuestion& asked) {
+inline void prepare_and_fill(Random& random, RandomQuestion& asked) {
   using Kind = effective::Preparation::Kind;
   constexpr std::array kinds{Kind::unknown, Kind::dense, Kind::loose, Kind::friction};
-  effective::Preparation& preparation = asked.question.preparation;
-  preparation.kind = kinds[random.below(kinds.size())];
-  if (preparation.kind == Kind::friction)
-    preparation.friction_coefficient = random.decades(-6, 3);
-  tell(asked, "preparation", static_cast<double>(preparation.kind));
-  tell(asked, "friction", preparation.friction_coefficient);
-}
-
-inline void fill_pores(Random& random, RandomQuestion& asked) {
   Question& q = asked.question;
-  if (random.one_in(2)) {
+  q.preparation.kind = kinds[random.below(kinds.size())];
+  if (q.preparation.kind == Kind::friction)
+    q.preparation.friction_coefficient = random.decades(-6, 3);
+  if (random.one_in(2))
     q.grain_density = random.one_in(3) ? random.decades(-20, 20) : random.between(1000, 8000);
-    tell(asked, "grain density", *q.grain_density);
-  }
-  if (random.one_in(2)) {
+  if (random.one_in(2))
     q.saturation = random.one_in(2) ? 1 : random.one_in(2) ? random.decades(-12, 0) : random.between(0, 1);
-    tell(asked, "saturation", q.saturation);
-  }
+  tell(asked, "preparation", static_cast<double>(q.preparation.kind));
+  tell(asked, "friction", q.preparation.friction_coefficient);
+  tell(asked, "grain density", q.grain_density.value_or(0));
+  tell(asked, "saturation", q.saturation);
 }
 
 inline void doubt(Random& random, RandomQuestion& asked) {
@@ -119,16 +109,13 @@ inline RandomQuestion random_question(Random& random, const Sample& s) {
   RandomQuestion asked{.question = {.state = s.state}, .inputs = {}, .text = {}};
   asked.question.state.coordination_number.reset();
   know_contacts(random, asked, s);
-  prepare(random, asked);
-  fill_pores(random, asked);
+  prepare_and_fill(random, asked);
   for (std::uint64_t more = random.below(3); more > 0; --more)
     doubt(random, asked);
   return asked;
 }
 
-// ---- what must be true of an answer; `demand` takes whether it is, and the promise in words
-
-using Demand = std::function<void(bool, const std::string&)>;
+// ---- what must be true of an answer
 
 inline bool in_order(const estimate::Range& range) {
   return std::isfinite(range.low) && std::isfinite(range.value) && std::isfinite(range.high) &&

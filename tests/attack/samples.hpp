@@ -3,7 +3,11 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <map>
 #include <random>
+#include <string>
 
 #include <granum/effective/state.hpp>
 
@@ -26,6 +30,33 @@ class Random {
 
  private:
   std::mt19937_64 bits_;
+};
+
+/// Takes whether a promise is kept, and the promise in words.
+using Demand = std::function<void(bool, const std::string&)>;
+
+/// Counts broken promises, and shows the first three of each with where it was broken.
+class Promises {
+ public:
+  Promises(std::FILE* report, std::function<std::string()> here) : report_(report), here_(std::move(here)) {}
+
+  void demand(bool holds, const std::string& promise) {
+    if (holds || ++count_[promise] > 3)
+      return;
+    std::fprintf(report_, "%s\n  %s\n", promise.c_str(), here_().c_str());
+    std::fflush(report_);
+  }
+  /// Lists all; whether none was broken.
+  [[nodiscard]] bool report() const {
+    for (const auto& [promise, count] : count_)
+      std::fprintf(report_, "%9zu  %s\n", count, promise.c_str());
+    return count_.empty();
+  }
+
+ private:
+  std::FILE* report_;
+  std::function<std::string()> here_;
+  std::map<std::string, std::size_t> count_;
 };
 
 /// A law that can be made again in other units.
@@ -57,31 +88,16 @@ struct Sample {
   double mechanical = 0; ///< z*
 };
 
-inline double extreme_ratio(Random& random) {
-  switch (random.below(4)) {
-  case 0:
-    return 0;
-  case 1:
-    return 1;
-  case 2:
-    return random.decades(-12, 2);
-  default:
-    return random.between(0, 4.0 / 3);
-  }
-}
-
 inline double extreme_fabric(Random& random) {
   constexpr double low = -7.0 / 3, high = 7.0 / 5;
-  switch (random.below(4)) {
-  case 0:
-    return 0;
-  case 1:
-    return low + random.decades(-10, 0);
-  case 2:
-    return high - random.decades(-10, 0);
-  default:
-    return random.between(low, high);
-  }
+  const double all[] = {0, low + random.decades(-10, 0), high - random.decades(-10, 0),
+                        random.between(low, high)};
+  return all[random.below(4)];
+}
+
+inline double extreme_ratio(Random& random) {
+  const double all[] = {0, 1, random.decades(-12, 2), random.between(0, 4.0 / 3)};
+  return all[random.below(4)];
 }
 
 inline Sample sample(Random& random) {

@@ -20,7 +20,6 @@
 
 #include "dem/lattice_state.hpp"
 #include "input.hpp"
-#include "memory_file.hpp"
 
 using namespace granum;
 
@@ -118,21 +117,21 @@ void load(Part part, const std::string& bytes) {
   }
 }
 
-} // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0)
-    return 0;
-  const auto part = static_cast<Part>(data[0] % part_count);
+void checkpoint(std::string_view input) {
+  if (input.empty())
+    return;
+  const auto part = static_cast<Part>(static_cast<unsigned char>(input[0]) % part_count);
   std::string bytes = written(part);
   constexpr std::size_t length = 13;
-  for (std::string_view rest = fuzz::text(data, size).substr(1); rest.size() >= length;
-       rest.remove_prefix(length))
-    change(bytes, rest);
-  return fuzz::run([&] {
-    try {
-      load(part, bytes);
-    } catch (const InvalidArgument&) { // a state that no engine takes
-    }
-  });
+  for (input.remove_prefix(1); input.size() >= length; input.remove_prefix(length))
+    change(bytes, input);
+  try {
+    load(part, bytes);
+  } catch (const FileError&) {
+  } catch (const InvalidArgument&) { // a state that no engine takes
+  }
 }
+
+const fuzz::Named of_checkpoints("checkpoint", checkpoint);
+
+} // namespace

@@ -4,81 +4,62 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <optional>
+#include <map>
+#include <string>
 #include <string_view>
-#include <tuple>
-#include <utility>
+
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <granum/core/error.hpp>
-#include <granum/io/imported_packing.hpp>
-#include <granum/io/text/source.hpp>
 
 /// What the fuzz targets share. A reader may take an input or refuse it with FileError; anything else is a
 /// fault.
 namespace granum::fuzz {
 
-/// Divides an input for readers of two files: a line "=====" stands between them.
-inline constexpr std::string_view border = "=====\n";
+/// What is made of an input.
+using Target = void (*)(std::string_view input);
 
-struct Parts {
-  std::string_view first;
-  std::optional<std::string_view> second;
+inline std::map<std::string, Target>& targets() {
+  static std::map<std::string, Target> all;
+  return all;
+}
+
+/// Each source lists its targets by such constants.
+struct Named {
+  Named(const std::string& name, Target target) { targets().emplace(name, target); }
 };
-
-inline std::string_view text(const std::uint8_t* data, std::size_t size) {
-  return {reinterpret_cast<const char*>(data), size};
-}
-
-inline Parts parts(std::string_view input) {
-  const std::size_t at = input.find(border);
-  if (at == std::string_view::npos)
-    return {input, std::nullopt};
-  return {input.substr(0, at), input.substr(at + border.size())};
-}
 
 inline void demand(bool promise) {
   if (!promise)
     std::abort();
 }
 
-/// What every imported packing promises.
-inline void check(const io::ImportedPacking& packing) {
-  const packing::Assembly& a = packing.assembly;
-  require_valid(a);
-  demand(packing.id.size() == a.grain_count());
-  demand(packing.type.empty() || packing.type.size() == a.grain_count());
-  for (std::size_t k = 1; k < packing.id.size(); ++k)
-    demand(packing.id[k - 1] < packing.id[k]);
-  for (std::size_t k = 1; k < a.contacts.size(); ++k) {
-    // A pair of a narrow cell may touch through several images, which stand in the order of their branches.
-    const packing::Contact &before = a.contacts[k - 1], &here = a.contacts[k];
-    const Vec3 &from = before.branch, &to = here.branch;
-    demand(std::tie(before.i, before.j, from.x, from.y, from.z) < std::tie(here.i, here.j, to.x, to.y, to.z));
-  }
-}
-
-/// Runs a reader; the refusals that it may make are taken for an answer.
-template <class Action>
-int run(const Action& action) {
+/// A refusal by an error of this type is an answer too, if it says something.
+template <class Refusal, class Action>
+void taken_or_refused(const Action& action) {
   try {
     action();
-  } catch (const FileError&) {
-    return 0;
+  } catch (const Refusal& error) {
+    demand(!std::string_view(error.what()).empty());
   }
-  return 0;
 }
 
-/// Runs a reader of one file, or of two where the input has two parts.
-template <class Read>
-int run_packing(const std::uint8_t* data, std::size_t size, const Read& read) {
-  return run([&] {
-    const Parts input = parts(text(data, size));
-    io::TextSource grains = io::TextSource::of_text("grains", input.first);
-    if (input.second)
-      check(read(std::move(grains), io::TextSource::of_text("contacts", *input.second)));
-    else
-      check(read(std::move(grains)));
-  });
-}
+/// A file that lies in no folder, for readers that take a path.
+class MemoryFile {
+ public:
+  explicit MemoryFile(std::string_view bytes) : descriptor_(memfd_create("fuzz", MFD_CLOEXEC)) {
+    demand(descriptor_ >= 0 &&
+           write(descriptor_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() { close(descriptor_); }
+
+  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_;
+};
 
 } // namespace granum::fuzz

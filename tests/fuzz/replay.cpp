@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feeds a corpus to a fuzz target where libFuzzer is not at hand: every file of a folder as it is, cut off at
-// many places, and with bytes changed at random, always the same ones.
-//   replay_<target> <folder> [<changes of each file, 1000 by default>]
+// Feeds seeds to a fuzz target where libFuzzer is not at hand: each as it is, cut off at many places, and with
+// bytes changed at random, always the same ones.
+//   replay <target> <changes of each seed> <file, folder of them, or grains+contacts>...
+// With GRANUM_FUZZ_TARGET, the name of a target, the entry of libFuzzer.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <sstream>
-#include <string>
 #include <vector>
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+#include "input.hpp"
 
-namespace {
+using granum::fuzz::targets;
 
-void feed(const std::string& input) {
-  const std::vector<std::uint8_t> bytes(input.begin(),
-                                        input.end()); // exactly as long: reading past it is seen
-  LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+#ifdef GRANUM_FUZZ_TARGET
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  targets().at(GRANUM_FUZZ_TARGET)({reinterpret_cast<const char*>(data), size});
+  return 0;
 }
+#else
+namespace {
 
 std::string changed(std::string input, std::mt19937_64& random) {
   const std::string alphabet = "0123456789.-+eEn #\n\t,=:IT[]";
@@ -44,32 +45,53 @@ std::string changed(std::string input, std::mt19937_64& random) {
   return input;
 }
 
+std::string content(const std::filesystem::path& path) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
+std::vector<std::string> seeds(const std::string& argument) {
+  if (const std::size_t plus = argument.find('+'); plus != std::string::npos)
+    return {content(argument.substr(0, plus)) + "=====\n" + content(argument.substr(plus + 1))};
+  if (!std::filesystem::is_directory(argument))
+    return {content(argument)};
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(argument))
+    files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> all;
+  for (const auto& file : files)
+    all.push_back(content(file));
+  return all;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2 && argc != 3) {
-    std::fprintf(stderr, "usage: %s <corpus folder> [<changes>]\n", argv[0]);
+  if (argc < 4 || !targets().contains(argv[1])) {
+    std::fprintf(stderr, "usage: %s <target> <changes> <seeds>...\n", argv[0]);
     return 2;
   }
-  const std::size_t changes = argc == 3 ? std::strtoull(argv[2], nullptr, 10) : 1000;
-  const std::size_t cuts = changes / 5;
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(argv[1]))
-    files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+  const auto feed = [&](const std::string& input) {
+    const std::vector<char> bytes(input.begin(), input.end()); // exactly as long: reading past it is seen
+    targets().at(argv[1])({bytes.data(), bytes.size()});
+  };
+  const std::size_t changes = std::strtoull(argv[2], nullptr, 10), cuts = changes / 5;
   std::mt19937_64 random(20240607);
-  std::size_t inputs = 0;
-  for (const auto& path : files) {
-    std::ostringstream bytes;
-    bytes << std::ifstream(path, std::ios::binary).rdbuf();
-    const std::string whole = bytes.str();
-    feed(whole);
-    for (std::size_t k = 0; k < cuts; ++k)
-      feed(whole.substr(0, whole.size() * k / cuts));
-    for (std::size_t k = 0; k < changes; ++k)
-      feed(changed(whole, random));
-    inputs += 1 + cuts + changes;
-  }
-  std::printf("%zu files, %zu inputs\n", files.size(), inputs);
-  return files.empty() ? 1 : 0;
+  std::size_t count = 0;
+  for (int k = 3; k < argc; ++k)
+    for (const std::string& whole : seeds(argv[k])) {
+      if (whole.empty())
+        return 1;
+      feed(whole);
+      for (std::size_t cut = 0; cut < cuts; ++cut)
+        feed(whole.substr(0, whole.size() * cut / cuts));
+      for (std::size_t change = 0; change < changes; ++change)
+        feed(changed(whole, random));
+      ++count;
+    }
+  std::printf("%zu seeds, %zu inputs\n", count, count * (1 + cuts + changes));
+  return count == 0 ? 1 : 0;
 }
+#endif

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <granum/io/imported_packing.hpp>
+#include <granum/io/packing_files.hpp>
 #include <granum/io/text/source.hpp>
 
 #include "unit.hpp"
@@ -25,8 +26,6 @@ inline std::string data_text(const std::string& name) {
     throw std::runtime_error("no test data " + name);
   return text.str();
 }
-
-inline io::TextSource data_source(const std::string& name) { return io::TextSource(data_path(name)); }
 
 inline io::TextSource text_source(const std::string& name, const std::string& text) {
   return io::TextSource::of_text(name, text);
@@ -51,21 +50,62 @@ std::string refusal(const Action& action) {
   return "";
 }
 
-/// A change of a file, and the file and line that its refusal begins with.
+using MaybeText = std::optional<std::string>;
+
+/// The states of texts with the names g, of grains, and c, of contacts.
+inline io::PackingFrames states_of(const io::PackingFormat& format, const std::string& grains,
+                                   const MaybeText& contacts = {},
+                                   const io::PackingFileOptions& options = {}) {
+  std::optional<io::TextSource> second;
+  if (contacts)
+    second = text_source("c", *contacts);
+  return format.read(text_source("g", grains), std::move(second), options);
+}
+
+inline io::ImportedPacking first_of(const io::PackingFormat& format, const std::string& grains,
+                                    const MaybeText& contacts = {},
+                                    const io::PackingFileOptions& options = {}) {
+  return states_of(format, grains, contacts, options).next().value();
+}
+
+/// The message with which the texts are refused in any of their frames.
+inline std::string refusal_of(const io::PackingFormat& format, const std::string& grains,
+                              const MaybeText& contacts = {}, const io::PackingFileOptions& options = {}) {
+  return refusal([&] {
+    const io::PackingFrames frames = states_of(format, grains, contacts, options);
+    while (frames.next())
+      continue;
+  });
+}
+
+/// Changes of a text in one place, and the file and line that their refusals begin with.
 struct Wrong {
-  std::string from, to, place;
+  std::string from;
+  std::vector<std::string> to;
+  std::string place;
 };
 
-/// Each change is refused at its place.
+/// Each change of `text` is refused at its place.
 template <class Refused>
-void check_refused(const Refused& refused, const std::vector<Wrong>& changes) {
-  for (const Wrong& wrong : changes) {
-    CAPTURE(wrong.from);
-    CAPTURE(wrong.to);
-    const std::string said = refused(wrong.from, wrong.to);
-    CHECK_FALSE(said.empty());
-    CHECK(said.starts_with(wrong.place));
-  }
+void check_refused(const std::string& text, const std::vector<Wrong>& changes, const Refused& refused) {
+  for (const Wrong& wrong : changes)
+    for (const std::string& to : wrong.to) {
+      CAPTURE(wrong.from);
+      CAPTURE(to);
+      const std::string said = refused(with(text, wrong.from, to));
+      CHECK_FALSE(said.empty());
+      CHECK(said.starts_with(wrong.place));
+    }
+}
+
+/// The same of the grains alone or beside their contacts, and of the contacts of a format.
+inline void check_refused(const io::PackingFormat& format, const std::string& grains,
+                          const MaybeText& contacts, const std::vector<Wrong>& of_grains,
+                          const std::vector<Wrong>& of_contacts = {}) {
+  check_refused(grains, of_grains,
+                [&](const std::string& changed) { return refusal_of(format, changed, contacts); });
+  check_refused(contacts.value_or(""), of_contacts,
+                [&](const std::string& changed) { return refusal_of(format, grains, changed); });
 }
 
 inline void check_vector(const Vec3& value, const Vec3& expected, double tolerance) {

@@ -32,7 +32,7 @@ ImportedPacking pile(double height, double shift = 0, bool periodic = true) {
           pairs += id(i, j, k) + "," + id(i, j, k + 1) + ",0,0,200\n";
       }
   const CsvBox box{.cell = Mat3::diagonal(n * apart, n * apart, height), .periodic = {true, true, periodic}};
-  return read_packing_csv(text_source("g", rows), text_source("c", pairs), {.box = box});
+  return first_of(csv_format, rows, pairs, {.box = box});
 }
 
 } // namespace

@@ -13,18 +13,18 @@ using namespace granum::samples;
 
 namespace {
 
+std::string dump_head(int step, const std::string& count) {
+  return "ITEM: TIMESTEP\n" + std::to_string(step) + "\nITEM: NUMBER OF " + count +
+         "\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n";
+}
 /// A frame of two grains; the run is in the place of the first, x = run [m].
 std::string dump_frame(int step, int run) {
-  return "ITEM: TIMESTEP\n" + std::to_string(step) +
-         "\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS id radius x y "
-         "z\n" +
-         "1 0.5 " + std::to_string(run) + " 0 0\n2 0.5 " + std::to_string(run) + " 0.9 0\n";
+  const std::string x = std::to_string(run);
+  return dump_head(step, "ATOMS\n2") + "ITEM: ATOMS id radius x y z\n1 0.5 " + x + " 0 0\n2 0.5 " + x +
+         " 0.9 0\n";
 }
 std::string contact_frame(int step, int run) {
-  return "ITEM: TIMESTEP\n" + std::to_string(step) +
-         "\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ENTRIES id1 id2 "
-         "force\n" +
-         "1 2 " + std::to_string(run) + "\n";
+  return dump_head(step, "ENTRIES\n1") + "ITEM: ENTRIES id1 id2 force\n1 2 " + std::to_string(run) + "\n";
 }
 std::string data_frame(int time, int run) {
   return "2 " + std::to_string(time) + " 0 0 0 9 9 9\n" + std::to_string(run) +

@@ -162,7 +162,10 @@ TEST_CASE("packing builder: rows that are no contacts, or open ones, and signs o
     neighbours(builder, row);
   });
   CHECK(no_forces.assembly.contacts.size() == 3);
-  // All of at least ten contacts pull, though they overlap: the other sign.
+  // All of at least ten contacts pull, though they overlap: the other sign. Bonds over gaps may pull.
+  CHECK_FALSE(finished(10, [](PackingBuilder&, PairRow& row) {
+                row.overlap = -0.1, row.normal_force = -1;
+              }).has(Finding::signs_turned));
   for (const std::size_t contacts : {9U, 10U}) {
     const ImportedPacking pulled =
         finished(contacts, [](PackingBuilder&, PairRow& row) { row.normal_force = -1; });

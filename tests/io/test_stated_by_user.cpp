@@ -4,11 +4,9 @@
 
 #include <map>
 
-#include <granum/io/lammps/files.hpp>
-#include <granum/io/mercury/output.hpp>
 #include <granum/io/output_file.hpp>
+#include <granum/io/vtk/paraview.hpp>
 #include <granum/io/vtk/xml.hpp>
-#include <granum/io/yade/files.hpp>
 
 #include "import_support.hpp"
 #include "temporary_folder.hpp"
@@ -51,7 +49,7 @@ const Sample formats[] = {
 
 /// The first state of a text, with the extra column of a name.
 ImportedPacking read(const Sample& sample, const std::string& extra, const PackingFileOptions& options = {}) {
-  return sample.format->read(text_source("g", with(sample.text, "EXTRA", extra)), {}, options).next().value();
+  return first_of(*sample.format, with(sample.text, "EXTRA", extra), {}, options);
 }
 
 PackingFileOptions boxed(double side) { return {.box = CsvBox{Mat3::diagonal(side, side, side)}}; }
@@ -63,6 +61,10 @@ bool notes(const ImportedPacking& packing, Finding finding, const std::string& w
   return false;
 }
 
+/// A text of `formats` with the extra column c1.
+std::string plain(std::size_t k) { return with(formats[k].text, "EXTRA", "c1"); }
+
+const std::string yade_headings = "# id1 id2 nx ny nz pd fnx fny fnz fsx fsy fsz";
 const std::string mercury = "1 0.5 0 0 0 4e-3 4e-3 4e-3\n1e-3 2e-3 2e-3 0 0 0 5e-4 0 0 0 0 0 0 0\n";
 
 } // namespace
@@ -82,11 +84,11 @@ TEST_CASE(
     else
       CHECK(read(sample, "c1", boxed(5e-3)).assembly.cell(2, 2) == 5e-3);
   }
-  CHECK_THROWS_AS((void)mercury_format.read(text_source("m", mercury), {}, boxed(3e-3)).next(),
+  CHECK_THROWS_AS((void)first_of(mercury_format, mercury, {}, boxed(3e-3)), InvalidArgument);
+  CHECK_THROWS_AS((void)first_of(lammps_data_format, data_text("lammps_chain.data"), {}, boxed(3e-3)),
                   InvalidArgument);
-  CHECK_THROWS_AS((void)read_lammps_data(data_source("lammps_chain.data"), boxed(3e-3)), InvalidArgument);
   const std::string walled = with(formats[0].text, "BOUNDS", "BOUNDS pp pp ff");
-  CHECK_THROWS_AS((void)LammpsDump(text_source("g", walled), {}, boxed(4e-3)).next(), InvalidArgument);
+  CHECK_THROWS_AS((void)first_of(lammps_dump_format, walled, {}, boxed(4e-3)), InvalidArgument);
 }
 
 TEST_CASE("stated by the user: columns that are not used are listed, shapes by themselves") {
@@ -106,29 +108,24 @@ TEST_CASE("not used: formats of fixed columns, and files of contacts, list them 
     return notes(packing, Finding::not_used, names);
   };
   const auto of_mercury = [](const std::string& info) {
-    return MercuryOutput(text_source("m", with(mercury, "0 0 0 0\n", "0 0 0 " + info + "\n"))).next().value();
+    return first_of(mercury_format, with(mercury, "0 0 0 0\n", "0 0 0 " + info + "\n"));
   };
   CHECK(unused(of_mercury("3"), "velocities"));
   CHECK_FALSE(unused(of_mercury("3"), "info"));
   CHECK(unused(of_mercury("0.5"), "info"));
-  CHECK(unused(
-      MercuryOutput(data_source("mercury_chain.data"), data_source("mercury_chain.fstat")).next().value(),
-      "deltat"));
-  CHECK(unused(read_lammps_data(data_source("lammps_chain.data")), "Velocities"));
-  const std::string grains = with(formats[2].text, "EXTRA", "c1");
+  CHECK(unused(first_of(mercury_format, data_text("mercury_chain.data"), data_text("mercury_chain.fstat")),
+               "deltat"));
+  CHECK(unused(first_of(lammps_data_format, data_text("lammps_chain.data")), "Velocities"));
   const auto yade = [&](const std::string& names, const std::string& values) {
-    return read_yade(text_source("g", grains),
-                     text_source("c", "# id1 id2 nx ny nz pd fnx fny fnz fsx fsy fsz" + names +
-                                          "\n1 2 1 0 0 1e-4 4 0 0 0 0 0" + values + "\n"));
+    return first_of(yade_text_format, plain(2),
+                    yade_headings + names + "\n1 2 1 0 0 1e-4 4 0 0 0 0 0" + values + "\n");
   };
   CHECK(unused(yade(" wear kn", " 1 2"), "wear, kn")); // k_n without k_t
   CHECK_FALSE(unused(yade(" kn ks", " 2 2"), "kn"));
   const std::string lines =
-      with(with(formats[3].text, "POINT_DATA",
-                "LINES 1 3\n2 0 1\nCELL_DATA 1\nSCALARS wear double 1\nLOOKUP_TABLE default\n7\nPOINT_DATA"),
-           "EXTRA", "c1");
-  CHECK(unused(read_yade_vtk(text_source("g", with(formats[3].text, "EXTRA", "c1")), text_source("c", lines)),
-               "c1, radius, wear"));
+      with(plain(3), "POINT_DATA",
+           "LINES 1 3\n2 0 1\nCELL_DATA 1\nSCALARS wear double 1\nLOOKUP_TABLE default\n7\nPOINT_DATA");
+  CHECK(unused(first_of(yade_vtk_format, plain(3), lines), "c1, radius, wear"));
 }
 
 TEST_CASE("stated by the user: rigid bodies, named or denied") {
@@ -146,19 +143,10 @@ TEST_CASE("stated by the user: rigid bodies, named or denied") {
   CHECK(parse_column_map("body=c_b, shape=none").size() == 2);
 }
 
-TEST_CASE("stated by the user: SI") {
-  for (const Sample& sample : formats)
-    CHECK_FALSE(read(sample, "c1", {.si = true}).has(Finding::units_unknown));
-  const std::string bare = "x y z radius\n0 0 0 1\n2 0 0 1\n";
-  CHECK(csv_format.read(text_source("g", bare), {}, {.si = true}).next()->assembly.radius[1] == 1);
-  CHECK_THROWS_AS((void)csv_format.read(text_source("g", bare), {}, {}).next(), FileError);
-  const std::string micro = "ITEM: UNITS\nmicro\n" + with(formats[0].text, "EXTRA", "c1");
-  CHECK_THROWS_AS((void)LammpsDump(text_source("g", micro), {}, {.si = true}).next(), InvalidArgument);
-}
-
-TEST_CASE("stated by the user: columns for dumps are refused with other formats") {
+TEST_CASE("stated by the user: SI, columns for dumps are refused with other formats") {
   const TemporaryFolder folder;
   for (const Sample& sample : formats) {
+    CHECK_FALSE(read(sample, "c1", {.si = true}).has(Finding::units_unknown));
     const std::filesystem::path path = folder.path() / "grains";
     write_file(path, with(sample.text, "EXTRA", "c1"), Existing::replace);
     const auto open = [&] { return PackingFiles({path}, {.columns = {{"radius", "radius"}}}).next(); };
@@ -167,11 +155,16 @@ TEST_CASE("stated by the user: columns for dumps are refused with other formats"
     else
       CHECK_THROWS_AS((void)open(), InvalidArgument);
   }
+  const std::string bare = "x y z radius\n0 0 0 1\n2 0 0 1\n";
+  CHECK(first_of(csv_format, bare, {}, {.si = true}).assembly.radius[1] == 1);
+  CHECK(refusal_of(csv_format, bare) != "");
+  CHECK_THROWS_AS((void)first_of(lammps_dump_format, "ITEM: UNITS\nmicro\n" + plain(0), {}, {.si = true}),
+                  InvalidArgument);
 }
 
 TEST_CASE("cut files: a last frame that is not complete costs itself alone") {
   const TemporaryFolder folder;
-  const std::string dump = with(formats[0].text, "EXTRA", "c1");
+  const std::string dump = plain(0);
   for (const std::string& frame : {dump, mercury})
     for (const std::size_t missing : {std::size_t{3}, std::size_t{20}, std::size_t{30}}) {
       CAPTURE(frame);
@@ -198,39 +191,14 @@ TEST_CASE("cut files: a last frame that is not complete costs itself alone") {
   CHECK_THROWS_AS((void)wrong.next(), FileError);
 }
 
-namespace {
-
-/// A row of touching grains, with a force on the second of each pair along x [N].
-ImportedPacking chain(int contacts, double force, double spacing) {
-  std::string grains = "id,x_m,y_m,z_m,radius_m\n", pairs = "id1,id2,fx_N,fy_N,fz_N\n";
-  for (int k = 0; k <= contacts; ++k)
-    grains += std::to_string(k) + "," + std::to_string(k * spacing) + ",0,0,0.5\n";
-  for (int k = 0; k < contacts; ++k)
-    pairs += std::to_string(k) + "," + std::to_string(k + 1) + "," + std::to_string(force) + ",0.1,0\n";
-  return read_packing_csv(text_source("g", grains), text_source("c", pairs));
-}
-
-} // namespace
-
-TEST_CASE("signs: forces that pull all overlapping spheres apart are turned") {
-  const ImportedPacking pushed = chain(12, 1, 0.99), pulled = chain(12, -1, 0.99);
-  CHECK_FALSE(pushed.has(Finding::signs_turned));
-  CHECK(pulled.has(Finding::signs_turned));
-  CHECK(pulled.assembly.contacts[3].normal_force == relative(1, 1e-12));
-  CHECK(pulled.assembly.contacts[3].tangential_force.y == relative(-0.1, 1e-12));
-  CHECK_FALSE(chain(12, -1, 1.01).has(Finding::signs_turned)); // bonds over gaps
-  CHECK_FALSE(chain(3, -1, 0.99).has(Finding::signs_turned));
-}
-
 TEST_CASE("series: steps or times of the index, of both kinds of index, and the pieces of a parallel file") {
   const TemporaryFolder folder;
   const auto write = [&](const std::string& name, const std::string& text) {
     write_file(folder.path() / name, text, Existing::replace);
     return folder.path() / name;
   };
-  const std::string vtu = with(formats[4].text, "EXTRA", "c1");
   for (const char* const name : {"a.vtu", "b.vtu"})
-    (void)write(name, vtu);
+    (void)write(name, plain(4));
   const auto states = [&](const std::filesystem::path& index) {
     PackingFiles files(files_of_series({index}));
     std::vector<ImportedPacking> out;
@@ -263,22 +231,20 @@ TEST_CASE("series: steps or times of the index, of both kinds of index, and the 
 }
 
 TEST_CASE("tables: separators, and the names of ParaView and PFC") {
-  const std::string rows = "id x_m y_m z_m radius_m\n1 0 0 0 0.5\n2 0.99 0 0 0.5\n";
   for (const char separator : {',', ';', '\t', ' '}) {
-    std::string text = rows;
-    std::ranges::replace(text, ' ', separator);
-    TextSource source = text_source("g", text);
-    CHECK(recognise(source) == FileKind{&csv_format, Holds::grains});
-    CHECK(read_packing_csv(std::move(source)).assembly.position[1].x == 0.99);
-    std::string pairs = "end1 end2 fn_N\n1 2 3\n";
+    std::string grains = "id x_m y_m z_m radius_m\n1 0 0 0 0.5\n2 0.99 0 0 0.5\n",
+                pairs = "end1 end2 fn_N\n1 2 3\n";
+    std::ranges::replace(grains, ' ', separator);
     std::ranges::replace(pairs, ' ', separator);
-    TextSource contacts = text_source("c", pairs);
-    CHECK(recognise(contacts) == FileKind{&csv_format, Holds::contacts});
-    CHECK(read_packing_csv(text_source("g", text), std::move(contacts)).assembly.contacts[0].normal_force ==
-          3);
+    TextSource of_grains = text_source("g", grains), of_pairs = text_source("c", pairs);
+    CHECK(recognise(of_grains) == FileKind{&csv_format, Holds::grains});
+    CHECK(recognise(of_pairs) == FileKind{&csv_format, Holds::contacts});
+    const ImportedPacking packing = first_of(csv_format, grains, pairs);
+    CHECK(packing.assembly.position[1].x == 0.99);
+    CHECK(packing.assembly.contacts[0].normal_force == 3);
   }
-  const ImportedPacking paraview = read_packing_csv(
-      text_source("g", "\"Radius\",\"Points:0\",\"Points:1\",\"Points:2\"\n0.5,0,0,0\n0.5,0.99,0,0\n"));
+  const ImportedPacking paraview =
+      first_of(csv_format, "\"Radius\",\"Points:0\",\"Points:1\",\"Points:2\"\n0.5,0,0,0\n0.5,0.99,0,0\n");
   CHECK(paraview.has(Finding::units_unknown));
   CHECK(paraview.assembly.position[1].x == 0.99);
 }
@@ -289,7 +255,7 @@ TEST_CASE("ParaView files: forces that are not known are not written") {
                                .radius = {0.1, 0.1},
                                .contacts = {{.i = 0, .j = 1, .branch = {0.19, 0, 0}, .overlap = 0.01}}};
   const auto back = [&](KnownForces known) {
-    return read_vtk_xml(text_source("g", grains_vtu(pair)), text_source("c", contacts_vtp(pair, {}, known)));
+    return first_of(vtk_xml_format, grains_vtu(pair), contacts_vtp(pair, {}, known));
   };
   CHECK(back(KnownForces::none).has(Finding::forces_unknown));
   CHECK(back(KnownForces::normal).has(Finding::tangential_unknown));
@@ -303,7 +269,7 @@ const std::string three_grains =
     "# units: SI\nid,x,y,z,radius\n1,0,0,0,0.5\n2,0.99,0,0,0.5\n3,1.98,0,0,0.5\n";
 
 ImportedPacking joined(const std::string& contacts) {
-  return read_packing_csv(text_source("g", three_grains), text_source("c", "# units: SI\n" + contacts));
+  return first_of(csv_format, three_grains, "# units: SI\n" + contacts);
 }
 
 /// A dump of contacts beside formats[0].
@@ -314,9 +280,7 @@ std::string contact_dump(const std::string& length, const std::string& columns, 
 }
 
 ImportedPacking dumped(const std::string& contacts) {
-  return LammpsDump(text_source("g", with(formats[0].text, "EXTRA", "c1")), text_source("c", contacts))
-      .next()
-      .value();
+  return first_of(lammps_dump_format, plain(0), contacts);
 }
 
 } // namespace
@@ -334,10 +298,8 @@ TEST_CASE("rows of zeros are left out with a note, and others still count") {
                                                    "1 2 -9e-4 0 0 4 0 0 0\n0 0 0 0 0 0 0 0 0\n"));
   CHECK(dump.has(Finding::empty_rows));
   CHECK(dump.assembly.contacts.size() == 1);
-  const ImportedPacking yade =
-      read_yade(text_source("g", with(formats[2].text, "EXTRA", "c1")),
-                text_source("c", "# id1 id2 nx ny nz pd fnx fny fnz fsx fsy fsz\n1 2 1 0 0 1e-4 4 0 0 0 0 0\n"
-                                 "2 3 0 0 0 0 0 0 0 0 0 0\n"));
+  const ImportedPacking yade = first_of(
+      yade_text_format, plain(2), yade_headings + "\n1 2 1 0 0 1e-4 4 0 0 0 0 0\n2 3 0 0 0 0 0 0 0 0 0 0\n");
   CHECK(yade.has(Finding::empty_rows));
   CHECK(yade.assembly.contacts.size() == 1);
 }

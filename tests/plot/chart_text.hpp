@@ -33,12 +33,26 @@ inline double attribute(const std::string& text, const std::string& name) {
   return std::stod(text.substr(text.find(" " + name + "=\"") + name.size() + 3));
 }
 
+/// That number of every element that begins so and has it.
+inline std::vector<double> all(const std::string& picture, const std::string& begin,
+                               const std::string& name) {
+  std::vector<double> found;
+  for (std::size_t at = picture.find(begin); at != std::string::npos; at = picture.find(begin, at + 1)) {
+    const std::string element = picture.substr(at, picture.find('>', at) - at);
+    if (element.find(" " + name + "=\"") != std::string::npos)
+      found.push_back(attribute(element, name));
+  }
+  return found;
+}
+
 inline std::size_t count(const std::string& text, const std::string& piece) {
   std::size_t found = 0;
   for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1))
     ++found;
   return found;
 }
+
+using Texts = std::vector<std::string>;
 
 inline Chart chart_of(std::vector<double> x, std::vector<double> y, Scale scale = Scale::linear) {
   return {.title = "",

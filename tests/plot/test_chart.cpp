@@ -38,9 +38,9 @@ TEST_CASE("a chart becomes one well-formed SVG with its texts, and the same byte
   chart.series.push_back({.name = "points", .mark = Mark::marker, .x = {1, 2}, .y = {15, 25}});
   const std::string picture = svg(chart);
   CHECK(well_formed(picture));
-  CHECK(texts(picture, "title") == std::vector<std::string>{"Moduli"});
-  CHECK(texts(picture, "x-title") == std::vector<std::string>{"p' [kPa]"});
-  CHECK(texts(picture, "legend") == std::vector<std::string>{"rung 2", "points"});
+  CHECK(texts(picture, "title") == Texts{"Moduli"});
+  CHECK(texts(picture, "x-title") == Texts{"p' [kPa]"});
+  CHECK(texts(picture, "legend") == Texts{"rung 2", "points"});
   CHECK(svg(chart) == picture);
   CHECK(picture.find("href") == std::string::npos);
   CHECK_FALSE(well_formed(picture.substr(0, picture.size() - 8)));
@@ -49,11 +49,11 @@ TEST_CASE("a chart becomes one well-formed SVG with its texts, and the same byte
 TEST_CASE("requested numbers have ticks, and round ones are omitted next to them") {
   Chart chart = chart_of({2.76, 34.47}, {587, 1003}, Scale::logarithmic);
   const auto labels = [&chart] { return texts(svg(chart), "x-label"); };
-  CHECK(labels() == std::vector<std::string>{"5", "10", "20"});
+  CHECK(labels() == Texts{"5", "10", "20"});
   chart.x.asked = {6.89, 34.47, 2.76, 100};
-  CHECK(labels() == std::vector<std::string>{"2.76", "5", "6.89", "10", "20", "34.47"});
+  CHECK(labels() == Texts{"2.76", "5", "6.89", "10", "20", "34.47"});
   chart.x.asked = {20.1, 20.2};
-  CHECK(labels() == std::vector<std::string>{"5", "10", "20.1"});
+  CHECK(labels() == Texts{"5", "10", "20.1"});
 }
 
 TEST_CASE("texts from outside cannot break the file") {
@@ -62,59 +62,49 @@ TEST_CASE("texts from outside cannot break the file") {
   chart.series[0].name = "</svg><script>\xed\xa0\x80";
   const std::string picture = svg(chart);
   CHECK(well_formed(picture));
-  CHECK(texts(picture, "title") ==
-        std::vector<std::string>{"a &lt; b &amp; &quot;c&quot; &gt; d?? ? \u03c3"});
-  CHECK(texts(picture, "legend") == std::vector<std::string>{"&lt;/svg&gt;&lt;script&gt;???"});
+  CHECK(texts(picture, "title") == Texts{"a &lt; b &amp; &quot;c&quot; &gt; d?? ? \u03c3"});
+  CHECK(texts(picture, "legend") == Texts{"&lt;/svg&gt;&lt;script&gt;???"});
 }
 
-TEST_CASE("linear ticks are round numbers in equal steps") {
-  CHECK(texts(svg(chart_of({0, 1}, {0, 0.37})), "x-label") ==
-        std::vector<std::string>{"0", "0.2", "0.4", "0.6", "0.8", "1"});
-  CHECK(texts(svg(chart_of({-120, 130}, {0, 1})), "x-label") ==
-        std::vector<std::string>{"-100", "-50", "0", "50", "100"});
-  CHECK(texts(svg(chart_of({0, 3e7}, {0, 1})), "x-label") ==
-        std::vector<std::string>{"0", "0.5\u00b710^7", "1\u00b710^7", "1.5\u00b710^7", "2\u00b710^7",
-                                 "2.5\u00b710^7", "3\u00b710^7"});
-  // far from zero, labels still tell the ticks apart
+TEST_CASE("ticks are round numbers in equal steps, or powers of ten with 2 and 5 where there is room") {
+  struct Row {
+    double low, high;
+    Scale scale;
+    Texts labels;
+  };
+  const Row rows[] = {
+      {0, 1, Scale::linear, {"0", "0.2", "0.4", "0.6", "0.8", "1"}},
+      {-120, 130, Scale::linear, {"-100", "-50", "0", "50", "100"}},
+      {0,
+       3e7,
+       Scale::linear,
+       {"0", "0.5\u00b710^7", "1\u00b710^7", "1.5\u00b710^7", "2\u00b710^7", "2.5\u00b710^7", "3\u00b710^7"}},
+      {1, 1e6, Scale::logarithmic, {"10^0", "10^1", "10^2", "10^3", "10^4", "10^5", "10^6"}},
+      {10, 1000, Scale::logarithmic, {"10", "20", "50", "100", "200", "500", "1000"}},
+      {1e-3, 1e-2, Scale::logarithmic, {"0.001", "0.002", "0.005", "0.01"}},
+      {2e7, 6e8, Scale::logarithmic, {"2\u00b710^7", "5\u00b710^7", "10^8", "2\u00b710^8", "5\u00b710^8"}},
+      // less than a decade: equal steps
+      {100, 200, Scale::logarithmic, {"100", "120", "140", "160", "180", "200"}}};
+  for (const Row& row : rows)
+    CHECK(texts(svg(chart_of({row.low, row.high}, {1, 2}, row.scale)), "x-label") == row.labels);
+  // far from zero, labels still distinguish the ticks
   const auto close = texts(svg(chart_of({123456, 123456.01}, {0, 1})), "x-label");
-  CHECK(close.front() == "123456");
-  CHECK(close.at(1) == "123456.002");
-}
-
-TEST_CASE("logarithmic ticks are powers of ten, with 2 and 5 where there is room") {
-  CHECK(texts(svg(chart_of({1, 1e6}, {1, 2}, Scale::logarithmic)), "x-label") ==
-        std::vector<std::string>{"10^0", "10^1", "10^2", "10^3", "10^4", "10^5", "10^6"});
-  CHECK(texts(svg(chart_of({10, 1000}, {1, 2}, Scale::logarithmic)), "x-label") ==
-        std::vector<std::string>{"10", "20", "50", "100", "200", "500", "1000"});
-  CHECK(texts(svg(chart_of({1e-3, 1e-2}, {1, 2}, Scale::logarithmic)), "x-label") ==
-        std::vector<std::string>{"0.001", "0.002", "0.005", "0.01"});
-  CHECK(texts(svg(chart_of({2e7, 6e8}, {1, 2}, Scale::logarithmic)), "x-label") ==
-        std::vector<std::string>{"2\u00b710^7", "5\u00b710^7", "10^8", "2\u00b710^8", "5\u00b710^8"});
-  // less than a decade: equal steps
-  CHECK(texts(svg(chart_of({100, 200}, {1, 2}, Scale::logarithmic)), "x-label") ==
-        std::vector<std::string>{"100", "120", "140", "160", "180", "200"});
+  CHECK((close.front() == "123456" && close.at(1) == "123456.002"));
 }
 
 TEST_CASE("any range gets at least two labels, in order and well-formed") {
   constexpr double tiny = std::numeric_limits<double>::denorm_min();
-  constexpr double smallest = std::numeric_limits<double>::min();
   using Ranges = std::vector<std::pair<double, double>>;
-  const Ranges linear = {{0, 1},
-                         {-largest, largest},
-                         {0, largest},
-                         {-1e-300, 1e-300},
-                         {0, tiny},
-                         {1e15, 1000000000000001},
-                         {1, 1.00000000001},
-                         {5, 5},
-                         {-7e8, -7e8},
-                         {0, 0},
-                         {largest, largest},
-                         {1e-20, 3e-20},
-                         {0.0123, 0.0124}};
-  const Ranges logarithmic = {{tiny, largest}, {smallest, 1}, {1, 1},           {1, 6.3},
-                              {1, 6.4},        {3, 30},       {9.9, 160},       {1, 1e9},
-                              {1e-5, 3e-5},    {tiny, tiny},  {1e-290, 1e-290}, {largest, largest},
+  const Ranges linear = {
+      {-largest, largest}, {0, largest},    {-1e-300, 1e-300}, {0, tiny}, {1e15, 1000000000000001},
+      {1, 1.00000000001},  {5, 5},          {-7e8, -7e8},      {0, 0},    {largest, largest},
+      {1e-20, 3e-20},      {0.0123, 0.0124}};
+  const Ranges logarithmic = {{tiny, largest},  {std::numeric_limits<double>::min(), 1},
+                              {1, 1},           {1, 6.3},
+                              {1, 6.4},         {3, 30},
+                              {9.9, 160},       {1, 1e9},
+                              {1e-5, 3e-5},     {tiny, tiny},
+                              {1e-290, 1e-290}, {largest, largest},
                               {1e300, largest}};
   for (const Scale scale : {Scale::linear, Scale::logarithmic})
     for (const auto& [low, high] : scale == Scale::linear ? linear : logarithmic) {
@@ -138,7 +128,7 @@ TEST_CASE("points are at their numbers, in the unit of the axis") {
   chart.x.unit = 1e3;
   chart.series[0].mark = Mark::line;
   const std::string picture = svg(chart);
-  CHECK(texts(picture, "x-label") == std::vector<std::string>{"0", "200", "400", "600", "800", "1000"});
+  CHECK(texts(picture, "x-label") == Texts{"0", "200", "400", "600", "800", "1000"});
   // 520 x 380 units from (66.04, 14): labels of three letters, no title; 4 % of the range is margin
   CHECK(picture.find("M85.30,379.93L326.04,204.00L566.78,28.07") != std::string::npos);
 }
@@ -171,10 +161,10 @@ TEST_CASE("empty series and charts give only axes, and one point is drawn") {
     CHECK(well_formed(svg(chart)));
     CHECK(count(svg(chart), "<circle") == 1);
     const std::string picture = svg(chart);
-    const std::string frame = picture.substr(picture.find("class=\"frame\""));
-    const double x = attribute(frame, "x") + 520 / 2.0, y = attribute(frame, "y") + 380 / 2.0;
-    CHECK(attribute(picture.substr(picture.find("<circle")), "cx") == relative(x, 1e-4)); // in the middle
-    CHECK(attribute(picture.substr(picture.find("<circle")), "cy") == relative(y, 1e-4));
+    const double x = all(picture, "<rect class=\"frame\"", "x").at(0) + 520 / 2.0,
+                 y = all(picture, "<rect class=\"frame\"", "y").at(0) + 380 / 2.0;
+    CHECK(all(picture, "<circle", "cx").at(0) == relative(x, 1e-4)); // in the middle
+    CHECK(all(picture, "<circle", "cy").at(0) == relative(y, 1e-4));
   }
 }
 
@@ -184,26 +174,30 @@ TEST_CASE("error bars are drawn if there is an error, and lie within the axis") 
   const std::string picture = svg(chart);
   CHECK(well_formed(picture));
   CHECK(count(picture, "class=\"error\"") == 2);
-  CHECK(texts(picture, "y-label") == std::vector<std::string>{"0", "5", "10", "15", "20"});
+  CHECK(texts(picture, "y-label") == Texts{"0", "5", "10", "15", "20"});
 
-  // the lower end of a bar that a logarithmic axis cannot show lies on its edge
+  // an end that a logarithmic axis cannot show, here of -1, is on the edge at its side
   chart = chart_of({1, 10}, {1, 10}, Scale::logarithmic);
   chart.series[0].y_error = {2, 0};
-  const std::string log_picture = svg(chart);
-  CHECK(count(log_picture, "class=\"error\"") == 1);
-  CHECK(log_picture.find("V394.00M") != std::string::npos);
-  CHECK(log_picture.find("nan") == std::string::npos);
+  for (const bool reversed : {false, true}) {
+    chart.y.reversed = reversed;
+    const std::string log_picture = svg(chart);
+    CHECK(well_formed(log_picture));
+    CHECK(count(log_picture, "class=\"error\"") == 1);
+    CHECK(log_picture.find(reversed ? "V14.00M" : "V394.00M") != std::string::npos); // 14 + height
+    CHECK(log_picture.find("nan") == std::string::npos);
+  }
 }
 
 TEST_CASE("a chart that contradicts itself is refused") {
-  Chart chart = chart_of({1, 2}, {1});
-  CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
-  chart = chart_of({1, 2}, {1, 2});
-  chart.series[0].y_error = {1};
-  CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
-  chart = chart_of({1, 2}, {1, 2});
-  chart.y.unit = 0;
-  CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
+  void (*const wrong[])(Chart&) = {
+      [](Chart& chart) { chart.series[0].y = {1}; }, [](Chart& chart) { chart.series[0].y_error = {1}; },
+      [](Chart& chart) { chart.y.unit = 0; }, [](Chart& chart) { chart.height = 0; }};
+  for (const auto& change : wrong) {
+    Chart chart = chart_of({1, 2}, {1, 2});
+    change(chart);
+    CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
+  }
 }
 
 TEST_CASE("series of one style look alike, and tones differ from the full one") {
@@ -240,78 +234,36 @@ TEST_CASE("a legend below the plot makes the picture higher and not wider") {
   const std::string picture = svg(chart);
   CHECK(attribute(picture, "width") == width);
   CHECK(texts(picture, "legend").size() == 6);
-  // Each row of the legend lies inside the picture, under the title of the x axis.
-  const double height = attribute(picture, "height");
+  // Each row of the legend is inside the picture, under the title of the x axis.
+  const auto x = all(picture, "<text class=\"legend\"", "x"), y = all(picture, "<text class=\"legend\"", "y");
   std::vector<std::pair<double, double>> places;
-  for (std::size_t at = picture.find("<text class=\"legend\""); at != std::string::npos;
-       at = picture.find("<text class=\"legend\"", at + 1)) {
-    const double x = std::stod(picture.substr(picture.find("x=\"", at) + 3));
-    const double y = std::stod(picture.substr(picture.find("y=\"", at) + 3));
-    CHECK(x > 0);
-    CHECK(x < width);
-    CHECK(y > 14 + 200 + 50);
-    CHECK(y < height);
-    places.emplace_back(y, x);
+  for (std::size_t k = 0; k < 6; ++k) {
+    CHECK((0 < x.at(k) && x[k] < width));
+    CHECK((14 + 200 + 50 < y.at(k) && y[k] < attribute(picture, "height")));
+    places.emplace_back(y[k], x[k]);
   }
-  REQUIRE(places.size() == 6);
   CHECK(std::is_sorted(places.begin(), places.end())); // row by row, from left to right
   CHECK(std::adjacent_find(places.begin(), places.end()) == places.end());
-  CHECK(places.front().first < places.back().first);
-  chart.height = 0;
-  CHECK_THROWS_AS((void)svg(chart), InvalidArgument);
+  CHECK(y.front() < y.back());
 }
-
-namespace {
-
-/// Corners of the first path of a class.
-std::vector<std::pair<double, double>> corners(const std::string& svg, const std::string& path_class) {
-  const std::size_t at = svg.find("<path class=\"" + path_class + "\"");
-  REQUIRE(at != std::string::npos);
-  const std::size_t from = svg.find(" d=\"", at) + 4;
-  std::string path = svg.substr(from, svg.find('"', from) - from);
-  std::vector<std::pair<double, double>> found;
-  std::string_view rest = path;
-  while (rest.size() > 1) {
-    const auto x = leading_number(rest.substr(1));
-    const auto y = leading_number(x.value().rest.substr(1));
-    found.emplace_back(x->value, y.value().value);
-    rest = y->rest;
-  }
-  return found;
-}
-
-} // namespace
 
 TEST_CASE("a reversed axis puts its smallest number on top, or right, and mirrors everything") {
   Chart chart = chart_of({1, 4}, {0, 10});
-  chart.series[0].mark = Mark::area;
-  const auto up = corners(svg(chart), "area");
-  chart.y.reversed = true;
-  const auto down = corners(svg(chart), "area");
-  CHECK(up[0].second > up[1].second);
-  CHECK(down[0].second < down[1].second);
-  CHECK(std::abs(up[0].second - down[1].second) < 0.02); // two decimals are written
-  CHECK(up[0].first == down[0].first);
-  chart.x.reversed = true;
-  const auto left = corners(svg(chart), "area");
-  CHECK(std::abs(left[0].first - down[1].first) < 0.02);
-  CHECK(left[0].second == down[0].second);
-}
-
-TEST_CASE("an error bar on a reversed axis reaches the edge on the side of its end") {
-  Chart chart = chart_of({1, 2}, {1, 10}, Scale::logarithmic);
-  chart.series[0].y_error = {2, 1}; // down to -1, which has no logarithm
-  chart.y.reversed = true;
-  const std::string picture = svg(chart);
-  CHECK(well_formed(picture));
-  const auto end = [](const std::string& text) { // of the first bar
-    const std::size_t bar = text.find("class=\"error\"");
-    return leading_number(std::string_view(text).substr(text.find('V', bar) + 1)).value().value;
+  const auto places = [&] {
+    const std::string picture = svg(chart);
+    return std::pair(all(picture, "<circle", "cx"), all(picture, "<circle", "cy"));
   };
-  const double upper_edge = 14, lower_edge = upper_edge + chart.height;
-  CHECK(end(picture) == upper_edge);
-  chart.y.reversed = false;
-  CHECK(end(svg(chart)) == lower_edge);
+  const auto [x, up] = places();
+  chart.y.reversed = true;
+  const auto [same_x, down] = places();
+  chart.x.reversed = true;
+  const auto [left, same_y] = places();
+  REQUIRE((x.size() == 2 && down.size() == 2 && left.size() == 2));
+  CHECK(up[0] > up[1]);
+  CHECK(std::abs(up[0] - down[1]) < 0.02); // two decimals are written
+  CHECK(std::abs(up[1] - down[0]) < 0.02);
+  CHECK(std::abs(x[0] - left[1]) < 0.02);
+  CHECK((same_x == x && same_y == down));
 }
 
 TEST_CASE("an area is a closed surface without markers or outline, also in the legend") {
@@ -334,12 +286,7 @@ TEST_CASE("charts side by side are as wide as all of them, as high as the highes
   const Chart both[] = {one, two};
   const std::string picture = svg(both);
   CHECK(well_formed(picture));
-  CHECK(texts(picture, "title") == std::vector<std::string>{"one", "two"});
-  const auto attribute = [](const std::string& text, const std::string& name) {
-    return leading_number(std::string_view(text).substr(text.find(" " + name + "=\"") + name.size() + 3))
-        .value()
-        .value;
-  };
+  CHECK(texts(picture, "title") == Texts{"one", "two"});
   CHECK(attribute(picture, "width") == attribute(svg(one), "width") + attribute(svg(two), "width"));
   CHECK(attribute(picture, "height") == attribute(svg(two), "height"));
   CHECK(svg(std::span(both, 1)) == svg(one));
@@ -352,7 +299,6 @@ TEST_CASE("charts side by side are as wide as all of them, as high as the highes
 }
 
 TEST_CASE("coinciding lines are drawn once, as stated by the legend") {
-  using Texts = std::vector<std::string>;
   Chart chart = chart_of({1, 2, 3}, {10, 30, 20}); // 380 pixels for 20
   chart.series[0].name = "G_hh";
   chart.series.push_back({.name = "G_hv", .x = {1, 2, 3}, .y = {10.07, 30, 20}});

@@ -26,7 +26,7 @@ TEST_CASE("a colour may differ from the style, and a kind is listed once in grey
   chart.series[1].colour = Colour::sphere;
   const std::string picture = svg(chart);
   CHECK(well_formed(picture));
-  CHECK(texts(picture, "legend") == std::vector<std::string>{"cone", "sphere", "probe"});
+  CHECK(texts(picture, "legend") == Texts{"cone", "sphere", "probe"});
   CHECK(count(picture, "class=\"series c1\"") == 1);
   CHECK(count(picture, "class=\"series c0\"") == 1);
   CHECK(count(picture, "class=\"cg\"") == 1);        // the sample of the kind
@@ -80,12 +80,8 @@ TEST_CASE("a slope triangle has its labelled slope, and its text lies inside the
   CHECK(y0 == y1);
   CHECK(x2 == x1);
   CHECK(y1 - y2 == relative(0.5 * 380 / 2.16, 1e-3));
-  const std::vector<std::string> slopes = texts(picture, "slope");
-  CHECK(slopes == std::vector<std::string>{"s = 0.50", "s = 0.51"});
-  std::vector<double> y;
-  for (std::size_t at = picture.find("class=\"slope\""); at != std::string::npos;
-       at = picture.find("class=\"slope\"", at + 1))
-    y.push_back(std::stod(picture.substr(picture.find(" y=\"", at) + 4)));
+  CHECK(texts(picture, "slope") == Texts{"s = 0.50", "s = 0.51"});
+  const auto y = all(picture, "<text class=\"slope\"", "y");
   REQUIRE(y.size() == 2);
   CHECK(std::abs(y[0] - y[1]) >= 15.9); // they would lie upon each other
   CHECK(picture.find("class=\"slope c") == std::string::npos);
@@ -141,7 +137,7 @@ TEST_CASE("a rose shows its series in all four quadrants, errors in one") {
   const std::size_t sectors = picture.find("class=\"sectors\"");
   REQUIRE(sectors != std::string::npos);
   CHECK(count(picture.substr(sectors, picture.find("/>", sectors) - sectors), "A") == 8);
-  CHECK(texts(picture, "legend") == std::vector<std::string>{"counted", "fitted"});
+  CHECK(texts(picture, "legend") == Texts{"counted", "fitted"});
   // The longest is 2.2 with its error, and the rose has a radius of 150: 2 in the sector, 1 in the line.
   CHECK(picture.find("A136.36,136.36") != std::string::npos);
   CHECK(picture.find("data-most=\"2.2\"") != std::string::npos);
@@ -158,16 +154,6 @@ TEST_CASE("a rose shows its series in all four quadrants, errors in one") {
 
 TEST_CASE("titles are in the middle of their axes, ticks outside, legends go down, and all is inside of the "
           "picture") {
-  // Numbers of an attribute, of all elements that begin so.
-  const auto all = [](const std::string& picture, const std::string& begin, const std::string& name) {
-    std::vector<double> found;
-    for (std::size_t at = picture.find(begin); at != std::string::npos; at = picture.find(begin, at + 1)) {
-      const std::string element = picture.substr(at, picture.find('>', at) - at);
-      if (element.find(" " + name + "=\"") != std::string::npos)
-        found.push_back(attribute(element, name));
-    }
-    return found;
-  };
   Chart chart = chart_of({1, 3, 10}, {1, 5, 10}, Scale::logarithmic);
   chart.series[0].name = "one";
   chart.series.push_back({.name = "two", .x = {1, 10}, .y = {2, 3}});

@@ -12,13 +12,16 @@ struct Row {
   std::vector<Vec3> position{{0.2, 1, 1}, {1.1, 1, 1}, {3.3, 1, 1}};
   std::vector<double> radius{0.5, 0.5, 0.5};
   std::vector<std::array<long, 2>> pairs{{2, 0}, {1, 0}};
-  std::vector<Vec3> force{{3, 0.5, 0}, {-2, 0, 0}};
+  std::vector<Vec3> force{{3, 0.5, 0}, {-2, 0, 0}}, branch = {};
+  std::vector<double> normal = {};
+  Vec3 edges{4, 4, 4};
 
   [[nodiscard]] io::PackingArrays arrays() const {
     return {.position = position,
             .radius = radius,
-            .cell = Mat3::diagonal(4, 4, 4),
-            .contacts = io::ContactArrays{.grains = pairs, .force = force}};
+            .cell = Mat3::diagonal(edges.x, edges.y, edges.z),
+            .contacts =
+                io::ContactArrays{.grains = pairs, .branch = branch, .force = force, .normal_force = normal}};
   }
 };
 
@@ -70,36 +73,33 @@ TEST_CASE("arrays report missing data") {
 }
 
 TEST_CASE("arrays that are no packing are refused with their element") {
-  Row row;
-  row.pairs[1] = {1, 3};
-  CHECK(arrays_refusal(row.arrays()).starts_with("contacts[1]:"));
-  row = {};
-  row.pairs[1] = {1, 1};
-  CHECK(arrays_refusal(row.arrays()).starts_with("contacts[1]:"));
-  for (const std::size_t k : {0U, 1U, 2U}) {
-    row = {};
-    row.radius[k] = 0;
-    CHECK(arrays_refusal(row.arrays()).starts_with("grains[" + std::to_string(k) + "]:"));
+  const std::pair<const char*, void (*)(Row&)> wrong[] = {{"contacts[1]:",
+                                                           [](Row& row) {
+                                                             row.pairs[1] = {1, 3};
+                                                           }},
+                                                          {"contacts[1]:",
+                                                           [](Row& row) {
+                                                             row.pairs[1] = {1, 1};
+                                                           }},
+                                                          {"contacts[1]:",
+                                                           [](Row& row) {
+                                                             row.branch = {{0.9, 0, 0}, {-1.8, 0, 0}};
+                                                           }},
+                                                          {"grains[0]:", [](Row& row) { row.radius[0] = 0; }},
+                                                          {"grains[2]:", [](Row& row) { row.radius[2] = 0; }},
+                                                          {"grains:", [](Row& row) { row.edges.z = 0; }},
+                                                          {"radius", [](Row& row) { row.radius.pop_back(); }},
+                                                          {"force", [](Row& row) { row.force.pop_back(); }},
+                                                          {"force", [](Row& row) {
+                                                             row.normal = {1, 2};
+                                                           }}};
+  for (const auto& [element, change] : wrong) {
+    Row row;
+    change(row);
+    const std::string said = arrays_refusal(row.arrays());
+    CAPTURE(said);
+    CHECK(said.starts_with(element));
   }
-  row = {};
-  row.radius.pop_back();
-  CHECK(arrays_refusal(row.arrays()).starts_with("radius"));
-  row = {};
-  row.force.pop_back();
-  CHECK(arrays_refusal(row.arrays()).starts_with("force"));
-  row = {};
-  const std::vector<double> normal{1, 2};
-  io::PackingArrays twice = row.arrays();
-  twice.contacts->normal_force = normal;
-  CHECK(arrays_refusal(twice).starts_with("force"));
-  io::PackingArrays flat = row.arrays();
-  flat.cell = Mat3::diagonal(4, 4, 0);
-  CHECK(arrays_refusal(flat).starts_with("grains:"));
-  row = {};
-  const std::vector<Vec3> far{{0.9, 0, 0}, {-1.8, 0, 0}};
-  io::PackingArrays wrong = row.arrays();
-  wrong.contacts->branch = far;
-  CHECK(arrays_refusal(wrong).starts_with("contacts[1]:"));
 }
 
 TEST_CASE("a grain between two walls: a second number below 0 is a wall") {

@@ -29,35 +29,23 @@ const std::vector<Grain> grains{{.radius = 0.5, .mass = Measured{2, 0.5}, .conta
 
 } // namespace
 
-TEST_CASE("one list of columns makes the CSV, with a second column for an error") {
-  CHECK(
-      csv_text(columns, grains, {{"program", "granum"}}) ==
-      "# program: granum\nname,R_m,m_kg,m_kg_error,contacts\nlarge,0.5,2,0.5,6\n\"small, round\",0.25,,,0\n");
-}
-
-TEST_CASE("the same list makes the table of the screen") {
-  CHECK(heading_line(columns) == "grain    R [mm]  d [m]      m [g]");
-  CHECK(row_line(columns, grains[0]) ==
-        "large    500.00      1 2000.0+-500.0"); // wider than its column: whole, apart
-  CHECK(row_line(columns, grains[1]) == "small, round   250.00    0.5          -");
-  CHECK(table_text(columns, grains) == heading_line(columns) + "\n" + row_line(columns, grains[0]) + "\n" +
-                                           row_line(columns, grains[1]) + "\n");
-}
-
-TEST_CASE("the same list makes the list of the screen, where nothing is left out of it") {
-  const std::string all = list_text(columns, grains[0]), less = list_text(columns, grains[1]);
+TEST_CASE(
+    "one list of columns makes the CSV, the table and the list of the screen, and the table of a page") {
+  CHECK(csv_text(columns, grains, {{"program", "granum"}}) ==
+        "# program: granum\nname,R_m,m_kg,m_kg_error,contacts\nlarge,0.5,2,0.5,6\n"
+        "\"small, round\",0.25,,,0\n");
+  // what is wider than its column is whole, and apart from the one before
+  CHECK(table_text(columns, grains) == "grain    R [mm]  d [m]      m [g]\n"
+                                       "large    500.00      1 2000.0+-500.0\n"
+                                       "small, round   250.00    0.5          -\n");
+  const std::string all = list_text(columns, grains[0]), less = list_text(columns, grains[1]),
+                    page = page_table(columns, grains);
   CHECK(all.find("R [mm]                   500.00") != std::string::npos);
   CHECK(all.find("2000.0 +- 5e+02") != std::string::npos); // errors with two digits
   CHECK(std::count(all.begin(), all.end(), '\n') == 4);
   CHECK(std::count(less.begin(), less.end(), '\n') == 3);
-}
-
-TEST_CASE("the same list makes the table of a page") {
-  const std::string page = page_table(columns, grains);
-  for (const char* part : {"R [mm]", "m [g]", "small, round", "500.00", "2000.0 \u00b1 500.0"}) {
-    CAPTURE(part);
+  for (const char* part : {"R [mm]", "m [g]", "small, round", "500.00", "2000.0 \u00b1 500.0"})
     CHECK(page.find(part) != std::string::npos);
-  }
 }
 
 TEST_CASE("values of what getters return") {

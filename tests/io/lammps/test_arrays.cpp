@@ -62,8 +62,7 @@ struct Memory {
   }
 
   static ImportedPacking of_file() {
-    LammpsDump dump(data_source("lammps_box.atoms"), data_source("lammps_box.contacts"));
-    return dump.next().value();
+    return first_of(lammps_dump_format, data_text("lammps_box.atoms"), data_text("lammps_box.contacts"));
   }
 };
 
@@ -80,7 +79,7 @@ std::string complaint_of(const LammpsArrays& arrays) {
 
 TEST_CASE("LAMMPS arrays: the packing is that of the dumps, for any order of the grains") {
   const ImportedPacking of_file = Memory::of_file(), of_memory = lammps_packing(Memory().arrays);
-  CHECK(of_memory.assembly.contacts == of_file.assembly.contacts);
+  CHECK(of_memory.assembly.contacts == of_file.assembly.contacts); // walls are in the dump alone
   CHECK(of_memory.assembly.position == of_file.assembly.position);
   CHECK(of_memory.assembly.radius == of_file.assembly.radius);
   CHECK(of_memory.id == of_file.id);
@@ -93,17 +92,7 @@ TEST_CASE("LAMMPS arrays: the packing is that of the dumps, for any order of the
   CHECK(of_memory.has(Finding::viscous_forces));
 }
 
-TEST_CASE("LAMMPS arrays: the layout is recognised from values, or given by a map") {
-  Memory memory;
-  const auto of_told = lammps_packing(memory.arrays);
-  memory.arrays.contacts->map = parse_column_map("id1=c_i[1],id2=c_i[2],force=c_p[2]");
-  const auto of_map = lammps_packing(memory.arrays);
-  CHECK(of_map.has(Finding::tangential_unknown));
-  for (std::size_t k = 0; k < of_map.assembly.contacts.size(); ++k)
-    CHECK(of_map.assembly.contacts[k].normal_force == of_told.assembly.contacts[k].normal_force);
-}
-
-TEST_CASE("LAMMPS arrays: other units become SI, unknown ones are refused") {
+TEST_CASE("LAMMPS arrays: by a map, in other units, which become SI, without contacts") {
   Memory memory;
   for (Vec3& x : memory.position)
     x *= 100; // [cm]
@@ -112,8 +101,9 @@ TEST_CASE("LAMMPS arrays: other units become SI, unknown ones are refused") {
   memory.arrays.cell = 100.0 * memory.arrays.cell;
   memory.arrays.units = "cgs";
   memory.arrays.contacts->map = parse_column_map("id1=c_i[1],id2=c_i[2],force=c_p[2]");
-  const auto of_cgs = lammps_packing(memory.arrays).assembly;
-  const auto of_file = Memory::of_file().assembly;
+  const ImportedPacking read = lammps_packing(memory.arrays);
+  CHECK(read.has(Finding::tangential_unknown));
+  const packing::Assembly &of_cgs = read.assembly, of_file = Memory::of_file().assembly;
   for (std::size_t k = 0; k < of_file.contacts.size(); ++k) {
     CHECK(of_cgs.contacts[k].normal_force == relative(1e-5 * of_file.contacts[k].normal_force, 1e-12));
     check_vector(of_cgs.contacts[k].branch, of_file.contacts[k].branch, 1e-9);
@@ -128,30 +118,31 @@ TEST_CASE("LAMMPS arrays: other units become SI, unknown ones are refused") {
   CHECK(lammps_packing(memory.arrays).has(Finding::units_unknown));
   memory.arrays.units = "real";
   CHECK(complaint_of(memory.arrays).find("'real'") != std::string::npos);
+  Memory alone;
+  alone.arrays.contacts.reset();
+  CHECK(lammps_packing(alone.arrays).has(Finding::contacts_unknown));
 }
 
 TEST_CASE("LAMMPS arrays: errors name array and element") {
-  Memory memory;
-  memory.id[3] = memory.id[7];
-  CHECK(complaint_of(memory.arrays).starts_with("grains[7]"));
-  Memory other;
-  other.values[0] = 999;
-  CHECK(complaint_of(other.arrays).starts_with("contacts"));
-  Memory cut;
-  cut.arrays.contacts->values = std::span(cut.values).first(cut.values.size() - 1);
-  CHECK(complaint_of(cut.arrays).starts_with("contacts"));
-  Memory short_of_radii;
-  short_of_radii.arrays.radius = std::span(short_of_radii.radius).first(5);
-  CHECK(complaint_of(short_of_radii.arrays).starts_with("radius"));
-  Memory nameless;
-  nameless.arrays.contacts->columns.assign(17, "v");
-  CHECK(complaint_of(nameless.arrays) != "");
+  const auto complaint = [](const auto& change) {
+    Memory memory;
+    change(memory);
+    return complaint_of(memory.arrays);
+  };
+  CHECK(complaint([](Memory& m) { m.id[3] = m.id[7]; }).starts_with("grains[7]"));
+  CHECK(complaint([](Memory& m) { m.values[0] = 999; }).starts_with("contacts"));
+  CHECK(complaint([](Memory& m) {
+          m.arrays.contacts->values = std::span(m.values).first(m.values.size() - 1);
+        }).starts_with("contacts"));
+  CHECK(complaint([](Memory& m) { m.arrays.radius = std::span(m.radius).first(5); }).starts_with("radius"));
+  CHECK(complaint([](Memory& m) { m.arrays.contacts->columns.assign(17, "v"); }) != "");
 }
 
-TEST_CASE("LAMMPS arrays: without contacts they are unknown") {
-  Memory memory;
-  memory.arrays.contacts.reset();
-  const ImportedPacking packing = lammps_packing(memory.arrays);
-  CHECK(packing.has(Finding::contacts_unknown));
-  CHECK(packing.assembly.grain_count() == 54);
+TEST_CASE("a column map is a list of quantity=column, and is refused with a slip") {
+  CHECK(parse_column_map("").empty());
+  CHECK(parse_column_map("id1=c_cl[1], id2 = c_cl[2],force=v_f") ==
+        ColumnMap{{"id1", "c_cl[1]"}, {"id2", "c_cl[2]"}, {"force", "v_f"}});
+  for (const auto& [map, named] :
+       {std::pair{"id1", "'id1'"}, {"kq=c_1", "'kq'"}, {"id=", "'id'"}, {"id=a,id=b", "'id'"}})
+    CHECK_THROWS_WITH_AS(parse_column_map(map), doctest::Contains(named), InvalidArgument);
 }

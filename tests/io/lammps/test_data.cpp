@@ -10,14 +10,15 @@ namespace {
 
 const std::string data = data_text("lammps_chain.data");
 
-std::string data_refused(const std::string& text) {
-  return refusal([&] { (void)read_lammps_data(text_source("d", text)); });
-}
+/// A box tilted along x by a tenth of its edge.
+const std::string tilted = with(data, "zhi\n", "zhi\n0.0004 0 0 xy xz yz\n");
+
+ImportedPacking read(const std::string& text) { return read_lammps_data(text_source("g", text)); }
 
 } // namespace
 
 TEST_CASE("LAMMPS data: diameters become radii, all digits are kept") {
-  const ImportedPacking packing = read_lammps_data(data_source("lammps_chain.data"));
+  const ImportedPacking packing = read(data);
   CHECK(packing.id == std::vector<long>{1, 2, 3});
   CHECK(packing.assembly.radius == std::vector<double>{0.5e-3, 0.5e-3, 0.5e-3});
   CHECK(packing.assembly.position[1] ==
@@ -27,20 +28,15 @@ TEST_CASE("LAMMPS data: diameters become radii, all digits are kept") {
   CHECK(packing.has(Finding::contacts_unknown));
   CHECK(packing.has(Finding::boundary_unknown));
   CHECK_FALSE(packing.has(Finding::few_digits));
-}
-
-TEST_CASE("LAMMPS data: a tilted box is the box itself, not its bounds") {
-  const ImportedPacking packing = read_lammps_data(data_source("lammps_tilted.data"));
-  CHECK(packing.assembly.cell == Mat3{{{4e-3, 4e-4, 0}, {0, 4e-3, 0}, {0, 0, 4e-3}}});
-  CHECK(packing.assembly.position[2] == Vec3{0.0019999, 0.002, 0.0029998});
-  CHECK(packing.has(Finding::few_digits));
+  // a tilted box is the box itself, not its bounds
+  CHECK(read(tilted).assembly.cell == Mat3{{{4e-3, 4e-4, 0}, {0, 4e-3, 0}, {0, 0, 4e-3}}});
 }
 
 TEST_CASE("LAMMPS data: eight significant digits are too few for overlaps, nine give no note") {
   const auto few = [](const std::string& coordinate) {
     const std::string text =
         "title\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 0.5 1 0 0 " + coordinate;
-    return read_lammps_data(text_source("d", text)).has(Finding::few_digits);
+    return read(text).has(Finding::few_digits);
   };
   CHECK(few("0.0012345678"));
   CHECK(few("-1.2345678e-123"));
@@ -52,38 +48,33 @@ TEST_CASE("LAMMPS data: sections in another order, without hint, without image f
   const std::string text =
       "title\n 2 atoms # two\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nVelocities\n\n1 0 0 0 0 0 0\n\n"
       "Atoms\n\n9 1 0.5 1 0 0 0\n4 1 0.25 1 0.5 0 0\n\nBonds\n\n1 1 1 2\n";
-  const ImportedPacking packing = read_lammps_data(text_source("d", text));
+  const ImportedPacking packing = read(text);
   CHECK(packing.id == std::vector<long>{4, 9});
   CHECK(packing.assembly.radius == std::vector<double>{0.125, 0.25});
 }
 
 TEST_CASE("LAMMPS data: each field that is wrong is refused with path and line") {
-  const auto changed = [](const std::string& from, const std::string& to) {
-    return data_refused(with(data, from, to));
-  };
-  CHECK(data_refused("").starts_with("d:"));
-  CHECK(data_refused("title\n") != "");
-  check_refused(changed, {{"Atoms # sphere", "Atoms # atomic", "d:10:"},
-                          {"3 atoms", "3 apples", ""},
-                          {"3 atoms", "4 atoms", "d:16:"},
-                          {"3 atoms", "2 atoms", "d:14:"},
-                          {"3 atoms", "-3 atoms", "d:3:"},
-                          {"ylo yhi", "ylo", ""},
-                          {"0 0.004 ylo", "0 x ylo", "d:7:"},
-                          {"0 0.004 ylo", "0 -1 ylo", ""},
-                          {"2 1 0.001", "1 1 0.001", "d:13:"},
-                          {"2 1 0.001", "2 1 0", "d:13:"},
-                          {"2 1 0.001", "2 1 nan", "d:13:"},
-                          {"2 1 0.001", "2 0.001", "d:13:"},
-                          {"0.0019999990753136595", "inf", "d:13:"},
-                          {"2 1 0.001", "b 1 0.001", "d:13:"}}); // reads as the next section
+  check_refused(lammps_data_format, data, {},
+                {{"Atoms # sphere", {"Atoms # atomic"}, "g:10:"},
+                 {"3 atoms", {"3 apples"}, ""},
+                 {"3 atoms", {"4 atoms"}, "g:16:"},
+                 {"3 atoms", {"2 atoms"}, "g:14:"},
+                 {"3 atoms", {"-3 atoms"}, "g:3:"},
+                 {"ylo yhi", {"ylo"}, ""},
+                 {"0 0.004 ylo", {"0 x ylo"}, "g:7:"},
+                 {"0 0.004 ylo", {"0 -1 ylo"}, ""},
+                 {"2 1 0.001", {"1 1 0.001", "2 1 0", "2 1 nan", "2 0.001"}, "g:13:"},
+                 {"0.0019999990753136595", {"inf"}, "g:13:"},
+                 {"2 1 0.001", {"b 1 0.001"}, "g:13:"}}); // reads as the next section
+  CHECK(refusal_of(lammps_data_format, "").starts_with("g:"));
+  CHECK(refusal_of(lammps_data_format, "title\n") != "");
 }
 
 TEST_CASE("LAMMPS data: written packings are read back to the bit") {
-  for (const char* file : {"lammps_chain.data", "lammps_tilted.data"}) {
-    const ImportedPacking first = read_lammps_data(data_source(file));
+  for (const std::string& file : {data, tilted}) {
+    const ImportedPacking first = read(file);
     const std::string text = lammps_data(first.assembly, 2650, first.id);
-    const ImportedPacking second = read_lammps_data(text_source("written", text));
+    const ImportedPacking second = read(text);
     CHECK(second.assembly == first.assembly);
     CHECK(second.id == first.id);
     CHECK(text.find(" 2650 ") != std::string::npos);
@@ -91,7 +82,7 @@ TEST_CASE("LAMMPS data: written packings are read back to the bit") {
 }
 
 TEST_CASE("LAMMPS data: packings that LAMMPS cannot read are refused") {
-  packing::Assembly assembly = read_lammps_data(data_source("lammps_chain.data")).assembly;
+  packing::Assembly assembly = read(data).assembly;
   CHECK(lammps_data(assembly, 1.5).find("\n3 1 0.001 1.5 ") != std::string::npos);
   CHECK_THROWS_WITH_AS(lammps_data(assembly, 0), doctest::Contains("density = 0"), InvalidArgument);
   const std::vector<long> two{1, 2}, from_zero{0, 1, 2};

@@ -54,16 +54,14 @@ double scene_number(const LammpsExperiment& experiment, const std::string& name)
   return parse_number(scene_value(experiment, name)).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-std::string refused(const packing::Assembly& start, const LammpsExperiment& experiment) {
+std::string refused(const LammpsExperiment& experiment) {
   try {
-    (void)lammps_deck(start, experiment);
+    (void)lammps_deck(three_grains(), experiment);
   } catch (const InvalidArgument& error) {
     return error.what();
   }
   return "";
 }
-
-std::string refused(const LammpsExperiment& experiment) { return refused(three_grains(), experiment); }
 
 /// Words that follow `start` at every place in a text.
 std::set<std::string> words_after(const std::string& text, const std::string& start) {
@@ -91,23 +89,17 @@ TEST_CASE("LAMMPS deck: the material is that of the contact law") {
   CHECK(scene_number(experiment, "friction") == 0.5);
 }
 
-TEST_CASE("LAMMPS deck: dense is prepared without friction, loose with it") {
+TEST_CASE("LAMMPS deck: dense is prepared without friction, states are named by their pressure in kPa") {
   LammpsExperiment experiment = spheres();
   CHECK(scene_number(experiment, "prepare_friction") == 0);
   experiment.friction_while_prepared = true;
   CHECK(scene_number(experiment, "prepare_friction") == 0.5);
   experiment.probe_pressures.clear();
-  CHECK(scene_value(experiment, "probed_states") == "0");
-  experiment.start = LammpsStart::scattered;
-  CHECK(scene_value(experiment, "start") == "scattered");
-}
-
-TEST_CASE("LAMMPS deck: states are named by their pressure in kPa") {
-  LammpsExperiment experiment = spheres();
   experiment.pressures = {12.5e3, 100e3, 1e6};
-  experiment.probe_pressures = {100e3};
+  experiment.start = LammpsStart::scattered;
+  CHECK(scene_value(experiment, "probed_states") == "0");
+  CHECK(scene_value(experiment, "start") == "scattered");
   CHECK(scene_value(experiment, "state") == "12.5kPa 100kPa 1000kPa");
-  CHECK(scene_value(experiment, "probe_state") == "100kPa");
   CHECK(scene_value(experiment, "pressure") == "12500 100000 1000000");
 }
 
@@ -185,31 +177,34 @@ TEST_CASE("LAMMPS deck: other laws are refused by the name of the one that LAMMP
 }
 
 TEST_CASE("LAMMPS deck: impossible experiments are refused by name") {
-  const auto with = [](auto change) {
-    LammpsExperiment experiment = spheres();
+  using Change = void (*)(LammpsExperiment&);
+  const std::pair<const char*, Change> wrong[] = {
+      {"pressures", [](auto& e) { e.pressures.clear(); }},
+      {"pressures",
+       [](auto& e) {
+         e.pressures = {30e3, 10e3};
+       }},
+      {"probe_pressures = 20000", [](auto& e) { e.probe_pressures = {20e3}; }},
+      {"friction_coefficient", [](auto& e) { e.friction_coefficient = -1; }},
+      {"tangential_ratio", [](auto& e) { e.tangential_ratio = -1; }},
+      {"density", [](auto& e) { e.density = 0; }},
+      {"path.name", [](auto& e) { e.path->name = ""; }},
+      {"path.name", [](auto& e) { e.path->name = "none"; }},
+      {"path.name", [](auto& e) { e.path->name = "T.C"; }},
+      {"path.name", [](auto& e) { e.path->name = "a b"; }},
+      {"path.inertial_number", [](auto& e) { e.path->inertial_number = 0.1; }},
+      {"path.eta_step", [](auto& e) { e.path->eta_step = 1e-4; }},
+      {"path.largest_strain", [](auto& e) { e.path->largest_strain = 1; }}};
+  LammpsExperiment right = spheres();
+  right.path = LammpsPath{.name = "TXC"};
+  CHECK(refused(right).empty());
+  for (const auto& [name, change] : wrong) {
+    const std::string named = name;
+    CAPTURE(named);
+    LammpsExperiment experiment = right;
     change(experiment);
-    return refused(experiment);
-  };
-  CHECK(with([](auto& e) { e.pressures.clear(); }).find("pressures") != std::string::npos);
-  CHECK(with([](auto& e) { e.pressures = {30e3, 10e3}; }).find("pressures") != std::string::npos);
-  CHECK(with([](auto& e) { e.probe_pressures = {20e3}; }).find("probe_pressures = 20000") !=
-        std::string::npos);
-  CHECK(with([](auto& e) { e.friction_coefficient = -1; }).find("friction_coefficient") != std::string::npos);
-  CHECK(with([](auto& e) { e.tangential_ratio = -1; }).find("tangential_ratio") != std::string::npos);
-  CHECK(with([](auto& e) { e.density = 0; }).find("density") != std::string::npos);
-  const auto with_path = [&](auto change) {
-    return with([&](LammpsExperiment& e) {
-      e.path = LammpsPath{.name = "TXC"};
-      change(*e.path);
-    });
-  };
-  CHECK(with_path([](auto&) {}).empty());
-  for (const char* name : {"", "none", "T.C", "a b"})
-    CHECK(with_path([&](auto& p) { p.name = name; }).find("path.name") != std::string::npos);
-  CHECK(with_path([](auto& p) { p.inertial_number = 0.1; }).find("path.inertial_number") !=
-        std::string::npos);
-  CHECK(with_path([](auto& p) { p.eta_step = 1e-4; }).find("path.eta_step") != std::string::npos);
-  CHECK(with_path([](auto& p) { p.largest_strain = 1; }).find("path.largest_strain") != std::string::npos);
+    CHECK(refused(experiment).find(named) != std::string::npos);
+  }
 }
 
 TEST_CASE("grains of unequal radii: their diameters in the data, a time step for the smallest") {

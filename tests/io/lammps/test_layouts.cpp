@@ -52,13 +52,17 @@ std::string contacts_with(const std::string& values, int digits = 17) {
 }
 
 ImportedPacking read(const std::string& contact_text, const std::string& map = "") {
-  LammpsDump dump(text_source("a", grains), text_source("c", contact_text),
-                  {.columns = parse_column_map(map)});
-  return dump.next().value();
+  return first_of(lammps_dump_format, grains, contact_text, {.columns = parse_column_map(map)});
 }
 
 std::string layout_refused(const std::string& contact_text) {
-  return refusal([&] { static_cast<void>(read(contact_text)); });
+  return refusal_of(lammps_dump_format, grains, contact_text);
+}
+
+void check_normal_forces(const ImportedPacking& packing, const ImportedPacking& expected) {
+  for (std::size_t k = 0; k < packing.assembly.contacts.size(); ++k)
+    CHECK(packing.assembly.contacts[k].normal_force ==
+          relative(expected.assembly.contacts[k].normal_force, 1e-12));
 }
 
 std::string told(const ImportedPacking& packing) {
@@ -96,34 +100,23 @@ TEST_CASE("LAMMPS layouts: every usual order of values gives the packing that a 
   // without the scalar, forces are lengths of vectors
   for (const std::string values : {"fx fy fz p1 p2 p3", "fx fy fz p1 p2 p3 p4", "dist fx fy fz p1 p2 p3"}) {
     CAPTURE(values);
-    const ImportedPacking packing = read(contacts_with(values));
-    for (std::size_t k = 0; k < packing.assembly.contacts.size(); ++k)
-      CHECK(packing.assembly.contacts[k].normal_force ==
-            relative(by_map.assembly.contacts[k].normal_force, 1e-12));
+    check_normal_forces(read(contacts_with(values)), by_map);
   }
-}
-
-TEST_CASE("LAMMPS layouts: without tangential values they are unknown, without forces all are") {
-  const ImportedPacking by_map = read(contacts_with(all), whole_map);
+  // without tangential values they are unknown, without forces all are
   for (const std::string values :
        {"dist force", "force", "dist force fx fy fz", "force fx fy fz", "fx fy fz"}) {
     CAPTURE(values);
     const ImportedPacking packing = read(contacts_with(values));
     CHECK(packing.has(Finding::tangential_unknown));
-    for (std::size_t k = 0; k < packing.assembly.contacts.size(); ++k)
-      CHECK(packing.assembly.contacts[k].normal_force ==
-            relative(by_map.assembly.contacts[k].normal_force, 1e-12));
+    check_normal_forces(packing, by_map);
   }
   CHECK(read(contacts_with("dist")).has(Finding::forces_unknown));
 }
 
-TEST_CASE("LAMMPS layouts: the recognised layout is reported with the names of the columns") {
+TEST_CASE("LAMMPS layouts: reported with the columns, six digits, several computes, ids behind the values") {
   CHECK(told(read(contacts_with("dist force"))).find("c_p[1] to c_p[2] as dist force") != std::string::npos);
   CHECK(told(read(contacts_with("fx fy fz p1 p2 p3 p4"))).find("c_p[1] to c_p[7] as fx fy fz p1 to p4") !=
         std::string::npos);
-}
-
-TEST_CASE("LAMMPS layouts: six digits, several computes, ids behind the values") {
   const ImportedPacking rounded = read(contacts_with("dist force fx fy fz p1 p2 p3 p4", 6));
   CHECK(told(rounded).find("dist force fx fy fz p1 to p4") != std::string::npos);
   std::string apart = contacts_with("dist force fx fy fz p1 p2 p3 p4");
@@ -156,13 +149,19 @@ TEST_CASE(
                     box = "ITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n";
   const std::string two = head + "ATOMS\n2\n" + box + "ITEM: ATOMS id radius x y z\n1 0.0005 0.5 0.5 0.5\n" +
                           "2 0.0005 0.49955278640450004 0.49910557280900008 0.5\n";
-  const std::string one = head + "ENTRIES\n1\n" + box +
-                          "ITEM: ENTRIES c_i[1] c_i[2] c_p[1] c_p[2] c_p[3] c_p[4] c_p[5] c_p[6]\n"
-                          "1 2 0.001 0.002 0 0 0 0\n";
-  const std::string message = refusal([&] {
-    LammpsDump dump(text_source("a", two), text_source("c", one));
-    static_cast<void>(dump.next());
-  });
+  const auto one = [&](int values, const std::string& row) {
+    std::string text = head + "ENTRIES\n1\n" + box + "ITEM: ENTRIES c_i[1] c_i[2]";
+    for (int k = 1; k <= values; ++k)
+      text += " c_p[" + std::to_string(k) + "]";
+    return text + "\n1 2 " + row + "\n";
+  };
+  // the last three of twelve granular ones are the place of grain 1 from grain 2, of this sign
+  const std::string granular = "0.002 8.9442719e-4 1.78885438e-3 0 0 0 0 0 0 0 0 0 0 ",
+                    place = "4.4721359e-4 8.9442719e-4 0";
+  CHECK(told(first_of(lammps_dump_format, two, one(16, granular + place))).find("force fx fy fz p1 to p12") !=
+        std::string::npos);
+  CHECK(refusal_of(lammps_dump_format, two, one(16, granular + "-4.4721359e-4 -8.9442719e-4 0")) != "");
+  const std::string message = refusal_of(lammps_dump_format, two, one(6, "0.001 0.002 0 0 0 0"));
   for (const char* map : {"dist force p1 to p4", "id1=c_i[1],id2=c_i[2],force=c_p[2],ftx=c_p[3]",
                           "fx fy fz p1 p2 p3", "id1=c_i[1],id2=c_i[2],fnx=c_p[1]"})
     CHECK(message.find(map) != std::string::npos);
@@ -192,25 +191,20 @@ TEST_CASE("LAMMPS walls: grains and walls together leave each grain its weight")
     CHECK(std::abs(dot(c.tangential_force, c.branch)) <= 1e-12 * norm(c.branch) * c.normal_force);
   }
   // without contacts between grains the walls' are there as well
-  LammpsDump alone(text_source("a", grains));
-  CHECK(alone.next().value().assembly.wall_contacts == a.wall_contacts);
+  CHECK(first_of(lammps_dump_format, grains).assembly.wall_contacts == a.wall_contacts);
 }
 
 TEST_CASE("LAMMPS walls: eight columns of another fix are no wall, and numbers must be numbers") {
   const auto walls = [](const std::string& text) {
-    LammpsDump dump(text_source("a", text));
-    return dump.next().value().assembly.wall_contacts.size();
+    return first_of(lammps_dump_format, text).assembly.wall_contacts.size();
   };
   // the radius of the first grain at a wall of the third fix is not the grain's
   const std::string row = grains.substr(grains.find("\n1 1 0.0005") + 1);
   const std::string first = row.substr(0, row.find('\n'));
-  const std::string changed = first.substr(0, first.rfind(' ')) + " 0.0007";
-  const std::size_t third = walls(with(grains, first, changed));
-  CHECK(third < 47);
-  CHECK(third > 0);
-  CHECK(refusal([&] {
-          walls(with(grains, first, first.substr(0, first.rfind(' ')) + " wide"));
-        }).starts_with("a:10:"));
+  const std::string but_last = first.substr(0, first.rfind(' '));
+  const std::size_t third = walls(with(grains, first, but_last + " 0.0007"));
+  CHECK((0 < third && third < 47));
+  CHECK(refusal_of(lammps_dump_format, with(grains, first, but_last + " wide")).starts_with("g:10:"));
   // ids instead of ones, as older versions have it
   std::istringstream lines(grains);
   std::string older, line;

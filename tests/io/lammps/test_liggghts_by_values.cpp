@@ -9,7 +9,7 @@ using namespace granum::samples;
 
 namespace {
 
-const std::string grains =
+const std::string of_liggghts =
     "ITEM: TIMESTEP\n1000\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n0 0.01\n0 "
     "0.01\n0 0.01\nITEM: ATOMS id type x y z radius\n1 1 0.001 0.005 0.005 0.0005\n2 1 "
     "0.00199 0.005 0.005 0.0005\n3 1 0.000012 0.005 0.005 0.0005\n";
@@ -21,9 +21,7 @@ ImportedPacking read(int values, const std::string& first, const std::string& se
   for (int k = 1; k <= values; ++k)
     text += " c_fc[" + std::to_string(k) + "]";
   text += "\n" + first + "\n" + second + "\n";
-  LammpsDump dump(TextSource::of_text("g", grains), TextSource::of_text("c", text),
-                  {.columns = parse_column_map(map)});
-  return dump.next().value();
+  return first_of(lammps_dump_format, of_liggghts, text, {.columns = parse_column_map(map)});
 }
 
 const std::string pos1 = "0.001 0.005 0.005 0.00199 0.005 0.005 ",
@@ -40,12 +38,9 @@ void check_forces(const ImportedPacking& p) {
 
 } // namespace
 
-TEST_CASE("LIGGGHTS: pos id force, and id force") {
+TEST_CASE("LIGGGHTS: pos id force, id force, total forces and their parts, with following columns") {
   check_forces(read(12, pos1 + ids1 + "-0.0123 0 0", pos2 + ids2 + "0.0164 0.0004 0"));
   check_forces(read(6, ids1 + "-0.0123 0 0", ids2 + "0.0164 0.0004 0"));
-}
-
-TEST_CASE("LIGGGHTS: total forces and their parts, with following columns") {
   const std::string f1 = "-0.0123 0 0 -0.0123 0 0 0 0 0 ", f2 = "0.0164 0.0004 0 0.0164 0 0 0 0.0004 0 ";
   const ImportedPacking twenty = read(20, pos1 + ids1 + f1 + "3e-8 1e-5", pos2 + ids2 + f2 + "4e-8 1.2e-5");
   check_forces(twenty);
@@ -56,9 +51,9 @@ TEST_CASE("LIGGGHTS: total forces and their parts, with following columns") {
 }
 
 TEST_CASE("LIGGGHTS: columns that fit no order are refused, and read with a map") {
-  const std::string said = refusal([] { (void)read(6, "1 2 0 0.0123 0 0", "1 3 0 -0.0164 0.0004 0"); });
+  const std::string row1 = "1 2 0 0.0123 0 0", row2 = "1 3 0 -0.0164 0.0004 0";
   const std::string map = "id1=c_fc[1],id2=c_fc[2],fx=c_fc[4],fy=c_fc[5],fz=c_fc[6]";
-  REQUIRE(said.find(map) != std::string::npos);
-  CHECK(read(6, "1 2 0 0.0123 0 0", "1 3 0 -0.0164 0.0004 0", map).assembly.contacts.size() == 2);
+  REQUIRE(refusal([&] { (void)read(6, row1, row2); }).find(map) != std::string::npos);
+  CHECK(read(6, row1, row2, map).assembly.contacts.size() == 2);
   CHECK(refusal([] { (void)read(6, "1 9 0 -0.0123 0 0", "1 3 0 0.0164 0 0"); }).find("c:") == 0);
 }

@@ -21,14 +21,20 @@ std::vector<std::string> lines(TextSource source) {
   return result;
 }
 
+/// Writes a text so often, compressed.
+std::filesystem::path write_packed(const TemporaryFolder& folder, const std::string& text, int times = 1) {
+  const auto path = folder.path() / "packed.gz";
+  const gzFile file = gzopen(path.c_str(), "wb1");
+  for (int k = 0; k < times; ++k)
+    gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(file);
+  return path;
+}
+
 std::string packed(const std::string& text) {
   const TemporaryFolder folder;
-  const auto path = folder.path() / "t.gz";
-  const gzFile file = gzopen(path.c_str(), "wb");
-  gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
-  gzclose(file);
   std::ostringstream bytes;
-  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  bytes << std::ifstream(write_packed(folder, text), std::ios::binary).rdbuf();
   return bytes.str();
 }
 
@@ -102,41 +108,32 @@ TEST_CASE("plain and gzip files give the same lines, across the buffer's border 
 TEST_CASE("compressed data that end too early or are damaged are refused, not taken for a short file") {
   const TemporaryFolder folder;
   const std::string whole = packed(numbered_lines(50000));
+  const auto refused = [&](const std::string& bytes) {
+    const auto path = written(folder, bytes);
+    return !samples::refusal([&] { lines(TextSource(path)); }).empty();
+  };
   for (const std::size_t missing : {std::size_t{1}, std::size_t{8}, whole.size() / 2, whole.size() - 12}) {
-    const auto path = written(folder, whole.substr(0, whole.size() - missing));
     CAPTURE(missing);
-    CHECK(samples::refusal([&] { lines(TextSource(path)); }) != "");
+    CHECK(refused(whole.substr(0, whole.size() - missing)));
   }
   std::string damaged = whole;
   damaged[damaged.size() - 6] = static_cast<char>(damaged[damaged.size() - 6] ^ 1); // its checksum
-  const auto path = written(folder, damaged);
-  CHECK(samples::refusal([&] { lines(TextSource(path)); }) != "");
+  CHECK(refused(damaged));
 }
 
-TEST_CASE("reading ends on a stop request") {
+TEST_CASE("reading ends on a stop request, a missing file and a folder are refused by name") {
   const TemporaryFolder folder;
-  const auto path = folder.path() / "t";
-  std::ofstream(path) << "one line\n";
-  TextSource source(path);
+  TextSource source(written(folder, "one line\n"));
+  const std::filesystem::path missing = folder.path() / "none";
+  for (const auto& path : {missing, folder.path()})
+    CHECK(samples::refusal([&] { TextSource source_of_path{path}; }).starts_with(path.string()));
   const StopScope scope([] { return true; });
   CHECK_THROWS_AS((void)source.next(), Stopped);
 }
 
-TEST_CASE("a missing file and a folder are refused by name") {
-  const TemporaryFolder folder;
-  const std::string missing = (folder.path() / "none").string();
-  CHECK(samples::refusal([&] { TextSource source{std::filesystem::path(missing)}; }).starts_with(missing));
-  CHECK(samples::refusal([&] { TextSource source{folder.path()}; }).starts_with(folder.path().string()));
-}
-
 TEST_CASE("a file that compresses endless zeros into one line costs no more than the longest line") {
   const TemporaryFolder folder;
-  const auto path = folder.path() / "bomb.gz";
-  const gzFile file = gzopen(path.c_str(), "wb1");
-  const std::string zeros(std::size_t{1} << 20, '\0');
-  for (int k = 0; k < 70; ++k)
-    gzwrite(file, zeros.data(), static_cast<unsigned>(zeros.size()));
-  gzclose(file);
+  const auto path = write_packed(folder, std::string(std::size_t{1} << 20, '\0'), 70);
   CHECK(samples::refusal([&] { lines(TextSource(path)); }).find("64 MiB") != std::string::npos);
 }
 
@@ -145,11 +142,7 @@ TEST_CASE("the bytes behind a line come as they are, plain or gzip") {
   for (std::uint32_t k = 0, value = 1; k < 700'000; ++k, value = value * 1664525 + 1013904223)
     whole += static_cast<char>(value >> 24); // more than two buffers of all bytes, line ends among them
   const TemporaryFolder folder;
-  const auto packed = folder.path() / "packed.gz";
-  const gzFile file = gzopen(packed.c_str(), "wb1");
-  gzwrite(file, whole.data(), static_cast<unsigned>(whole.size()));
-  gzclose(file);
-  for (const auto& path : {written(folder, whole), packed}) {
+  for (const auto& path : {written(folder, whole), write_packed(folder, whole)}) {
     TextSource source(path);
     REQUIRE(source.next());
     CHECK(source.line() == "<xml>");

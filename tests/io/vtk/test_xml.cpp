@@ -14,16 +14,10 @@ namespace {
 const std::string grains = data_text("yade_chain.vtu");
 const std::string contacts = data_text("yade_chain.vtp");
 
-ImportedPacking read(const std::string& grain_text, const std::string& contact_text) {
-  return read_vtk_xml(text_source("g", grain_text), text_source("c", contact_text));
+ImportedPacking read_xml(const std::string& grain_text, const MaybeText& contact_text = {}) {
+  return first_of(vtk_xml_format, grain_text, contact_text);
 }
-
-std::string refused(const std::string& grain_text) {
-  return refusal([&] { (void)read_vtk_xml(text_source("g", grain_text)); });
-}
-std::string refused(const std::string& grain_text, const std::string& contact_text) {
-  return refusal([&] { (void)read(grain_text, contact_text); });
-}
+std::string refused(const std::string& grain_text) { return refusal_of(vtk_xml_format, grain_text); }
 
 /// Two grains in contact through a face of a tilted cell, a third on two walls.
 packing::Assembly sample() {
@@ -73,7 +67,7 @@ void check_grain_order(const ImportedPacking& packing) {
 } // namespace
 
 TEST_CASE("VTK XML: files written by granum are read back, with walls and stiffnesses") {
-  const ImportedPacking packing = read(own_grains(), own_contacts());
+  const ImportedPacking packing = read_xml(own_grains(), own_contacts());
   check_grain_order(packing);
   const packing::Assembly &a = packing.assembly, expected = sample();
   REQUIRE(a.contacts.size() == 1);
@@ -104,34 +98,26 @@ TEST_CASE("VTK XML: files written by granum are read back, with walls and stiffn
     CHECK_FALSE(packing.has(finding));
 }
 
-TEST_CASE("VTK XML: stiffnesses unknown to the writer are unknown") {
+TEST_CASE("VTK XML: grains only, a packing without contacts, stiffnesses that the writer did not know") {
+  const ImportedPacking alone = read_xml(own_grains());
+  check_grain_order(alone);
+  CHECK_FALSE(alone.time);
+  CHECK(read_xml(grains_vtu(sample(), sample_id, 1.0 / 3)).time == 1.0 / 3);
+  CHECK(alone.has(Finding::contacts_unknown));
   packing::Assembly a = sample();
   for (auto* contacts : {&a.contacts, &a.wall_contacts})
     for (packing::Contact& c : *contacts)
       c.normal_stiffness = c.tangential_stiffness = 0;
-  CHECK(read(own_grains(), contacts_vtp(a, sample_id)).has(Finding::stiffness_unknown));
-}
-
-TEST_CASE("VTK XML: a stiffness below zero is refused") {
-  CHECK(refused(own_grains(), with(own_contacts(), "\n2e+05\n0\n3e+05\n", "\n-2e+05\n0\n3e+05\n")) != "");
-}
-
-TEST_CASE("VTK XML: grains only, and a packing without contacts") {
-  const ImportedPacking alone = read_vtk_xml(text_source("g", own_grains()));
-  check_grain_order(alone);
-  CHECK_FALSE(alone.time);
-  CHECK(read_vtk_xml(text_source("g", grains_vtu(sample(), sample_id, 1.0 / 3))).time == 1.0 / 3);
-  CHECK(alone.has(Finding::contacts_unknown));
-  packing::Assembly loose = sample();
-  loose.contacts.clear();
-  loose.wall_contacts.clear();
-  const ImportedPacking empty = read(own_grains(), contacts_vtp(loose, sample_id));
+  CHECK(read_xml(own_grains(), contacts_vtp(a, sample_id)).has(Finding::stiffness_unknown));
+  a.contacts.clear();
+  a.wall_contacts.clear();
+  const ImportedPacking empty = read_xml(own_grains(), contacts_vtp(a, sample_id));
   CHECK(empty.assembly.contacts.empty());
   CHECK_FALSE(empty.has(Finding::contacts_unknown));
 }
 
 TEST_CASE("VTK XML: YADE's recorder, contacts matched with the centres of the grains") {
-  const ImportedPacking packing = read(grains, contacts);
+  const ImportedPacking packing = read_xml(grains, contacts);
   // Forces of nine printed digits; overlaps from coordinates of single precision: 1e-10 m of 1e-7 m.
   check_chain(packing, 3e-9, 1e-2);
   for (const Finding finding :
@@ -143,17 +129,17 @@ TEST_CASE("VTK XML: YADE's recorder, contacts matched with the centres of the gr
 }
 
 TEST_CASE("VTK XML: every way in which VTK packs arrays gives the same numbers") {
-  const ImportedPacking text = read_vtk_xml(data_source("yade_chain.vtu"));
-  for (const char* name : {"vtk_appended.vtu", "vtk_binary.vtu", "vtk_packed.vtu", "vtk_raw.vtu",
-                           "vtk_blocks.vtu", "vtk_big.vtu"}) {
+  const ImportedPacking text = read_xml(grains);
+  const std::string lines = data_text("vtk_appended.vtp");
+  for (const char* name :
+       {"vtk_appended.vtu", "vtk_packed.vtu", "vtk_raw.vtu", "vtk_blocks.vtu", "vtk_big.vtu"}) {
     INFO(name);
-    const ImportedPacking packing = read_vtk_xml(data_source(name));
+    const ImportedPacking packing = read_xml(data_text(name));
     CHECK(packing.assembly.position == text.assembly.position);
     CHECK(packing.assembly.radius == text.assembly.radius);
     CHECK(packing.id == std::vector<long>{0, 2, 4});
     CHECK(packing.has(Finding::few_digits));
-    const ImportedPacking both = read_vtk_xml(data_source(name), data_source("vtk_appended.vtp"));
-    check_chain(both, 1e-9, 1e-2);
+    check_chain(read_xml(data_text(name), lines), 1e-9, 1e-2);
   }
 }
 
@@ -164,93 +150,68 @@ TEST_CASE("VTK XML: names in any case, arrays in any order, the time, and skippe
       "</FieldData><Piece";
   std::string file = with(with(grains, "<Piece", field), "Name=\"radii\"", "Name=\"Radius\"");
   file = with(file, "0.0005 0.0005 0.0005\n", "5e-4\n\t0.0005\r\n 0.0005 ");
-  const ImportedPacking packing = read_vtk_xml(text_source("g", file));
+  const ImportedPacking packing = read_xml(file);
   CHECK(packing.time == 0.25);
   CHECK(packing.assembly.radius == std::vector<double>{5e-4, 5e-4, 5e-4});
 }
 
 TEST_CASE("VTK XML: each field of the grains that is wrong is refused with path and line") {
-  const auto grain = [](const std::string& from, const std::string& to) {
-    return refused(with(grains, from, to));
-  };
-  CHECK(refused("").starts_with("g:1:"));
-  CHECK(refused("ITEM: TIMESTEP\n").starts_with("g:1:"));
-  CHECK(grain("</VTKFile>", "") != "");
-  CHECK(refused("<svg/>").starts_with("g:1:"));
+  check_refused(vtk_xml_format, grains, {},
+                {{"</VTKFile>", {""}, ""},
+                 {"LittleEndian", {"MiddleEndian"}, "g:2:"},
+                 {"header_type=\"UInt32\"", {"header_type=\"Int32\""}, "g:2:"},
+                 {"NumberOfPoints=\"3\"", {"NumberOfPoints=\"-3\""}, "g:4:"},
+                 {"NumberOfPoints=\"3\"", {"NumberOfPoints=\"2\""}, "g:45:"},
+                 {"NumberOfPoints=\"3\"", {"NumberOfPoints=\"0\""}, ""},
+                 {"</Piece>", {"</Piece><Piece/>"}, ""},
+                 {"Name=\"radii\"", {"Name=\"size\""}, "g:"},
+                 {"0.0005 0.0005 0.0005", {"0.0005 0.0005"}, "g:8:"},
+                 {"0.0005 0.0005 0.0005", {"0.0005 wide 0.0005", "0.0005 inf 0.0005"}, "g:7:"},
+                 {"0.0005 0.0005 0.0005", {"0.0005 nan 0.0005", "0.0005 0.0005 0"}, ""},
+                 {"0.0010000000474974513", {"nan"}, ""},
+                 {"Points\" NumberOfComponents=\"3\"", {"Points\" NumberOfComponents=\"2\""}, "g:43:"},
+                 {"Name=\"radii\" format=\"ascii\"", {"Name=\"radii\" format=\"morse\""}, "g:6:"},
+                 {"<Points>", {"<Point>"}, "g:"}}); // tags that do not close
+  for (const char* text : {"", "ITEM: TIMESTEP\n", "<svg/>"})
+    CHECK(refused(text).starts_with("g:1:"));
   CHECK(refused("<!DOCTYPE a [<!ENTITY b \"c\">]><VTKFile/>") != "");
   CHECK(refused("<VTKFile/>").starts_with("g:"));
-  check_refused(grain, {{"LittleEndian", "MiddleEndian", "g:2:"},
-                        {"header_type=\"UInt32\"", "header_type=\"Int32\"", "g:2:"},
-                        {"NumberOfPoints=\"3\"", "NumberOfPoints=\"-3\"", "g:4:"},
-                        {"NumberOfPoints=\"3\"", "NumberOfPoints=\"2\"", "g:45:"},
-                        {"</Piece>", "</Piece><Piece/>", ""},
-                        {"Name=\"radii\"", "Name=\"size\"", "g:"},
-                        {"0.0005 0.0005 0.0005", "0.0005 0.0005", "g:8:"},
-                        {"0.0005 0.0005 0.0005", "0.0005 wide 0.0005", "g:7:"},
-                        {"0.0005 0.0005 0.0005", "0.0005 inf 0.0005", "g:7:"},
-                        {"0.0005 0.0005 0.0005", "0.0005 nan 0.0005", ""},
-                        {"0.0005 0.0005 0.0005", "0.0005 0.0005 0", ""},
-                        {"0.0010000000474974513", "nan", ""},
-                        {"Name=\"Points\" NumberOfComponents=\"3\"",
-                         "Name=\"Points\" NumberOfComponents=\"2\"", "g:43:"},
-                        {"Name=\"radii\" format=\"ascii\"", "Name=\"radii\" format=\"morse\"", "g:6:"},
-                        {"<Points>", "<Point>", "g:"}}); // tags that do not close
-  CHECK(grain("NumberOfPoints=\"3\"", "NumberOfPoints=\"0\"") != "");
-  const std::string own = own_grains();
-  CHECK(refused(with(own, "\n7\n11\n", "\n7\n7\n")) != "");
-  CHECK(refused(with(own, "\n7\n11\n", "\n7\n1.5\n")) != "");
-  CHECK(refused(
-            with(own, "Name=\"cell\" NumberOfComponents=\"9\" NumberOfTuples=\"1\" format=\"ascii\">\n0.004",
-                 "Name=\"cell\" NumberOfComponents=\"9\" NumberOfTuples=\"1\" format=\"ascii\">\n0")) != "");
+  const std::string cell = "Name=\"cell\" NumberOfComponents=\"9\" NumberOfTuples=\"1\" format=\"ascii\">\n0";
+  check_refused(vtk_xml_format, own_grains(), {},
+                {{"\n7\n11\n", {"\n7\n7\n", "\n7\n1.5\n"}, ""}, {cell + ".004", {cell}, ""}});
 }
 
 TEST_CASE("VTK XML: packed arrays that are damaged are refused") {
-  const auto damaged = [](const char* file, const std::string& from, const std::string& to) {
-    return refused(with(data_text(file), from, to));
+  const auto damaged = [](const char* file, const std::vector<Wrong>& changes) {
+    check_refused(vtk_xml_format, data_text(file), {}, changes);
   };
-  CHECK(damaged("vtk_packed.vtu", "vtkZLibDataCompressor", "vtkLZ4DataCompressor")
-            .find("vtkLZ4DataCompressor") != std::string::npos);
   // "radii" of vtk_packed: one block, then its bytes
-  CHECK(damaged("vtk_packed.vtu", "AQAAAACAAAAYAAAAEwAAAA==eJz7", "AQAAAACAAAAYAAAAEwAAAA==eJz8")
-            .starts_with("g:6:"));
-  CHECK(damaged("vtk_packed.vtu", "AQAAAACAAAAYAAAAEwAAAA==eJz7", "AQAAAACAAAAYAAAAEwAAAA==eJ!7")
-            .starts_with("g:6:"));
-  CHECK(damaged("vtk_packed.vtu", "AQAAAACAAAAYAAAAEwAAAA==eJz7", "AQAAAACAAAAYAAAAEwAAAA==")
-            .starts_with("g:6:"));
-  CHECK(damaged("vtk_packed.vtu", "AQAAAACAAAAYAAAAEwAAAA==eJz7", "AQAAAACAAAAY/////wAAAA==eJz7")
-            .starts_with("g:6:"));
-  CHECK(damaged("vtk_packed.vtu", "NumberOfPoints=\"3\"", "NumberOfPoints=\"4\"").starts_with("g:19:"));
-  CHECK(damaged("vtk_binary.vtu", "type=\"Float64\" Name=\"radii\"", "type=\"Bit\" Name=\"radii\"")
-            .starts_with("g:6:"));
-  CHECK(damaged("vtk_binary.vtu", "GAAAAP", "//////") != "");
-  CHECK(damaged("vtk_appended.vtu", "offset=\"0\"", "offset=\"9999\"").starts_with("g:6:"));
-  CHECK(damaged("vtk_appended.vtu", "encoding=\"base64\"", "encoding=\"base32\"") != "");
+  const std::string block = "AQAAAACAAAAYAAAAEwAAAA==";
+  damaged("vtk_packed.vtu",
+          {{block + "eJz7", {block + "eJz8", block + "eJ!7", block, "AQAAAACAAAAY/////wAAAA==eJz7"}, "g:6:"},
+           {"NumberOfPoints=\"3\"", {"NumberOfPoints=\"4\""}, "g:19:"}});
+  damaged("vtk_big.vtu", {{"type=\"Float64\" Name=\"radii\"", {"type=\"Bit\" Name=\"radii\""}, "g:6:"},
+                          {"AAAAGD", {"//////"}, ""}});
+  damaged("vtk_appended.vtu", {{"offset=\"0\"", {"offset=\"9999\""}, "g:6:"},
+                               {"encoding=\"base64\"", {"encoding=\"base32\""}, ""}});
+  CHECK(refused(with(data_text("vtk_packed.vtu"), "vtkZLibDataCompressor", "vtkLZ4DataCompressor"))
+            .find("vtkLZ4DataCompressor") != std::string::npos);
   const std::string raw = data_text("vtk_raw.vtu");
   CHECK(refused(raw.substr(0, raw.find("\n   _") + 5 + 96 + 20)) != "");
 }
 
 TEST_CASE("VTK XML: each field of the contacts that is wrong is refused") {
-  const auto pair = [](const std::string& from, const std::string& to) {
-    return refused(grains, with(contacts, from, to));
-  };
-  const auto own = [](const std::string& from, const std::string& to) {
-    return refused(own_grains(), with(own_contacts(), from, to));
-  };
-  check_refused(pair, {{"type=\"PolyData\"", "type=\"ImageData\"", "c:"},
-                       {"0 1 1 2", "0 1 1 3", ""},
-                       {"0 1 1 2", "0 1 1 -1", ""},
-                       {"0 1 1 2", "0 1 1 1.5", ""},
-                       {"0 1 1 2", "0 1 1 1", ""},
-                       {"2 4\n", "3 4\n", ""},
-                       {"0.023529411764649337 0.06655122646467276\n", "0.0235\n", ""},
-                       {"0.0029998000245541334", "0.0039998", ""},
-                       {"0.0029998000245541334", "nan", ""},
-                       {"0.023529411764649337 0.06", "nan 0.06", ""},
-                       {"<Lines>", "<Curves>", "c:"}});
-  check_refused(own, {{"\n7 11\n", "\n7 12\n", ""},
-                      {"\n7 11\n", "\n7 7\n", ""},
-                      {"\n7 11\n", "\n11 7\n", ""},
-                      {"\n-1\n2\n4\n", "\n-1\n2\n4.5\n", ""},
-                      {"\n-1\n2\n4\n", "\n-1\n2\n5000000000\n", ""},
-                      {"\n0.3333333333333333\n0.5\n0.7\n", "\n0.3333333333333333\nnan\n0.7\n", ""}});
+  check_refused(vtk_xml_format, grains, contacts, {},
+                {{"type=\"PolyData\"", {"type=\"ImageData\""}, "c:"},
+                 {"0 1 1 2", {"0 1 1 3", "0 1 1 -1", "0 1 1 1.5", "0 1 1 1"}, ""},
+                 {"2 4\n", {"3 4\n"}, ""},
+                 {"0.023529411764649337 0.06655122646467276\n", {"0.0235\n"}, ""},
+                 {"0.0029998000245541334", {"0.0039998", "nan"}, ""},
+                 {"0.023529411764649337 0.06", {"nan 0.06"}, ""},
+                 {"<Lines>", {"<Curves>"}, "c:"}});
+  check_refused(vtk_xml_format, own_grains(), own_contacts(), {},
+                {{"\n7 11\n", {"\n7 12\n", "\n7 7\n", "\n11 7\n"}, ""},
+                 {"\n-1\n2\n4\n", {"\n-1\n2\n4.5\n", "\n-1\n2\n5000000000\n"}, ""},
+                 {"\n0.3333333333333333\n0.5\n0.7\n", {"\n0.3333333333333333\nnan\n0.7\n"}, ""},
+                 {"\n2e+05\n0\n3e+05\n", {"\n-2e+05\n0\n3e+05\n"}, ""}});
 }

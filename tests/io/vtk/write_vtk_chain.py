@@ -67,7 +67,6 @@ def write(name, data, *settings):
 Writer = vtk.vtkXMLWriter
 bare = Writer.SetCompressorTypeToNone
 write("vtk_appended.vtu", grains())  # as YADE does: appended, base64, zlib
-write("vtk_binary.vtu", grains(), Writer.SetDataModeToBinary, bare)
 write("vtk_packed.vtu", grains(), Writer.SetDataModeToBinary)
 write("vtk_raw.vtu", grains(), lambda w: w.SetEncodeAppendedData(0), bare, Writer.SetHeaderTypeToUInt64)
 write("vtk_blocks.vtu", grains(), lambda w: w.SetEncodeAppendedData(0), lambda w: w.SetBlockSize(16))

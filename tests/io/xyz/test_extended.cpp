@@ -9,16 +9,6 @@ using namespace granum::samples;
 
 namespace {
 
-PackingFrames xyz_frames(const std::string& text, const PackingFileOptions& options = {}) {
-  return extended_xyz_format.read(text_source("grains.xyz", text), std::nullopt, options);
-}
-
-ImportedPacking read_xyz(const std::string& text) { return xyz_frames(text).next().value(); }
-
-std::string xyz_refused(const std::string& text) {
-  return refusal([&] { (void)xyz_frames(text).next(); });
-}
-
 const std::string xyz_by_hand =
     "2\n"
     "Lattice=\"4 0 0  0.5 5 0  0 0 6\" Time=1.5 pbc='T F T' "
@@ -29,7 +19,7 @@ const std::string xyz_by_hand =
 } // namespace
 
 TEST_CASE("extended XYZ: columns in any order, cell, faces and time are read, what is left is named") {
-  const ImportedPacking packing = read_xyz(xyz_by_hand);
+  const ImportedPacking packing = first_of(extended_xyz_format, xyz_by_hand);
   const packing::Assembly& a = packing.assembly;
   CHECK(packing.id == std::vector<long>{3, 7});
   CHECK(packing.type == std::vector<long>{1, 2});
@@ -51,7 +41,7 @@ TEST_CASE("extended XYZ: what granum writes for OVITO it reads again, to the bit
   const std::vector<long> id{4, 9};
   const std::string text =
       grains_xyz(grains, {true, true, true}, grain_fields(grains, KnownForces::none), id, 0.25);
-  const PackingFrames all = xyz_frames(text + text);
+  const PackingFrames all = states_of(extended_xyz_format, text + text);
   for (int k = 0; k < 2; ++k) {
     const auto packing = all.next();
     REQUIRE(packing);
@@ -67,28 +57,26 @@ TEST_CASE("extended XYZ: what granum writes for OVITO it reads again, to the bit
 
 TEST_CASE("extended XYZ: without a lattice the box is that of the user, or around the grains") {
   const std::string bare = "1\nProperties=pos:R:3:radius:R:1\n1 2 3 0.5\n";
-  CHECK(read_xyz(bare).has(Finding::cell_unknown));
-  CHECK(read_xyz(bare).has(Finding::ids_assumed));
-  const auto boxed = xyz_frames(bare, {.box = CsvBox{.cell = Mat3::diagonal(2, 3, 4)}}).next();
-  REQUIRE(boxed);
-  CHECK(boxed->assembly.volume() == 24);
+  const ImportedPacking around = first_of(extended_xyz_format, bare);
+  CHECK((around.has(Finding::cell_unknown) && around.has(Finding::ids_assumed)));
+  const CsvBox box{.cell = Mat3::diagonal(2, 3, 4)};
+  CHECK(first_of(extended_xyz_format, bare, {}, {.box = box}).assembly.volume() == 24);
   TextSource source = text_source("a file", xyz_by_hand);
   CHECK(recognise(source).format == &extended_xyz_format);
 }
 
 TEST_CASE("extended XYZ: files that are none, or are cut, are refused with the line") {
-  CHECK(xyz_refused("") != "");
-  CHECK(xyz_refused("2\n") != "");
-  CHECK(xyz_refused(xyz_by_hand.substr(0, xyz_by_hand.size() - 40)).find("grains.xyz:") == 0);
-  check_refused(
-      [](const std::string& from, const std::string& to) { return xyz_refused(with(xyz_by_hand, from, to)); },
-      {{"2\nLattice", "3\nLattice", "grains.xyz:4"},
-       {"Radius", "size", ""},
-       {"pos:R:3", "pos:R:2", ""},
-       {"velo:R:3", "velo:R:x", ""},
-       {"Properties", "Props", ""},
-       {"4 0 0  0.5", "4 0  0.5", ""},
-       {"0.25", "-0.25", "grains.xyz:4"},
-       {"Si 3", "Si 7", "grains.xyz:4"},
-       {"1.5 2.5", "1.5 nan", "grains.xyz:4"}});
+  check_refused(extended_xyz_format, xyz_by_hand, {},
+                {{"2\nLattice", {"3\nLattice"}, "g:4"},
+                 {"Radius", {"size"}, ""},
+                 {"pos:R:3", {"pos:R:2"}, ""},
+                 {"velo:R:3", {"velo:R:x"}, ""},
+                 {"Properties", {"Props"}, ""},
+                 {"4 0 0  0.5", {"4 0  0.5"}, ""},
+                 {"0.25", {"-0.25"}, "g:4"},
+                 {"Si 3", {"Si 7"}, "g:4"},
+                 {"1.5 2.5", {"1.5 nan"}, "g:4"}});
+  for (const std::string& cut :
+       {std::string(), std::string("2\n"), xyz_by_hand.substr(0, xyz_by_hand.size() - 40)})
+    CHECK(refusal_of(extended_xyz_format, cut).starts_with("g:"));
 }

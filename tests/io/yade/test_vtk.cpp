@@ -16,14 +16,10 @@ const std::string spheres =
     "VECTORS v double\n0 0 1\n0 0 2\n0 0 3\n";
 const std::string pairs = data_text("yade_chain.vtk");
 
-std::string refusal_of_vtk(const std::string& sphere_text, const std::string& pair_text = pairs) {
-  return refusal([&] { (void)read_yade_vtk(text_source("s", sphere_text), text_source("i", pair_text)); });
-}
-
 } // namespace
 
 TEST_CASE("YADE VTK: contacts find their spheres, forces on the second one") {
-  const ImportedPacking packing = read_yade_vtk(text_source("s", spheres), data_source("yade_chain.vtk"));
+  const ImportedPacking packing = first_of(yade_vtk_format, spheres, pairs);
   REQUIRE(packing.assembly.contacts.size() == 2);
   const packing::Contact &ab = packing.assembly.contacts[0], &bc = packing.assembly.contacts[1];
   CHECK((ab.i == 0 && ab.j == 1 && bc.i == 1 && bc.j == 2));
@@ -35,46 +31,38 @@ TEST_CASE("YADE VTK: contacts find their spheres, forces on the second one") {
   for (const Finding finding : {Finding::few_digits, Finding::cell_unknown, Finding::boundary_unknown,
                                 Finding::ids_assumed, Finding::stiffness_unknown})
     CHECK(packing.has(finding));
-  CHECK(read_yade_vtk(text_source("s", spheres)).has(Finding::contacts_unknown));
+  CHECK(first_of(yade_vtk_format, spheres).has(Finding::contacts_unknown));
 }
 
 TEST_CASE("YADE VTK: numbers may be spread over lines as they like, and forces may be missing") {
   const std::string spread =
       with(spheres, "0.001 0.002 0.002\n0.0019999 0.002", "0.001 0.002\n0.002 0.0019999\n0.002");
   const std::string bare = pairs.substr(0, pairs.find("CELL_DATA"));
-  const ImportedPacking packing = read_yade_vtk(text_source("s", spread), text_source("i", bare));
+  const ImportedPacking packing = first_of(yade_vtk_format, spread, bare);
   CHECK(packing.assembly.contacts.size() == 2);
   CHECK(packing.has(Finding::forces_unknown));
 }
 
 TEST_CASE("YADE VTK: each field that is wrong is refused with path and line") {
-  const auto sphere = [](const std::string& from, const std::string& to) {
-    return refusal_of_vtk(with(spheres, from, to));
-  };
-  const auto pair = [](const std::string& from, const std::string& to) {
-    return refusal_of_vtk(spheres, with(pairs, from, to));
-  };
-  CHECK(refusal_of_vtk("") != "");
-  check_refused(sphere, {{"ASCII", "BINARY", "s:3:"},
-                         {"POLYDATA", "STRUCTURED_GRID", "s:5:"},
-                         {"POINTS 3", "POINTS 4", "s:11:"},
-                         {"POINTS 3", "POINTS 2", "s:9:"},
-                         {"POINTS 3", "POINTS -3", "s:6:"},
-                         {"POINTS 3", "DOTS 3", "s:6:"},
-                         {"0.001 0.002", "0.001 nan", "s:7:"},
-                         {"SCALARS radius", "SCALARS size", ""},
-                         {"default\n0.0005", "default\n0", "s:7:"},
-                         {"LOOKUP_TABLE default\n", "", "s:13:"},
-                         {"POINT_DATA 3", "POINT_DATA 2", "s:11:"},
-                         {"0 0 3\n", "0 0\n", "s:21:"},
-                         {"double 1\n", "double 7\n", "s:12:"}});
-  check_refused(pair, {{"0.0019999 0.002 0.0029998", "0.0019999 0.002 0.0039998", "i:13:"},
-                       {"2 2 3", "2 2 4", "i:13:"},
-                       {"2 2 3", "3 2 3", "i:13:"},
-                       {"2 2 3", "2 2 2", "i:13:"},
-                       {"0.0233028", "inf", "i:18:"},
-                       {"CELL_DATA 2", "CELL_DATA 3", "i:15:"}});
-  CHECK(refusal_of_vtk(with(spheres, "0.0019999 0.002 0.002\n", "0.001 0.002 0.002\n")) != "");
+  const std::vector<Wrong> of_spheres{{"ASCII", {"BINARY"}, "g:3:"},
+                                      {"POLYDATA", {"STRUCTURED_GRID"}, "g:5:"},
+                                      {"POINTS 3", {"POINTS 4"}, "g:11:"},
+                                      {"POINTS 3", {"POINTS 2"}, "g:9:"},
+                                      {"POINTS 3", {"POINTS -3", "DOTS 3"}, "g:6:"},
+                                      {"0.001 0.002", {"0.001 nan"}, "g:7:"},
+                                      {"SCALARS radius", {"SCALARS size"}, ""},
+                                      {"default\n0.0005", {"default\n0"}, "g:7:"},
+                                      {"LOOKUP_TABLE default\n", {""}, "g:13:"},
+                                      {"POINT_DATA 3", {"POINT_DATA 2"}, "g:11:"},
+                                      {"0 0 3\n", {"0 0\n"}, "g:21:"},
+                                      {"double 1\n", {"double 7\n"}, "g:12:"},
+                                      {"0.0019999 0.002 0.002\n", {"0.001 0.002 0.002\n"}, ""}};
+  const std::vector<Wrong> of_pairs{{"0.0019999 0.002 0.0029998", {"0.0019999 0.002 0.0039998"}, "c:13:"},
+                                    {"2 2 3", {"2 2 4", "3 2 3", "2 2 2"}, "c:13:"},
+                                    {"0.0233028", {"inf"}, "c:18:"},
+                                    {"CELL_DATA 2", {"CELL_DATA 3"}, "c:15:"}};
+  check_refused(yade_vtk_format, spheres, pairs, of_spheres, of_pairs);
+  CHECK(refusal_of(yade_vtk_format, "") != "");
 }
 
 TEST_CASE("YADE VTK: LIGGGHTS' dump custom/vtk has ids and types in a field, points as cells") {
@@ -83,18 +71,16 @@ TEST_CASE("YADE VTK: LIGGGHTS' dump custom/vtk has ids and types in a field, poi
       "0.001 0.002 0.002 0.0019999 0.002 0.002 \n0.0019999 0.002 0.0029998 \nCELLS 3 6\n1 0 \n1 1 \n1 2 \n\n"
       "CELL_TYPES 3\n1\n1\n1\n\nPOINT_DATA 3\nFIELD FieldData 4\nid 1 3 int\n7 5 6 \ntype 1 3 int\n2 1 1 \n"
       "radius 1 3 double\n0.0005 0.0004 0.0005 \nv 3 3 double\n0 0 0 0 0 0 0 0 0 \n";
-  const ImportedPacking packing = read_yade_vtk(text_source("d", dump));
+  const ImportedPacking packing = first_of(yade_vtk_format, dump);
   CHECK(packing.id == std::vector<long>{5, 6, 7});
   CHECK(packing.type == std::vector<long>{1, 1, 2});
   CHECK(packing.assembly.radius == std::vector<double>{0.0004, 0.0005, 0.0005});
   CHECK(packing.assembly.position[2] == Vec3{0.001, 0.002, 0.002});
   CHECK_FALSE(packing.has(Finding::ids_assumed));
-  const auto broken = [&](const std::string& from, const std::string& to) {
-    return refusal([&] { (void)read_yade_vtk(text_source("d", with(dump, from, to))); });
-  };
-  check_refused(broken, {{"CELLS 3 6", "CELLS 3 7", ""},
-                         {"type 1 3 int", "type 1 2 int", ""},
-                         {"FIELD FieldData 4", "FIELD FieldData 5", ""},
-                         {"2 1 1", "2.5 1 1", ""},
-                         {"7 5 6", "7 5 5", ""}});
+  check_refused(yade_vtk_format, dump, {},
+                {{"CELLS 3 6", {"CELLS 3 7"}, ""},
+                 {"type 1 3 int", {"type 1 2 int"}, ""},
+                 {"FIELD FieldData 4", {"FIELD FieldData 5"}, ""},
+                 {"2 1 1", {"2.5 1 1"}, ""},
+                 {"7 5 6", {"7 5 5"}, ""}});
 }

@@ -47,13 +47,7 @@ else()
 endif()
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/again.lmp" DESTINATION "${FOLDER}/${DENSITY}-1")
 run(COMMAND ${on_${others}} -in again.lmp)
-file(GLOB frozen RELATIVE "${FOLDER}/${DENSITY}-1" "${FOLDER}/${DENSITY}-1/atoms.*.frozen.dump")
-foreach(atoms IN LISTS frozen)
-  string(REGEX REPLACE "^atoms\\.(.*)\\.frozen\\.dump$" "\\1" state "${atoms}")
-  run(COMMAND "${PROGRAM}" analyse ${atoms} contacts.${state}.frozen.dump --grain-shear-modulus 30GPa
-    --out analysis.${state})
-endforeach()
-# All of them beside what LAMMPS probed, a component of the 6x6 each.
+# What granum analyse prints of the frozen states beside what LAMMPS probed, a component of the 6x6 each.
 file(GLOB dumps RELATIVE "${FOLDER}/${DENSITY}-1" "${FOLDER}/${DENSITY}-1/*.frozen.dump")
 run(COMMAND "${PROGRAM}" analyse ${dumps} --grain-shear-modulus 30GPa --probes moduli.csv --json)
 string(JSON count LENGTH "${last_output}" frames)

@@ -114,7 +114,7 @@ struct CsvContent {
 /// left alone.
 /// \return   points of ascending d, without a fault of sizes::find_fault
 /// \throws   FileError naming the line of the point that is at fault, or as CsvTable
-/// Checked by tests/io/csv/test_sieve.cpp, tests/fuzz/sieve.cpp
+/// Checked by tests/io/csv/test_sieve.cpp, tests/fuzz/readers.cpp
 [[nodiscard]] std::vector<sizes::SievePoint> sieve_curve(const CsvTable& table);
 
 /// The same of a file.

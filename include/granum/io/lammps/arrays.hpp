@@ -31,7 +31,7 @@ namespace granum::io {
 /// Reads "id1=c_cl[1],id2=c_cl[2],...", blanks around names allowed.
 /// \throws   InvalidArgument for a quantity that is not one of the above, one given twice, or text that is no
 ///           list of quantity=column
-/// Checked by tests/io/lammps/test_column_map.cpp
+/// Checked by tests/io/lammps/test_arrays.cpp
 [[nodiscard]] ColumnMap parse_column_map(std::string_view text);
 
 /// \file
