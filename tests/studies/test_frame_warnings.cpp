@@ -53,7 +53,7 @@ std::size_t warnings_with(const io::ImportedPacking& packing, studies::MeasuredF
   return frame.warnings.size();
 }
 
-/// Four grains at these places, each in contact with the two beside it in the list, through faces along z too.
+/// Four grains, each in contact with the two beside it in the list, through faces along z too.
 packing::Assembly ring(const Mat3& cell, const std::vector<Vec3>& places) {
   packing::Assembly a{
       .cell = cell, .position = places, .radius = std::vector(4, specimen_radius), .contacts = {}};
