@@ -99,10 +99,9 @@ TEST_CASE("expected rattlers: those of the contact prior at its own z*") {
 
 TEST_CASE("implied coordination: refuses inputs without an answer") {
   const State state = state_of(2, 0, 0.15, 100e3, 100e3);
-  CHECK_THROWS_AS((void)implied_coordination(state, Modulus::C12, 1e8), InvalidArgument);
-  CHECK_THROWS_AS((void)implied_coordination(state, Modulus::E_v, 1e8), InvalidArgument);
-  CHECK_THROWS_AS((void)implied_coordination(state, Modulus::K, 0), InvalidArgument);
-  CHECK_THROWS_AS((void)implied_coordination(state, Modulus::K, NAN), InvalidArgument);
+  for (const auto& [which, modulus] : {std::pair{Modulus::C12, 1e8}, std::pair{Modulus::E_v, 1e8},
+                                       std::pair{Modulus::K, 0.0}, std::pair{Modulus::K, double(NAN)}})
+    CHECK_THROWS_AS((void)implied_coordination(state, which, modulus), InvalidArgument);
   CHECK_THROWS_AS((void)implied_coordination(state_of(2, 0, 0.15, 0, 0), Modulus::K, 1e8), InvalidArgument);
   CHECK_THROWS_AS((void)effective::with_contacts(state, 5, 1), InvalidArgument);
   CHECK_THROWS_AS((void)effective::with_contacts(state, -1, 0), InvalidArgument);
