@@ -38,14 +38,9 @@ std::vector<Observation> speeds(const contact::NormalLaw& law, double z,
   for (const double pressure : pressures) {
     State state = sand(pressure);
     state.law = law;
-    const double x = effective::expected_rattlers(
-                         [&] {
-                           State first = sand(pressures.front());
-                           first.law = law;
-                           return first;
-                         }(),
-                         z)
-                         .fraction;
+    State first = sand(pressures.front());
+    first.law = law;
+    const double x = effective::expected_rattlers(first, z).fraction;
     const effective::RelaxedEstimate packing = effective::relaxed(effective::with_contacts(state, z, x), z);
     for (const Quantity quantity : quantities) {
       const double modulus = effective::modulus(packing.stiffness, inverse::row_of(quantity).modulus);
@@ -172,25 +167,7 @@ TEST_CASE("z*, softness and alpha come back") {
     }
 }
 
-// The preset sanitize leaves out the tests named "scatter of a sample", which run the same code many times.
-TEST_CASE("stated errors of inferred contacts agree with the scatter of a sample") {
-  const contact::PowerLaw law = soft_law();
-  constexpr int draws = 60;
-  int within = 0, within_two = 0;
-  for (unsigned seed = 1; seed <= draws; ++seed) {
-    const auto noisy = asked(speeds(law, true_z, both, 0.015, seed), "power-law");
-    const inverse::ImpliedContacts contacts = noisy.together.value().contacts().value();
-    const double off =
-        std::abs(contacts.numbers[2].value.value - true_alpha) / contacts.numbers[2].value.standard_error;
-    within += off < 1;
-    within_two += off < 2;
-  }
-  MESSAGE("alpha within one stated error: ", within, ", within two: ", within_two, " of ", draws);
-  CHECK(within >= draws * 0.55);
-  CHECK(within <= draws * 0.9); // errors twice as wide would hold nearly all
-  CHECK(within_two >= draws * 0.9);
-}
-
+// That stated errors agree with the scatter: validation/infer.
 TEST_CASE("V_s alone does not determine contacts, and V_p would") {
   const contact::RoughSphere law(quartz, sand_radius, 30e-9);
   const std::vector<Observation> measured = speeds(law, 5.4, {Quantity::V_s}, 0.015);
@@ -199,14 +176,10 @@ TEST_CASE("V_s alone does not determine contacts, and V_p would") {
   CHECK(contacts.would_determine == Quantity::V_p);
 }
 
-TEST_CASE("contacts as given do not change the result") {
-  const auto measured = speeds(sand(1e5).law, 5.4, both, 0.01);
-  CHECK_FALSE(asked(measured, "given").together.value().contacts());
-}
-
 TEST_CASE("contacts: of grains of several materials only z* is inferred, no law") {
   std::vector<Observation> measured = speeds(contact::PowerLaw::sphere(quartz, sand_radius), 5, both);
   const double z = z_of(measured, asked(measured, "given"));
+  CHECK_FALSE(asked(measured, "given").together.value().contacts());
   for (Observation& one : measured)
     one.state.pair_shares = {{.share = 0.5, .stiffness = 0.5}, {.share = 0.5, .stiffness = 1.5}};
   CHECK(z_of(measured, asked(measured, "given")) > z + 0.1); // softer than the mean, so it has more contacts
