@@ -38,17 +38,13 @@ TEST_CASE("another atmospheric pressure changes C by its power 1 - s, never the 
 }
 
 TEST_CASE("constants and states outside their range are refused") {
-  const SoilState state{1e5, 1e5, 0.6};
-  Equation bad = sand;
-  bad.atmospheric_pressure = 0;
-  CHECK_THROWS_AS((void)shear_modulus(bad, state), InvalidArgument);
-  bad = sand;
-  bad.coefficient = -1;
-  CHECK_THROWS_AS((void)shear_modulus(bad, state), InvalidArgument);
-  bad = sand;
-  bad.exponent_j = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_AS((void)shear_modulus(bad, state), InvalidArgument);
-  CHECK_THROWS_AS((void)shear_modulus(sand, {-1e5, 1e5, 0.6}), InvalidArgument);
-  CHECK_THROWS_AS((void)shear_modulus(sand, {1e5, 0, 0.6}), InvalidArgument);
-  CHECK_THROWS_AS((void)shear_modulus(sand, {1e5, 1e5, 0}), InvalidArgument);
+  for (const auto& [member, value] : {std::pair{&Equation::atmospheric_pressure, 0.0},
+                                      {&Equation::coefficient, -1.0},
+                                      {&Equation::exponent_j, double(NAN)}}) {
+    Equation bad = sand;
+    bad.*member = value;
+    CHECK_THROWS_AS((void)shear_modulus(bad, {1e5, 1e5, 0.6}), InvalidArgument);
+  }
+  for (const SoilState& bad : {SoilState{-1e5, 1e5, 0.6}, {1e5, 0, 0.6}, {1e5, 1e5, 0}})
+    CHECK_THROWS_AS((void)shear_modulus(sand, bad), InvalidArgument);
 }

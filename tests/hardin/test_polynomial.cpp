@@ -11,11 +11,10 @@ TEST_CASE("points on a polynomial give its coefficients back, and no distance") 
     y.push_back(0.5 + 0.3 * t - 0.2 * t * t + 0.05 * t * t * t);
   }
   const hardin::Polynomial fit = hardin::fit_polynomial(x, y, 3);
+  const double expected[] = {0.5, 0.3, -0.2, 0.05};
   REQUIRE(fit.coefficients.size() == 4);
-  CHECK(fit.coefficients[0] == relative(0.5, 1e-12));
-  CHECK(fit.coefficients[1] == relative(0.3, 1e-12));
-  CHECK(fit.coefficients[2] == relative(-0.2, 1e-12));
-  CHECK(fit.coefficients[3] == relative(0.05, 1e-12));
+  for (std::size_t k = 0; k < 4; ++k)
+    CHECK(fit.coefficients[k] == relative(expected[k], 1e-12));
   CHECK(fit.rms < 1e-14);
 }
 
