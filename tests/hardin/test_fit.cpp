@@ -7,6 +7,7 @@
 #include <granum/core/stop.hpp>
 #include <thresholds.hpp>
 
+#include "sample_statistics.hpp"
 #include "unit.hpp"
 
 using namespace granum::hardin;
@@ -91,10 +92,7 @@ TEST_CASE("noise in the moduli changes the result within the standard errors") {
   const auto states = triaxial_paths();
   const int seeds = 600; // the spread of a sample of 600 is known to 3 %
   for (const Weights weights : {Weights::relative, Weights::absolute}) {
-    struct {
-      double sum = 0, squares = 0, said = 0;
-      void add(const Measured& e) { sum += e.value, squares += e.value * e.value, said += e.standard_error; }
-    } c, m, n, s;
+    std::array<std::vector<double>, 4> found, stated;
     std::mt19937_64 bits(20140123);
     boost::random::normal_distribution<double> normal;
     for (int seed = 0; seed < seeds; ++seed) {
@@ -105,18 +103,19 @@ TEST_CASE("noise in the moduli changes the result within the standard errors") {
         else
           row.shear_modulus += 0.03 * 36e6 * normal(bits);
       const FitReport report = fit(rows, with(weights));
-      c.add(report.fit().coefficient);
-      m.add(*report.fit().exponent_i);
-      n.add(*report.fit().exponent_j);
-      s.add(report.fit().exponent_sum);
+      const Fit& one = report.fit();
+      for (int k = 0;
+           const Measured& e : {one.coefficient, *one.exponent_i, *one.exponent_j, one.exponent_sum}) {
+        found[static_cast<std::size_t>(k)].push_back(e.value);
+        stated[static_cast<std::size_t>(k++)].push_back(e.standard_error);
+      }
     }
     const double truths[] = {215, 0.273, 0.237, 0.510};
-    for (int k = 0; const auto& parameter : {c, m, n, s}) {
+    for (std::size_t k = 0; k < 4; ++k) {
       CAPTURE(k);
-      const double mean = parameter.sum / seeds;
-      const double spread = std::sqrt(parameter.squares / seeds - mean * mean);
-      CHECK(spread == relative(parameter.said / seeds, 0.10));
-      CHECK(std::abs(mean - truths[k++]) < 4 * spread / std::sqrt(double(seeds)));
+      const double spread = deviation(found[k]);
+      CHECK(spread == relative(mean(stated[k]), 0.10));
+      CHECK(std::abs(mean(found[k]) - truths[k]) < 4 * spread / std::sqrt(double(seeds)));
     }
   }
 }

@@ -26,32 +26,17 @@ packing::Assembly two_grains() {
   return out;
 }
 
-/// A table of contacts with normals instead of lines of centres, or without overlaps.
-io::ImportedPacking through_normals(const packing::Assembly& a) {
-  std::string contacts = "# units: SI\nid1,id2,nx,ny,nz,fx,fy,fz\n";
-  for (const packing::Contact& c : a.contacts) {
-    const Vec3 n = normal(c), f = force(c);
-    contacts += std::to_string(c.i) + "," + std::to_string(c.j) + "," +
-                words({n.x, n.y, n.z, f.x, f.y, f.z}, ",") + "\n";
-  }
-  return io::read_packing_csv(io::TextSource::of_text("g", csv_grains(a)),
-                              io::TextSource::of_text("c", contacts), {.box = io::CsvBox{a.cell}});
-}
-
-/// What LAMMPS writes of a pair without its line of centres: overlap and force, and the vector where asked.
-io::ImportedPacking through_overlaps(const packing::Assembly& a, bool vectors) {
+/// What LAMMPS writes of a pair without its line of centres: overlap and force.
+io::ImportedPacking through_overlaps(const packing::Assembly& a) {
   std::string contacts = "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n" + std::to_string(a.contacts.size()) +
-                         "\n" + dump_box(a, "pp pp pp") + "ITEM: ENTRIES id1 id2 delta force" +
-                         (vectors ? " fx fy fz\n" : "\n");
-  for (const packing::Contact& c : a.contacts) {
-    const Vec3 f = -force(c);
+                         "\n" + dump_box(a, "pp pp pp") + "ITEM: ENTRIES id1 id2 delta force\n";
+  for (const packing::Contact& c : a.contacts)
     contacts += std::to_string(c.i + 1) + " " + std::to_string(c.j + 1) + " " +
-                words({c.overlap, c.normal_force}, " ") + (vectors ? " " + words({f.x, f.y, f.z}, " ") : "") +
-                "\n";
-  }
-  io::LammpsDump dump(io::TextSource::of_text("g", dump_grains(a, 7)),
-                      io::TextSource::of_text("c", contacts));
-  return dump.next().value();
+                words({c.overlap, c.normal_force}, " ") + "\n";
+  return io::LammpsDump(io::TextSource::of_text("g", dump_grains(a, 7)),
+                        io::TextSource::of_text("c", contacts))
+      .next()
+      .value();
 }
 
 /// Contacts by the number of their image, whatever their order in the file.
@@ -76,8 +61,7 @@ TEST_CASE("small cells: contacts of a pair through several images come out of fi
   const packing::Assembly own = two_grains();
   REQUIRE(own.contacts.size() == 8);
   for (const io::ImportedPacking& read :
-       {through_csv(own), through_dump(own), through_vtk(own), through_mercury(own), through_normals(own),
-        through_overlaps(own, true), through_overlaps(own, false)}) {
+       {through_csv(own), through_dump(own), through_mercury(own), through_overlaps(own)}) {
     check_same_contacts(read.assembly, own);
     CHECK_FALSE(read.has(io::Finding::duplicated));
   }
@@ -90,9 +74,9 @@ TEST_CASE("small cells: equal images are taken one after the other, and rows bey
   REQUIRE(own.contacts.size() == 8);
   for (packing::Contact& c : own.contacts)
     c.normal_force = 0.01;
-  check_same_contacts(through_overlaps(own, false).assembly, own);
+  check_same_contacts(through_overlaps(own).assembly, own);
   own.contacts.push_back(own.contacts.back());
-  const io::ImportedPacking repeated = through_overlaps(own, false);
+  const io::ImportedPacking repeated = through_overlaps(own);
   CHECK(repeated.assembly.contacts.size() == 8);
   CHECK(repeated.has(io::Finding::duplicated));
 }
