@@ -152,3 +152,15 @@ TEST_CASE("state: stresses at the end of the range of doubles") {
   huge.stress_v = huge.stress_h = 1e307;
   CHECK(all_finite(effective::uniform_strain(huge).stiffness));
 }
+
+TEST_CASE("b of a state is that of its law at the mean force") {
+  for (const double alpha : {1.0, 1.5, 2.0, infinity}) {
+    State s = state_of(alpha, 0.2, 0.15, 1.8e5, 1e5);
+    CHECK(effective::contact_exponent(s) == s.law.exponent_at_force(effective::mean_contact_force(s)));
+    CHECK(std::abs(effective::contact_exponent(s) - 1 / (1 + alpha)) < 1e-15);
+    s.coordination_number = 0;
+    CHECK(effective::contact_exponent(s) == s.law.exponent_at_force(0));
+    s.void_ratio = -1;
+    CHECK_THROWS_AS((void)effective::contact_exponent(s), InvalidArgument);
+  }
+}

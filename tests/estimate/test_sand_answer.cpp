@@ -210,9 +210,3 @@ TEST_CASE("the range of spheres beyond their calibration includes measured value
   strained.shear_strain = 1e-4;
   CHECK_THROWS_AS((void)estimate::answer(strained), InvalidArgument);
 }
-
-TEST_CASE("grain shapes have names") {
-  for (const estimate::GrainShape shape : estimate::all_grain_shapes)
-    CHECK(estimate::grain_shape_of(estimate::name(shape)) == shape);
-  CHECK_THROWS_AS((void)estimate::grain_shape_of("cube"), InvalidArgument);
-}

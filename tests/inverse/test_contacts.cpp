@@ -167,7 +167,21 @@ TEST_CASE("z*, softness and alpha come back") {
     }
 }
 
-// That stated errors agree with the scatter: validation/infer.
+// The preset sanitize leaves out the tests named "scatter of a sample", which run the same code many times.
+TEST_CASE("stated errors of inferred contacts agree with the scatter of a sample") {
+  constexpr int draws = 60;
+  int within = 0, within_two = 0;
+  for (unsigned seed = 1; seed <= draws; ++seed) {
+    const auto noisy = asked(speeds(soft_law(), true_z, both, 0.015, seed), "power-law");
+    const Measured alpha = noisy.together.value().contacts().value().numbers[2].value;
+    const double off = std::abs(alpha.value - true_alpha) / alpha.standard_error;
+    within += off < 1;
+    within_two += off < 2;
+  }
+  CHECK((within >= draws * 0.55 && within <= draws * 0.9)); // errors twice as wide would hold nearly all
+  CHECK(within_two >= draws * 0.9);
+}
+
 TEST_CASE("V_s alone does not determine contacts, and V_p would") {
   const contact::RoughSphere law(quartz, sand_radius, 30e-9);
   const std::vector<Observation> measured = speeds(law, 5.4, {Quantity::V_s}, 0.015);

@@ -16,3 +16,11 @@ TEST_CASE("growths and specimens: each is found by its name, an unknown one is r
   CHECK_THROWS_AS((void)name(static_cast<GrowthRule>(9)), granum::InvalidArgument);
   CHECK_THROWS_AS((void)name(static_cast<AskedPacking>(9)), granum::InvalidArgument);
 }
+
+TEST_CASE("quantities: each has its own row") {
+  for (const QuantityRow& row : quantities())
+    CHECK(&row_of(row.quantity) == &row);
+  CHECK(row_of(Quantity::V_p).modulus == granum::effective::Modulus::C33);
+  CHECK(row_of(Quantity::V_p).speed);
+  CHECK_THROWS_AS((void)row_of(static_cast<Quantity>(99)), granum::InvalidArgument);
+}

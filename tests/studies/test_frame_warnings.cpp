@@ -48,6 +48,18 @@ io::ImportedPacking changed(const Change& change) {
   return through_dump(a);
 }
 
+/// Gives a frame this stress of so many contacts.
+void set_stress(analysis::Measurement& m, double contacts, const Mat3& stress) {
+  m.counts.contacts = static_cast<std::size_t>(contacts);
+  m.stress->symmetric = stress;
+}
+
+/// Gives it contacts that carry moments, of which this is left over.
+void set_moments(analysis::Measurement& m, double force_ratio, double moment_ratio) {
+  m.moments = "contacts carry moments";
+  m.forces->unbalance = packing::Unbalance{.force_ratio = force_ratio, .moment_ratio = moment_ratio};
+}
+
 std::size_t warnings_with(const io::ImportedPacking& packing, studies::MeasuredFrame frame) {
   studies::add_warnings(packing, frame);
   return frame.warnings.size();
@@ -86,16 +98,8 @@ TEST_CASE("frame warnings: each begins at its threshold") {
       {0.01, [](auto&, auto& m, double x) { m.fabric->density->chi_square.p_value = x; }},
       {0.01, [](auto&, auto& m, double x) { m.fabric->axisymmetry->both.p_value = x; }},
       {1e-3, [](auto&, auto& m, double x) { m.forces->unbalance->force_ratio = x; }},
-      {0.02,
-       [](auto&, auto& m, double x) {
-         m.moments = "contacts carry moments";
-         m.forces->unbalance = packing::Unbalance{.force_ratio = 0, .moment_ratio = x};
-       }},
-      {0.06,
-       [](auto&, auto& m, double x) {
-         m.moments = "contacts carry moments";
-         m.forces->unbalance = packing::Unbalance{.force_ratio = 0.02, .moment_ratio = x};
-       }},
+      {0.02, [](auto&, auto& m, double x) { set_moments(m, 0, x); }},
+      {0.06, [](auto&, auto& m, double x) { set_moments(m, 0.02, x); }},
       {0.01, [](auto&, auto& m, double x) { m.law_check->misfit_90 = x; }},
       {0.99, [](auto&, auto& m, double x) { m.law_check->coefficient_ratio = x; }},
       {1.01, [](auto&, auto& m, double x) { m.law_check->coefficient_ratio = x; }},
@@ -107,27 +111,13 @@ TEST_CASE("frame warnings: each begins at its threshold") {
          m.grain.reset();
          m.sizes.equivalent = x;
        }},
+      {0.1, [](auto&, auto& m, double x) { set_stress(m, 2000, Mat3::diagonal(1, 1 + x, 1 - x)); }},
       {0.1,
        [](auto&, auto& m, double x) {
-         m.counts.contacts = 2000;
-         m.stress->symmetric = Mat3::diagonal(1, 1 + x, 1 - x);
+         set_stress(m, 2000, {{{1, 0, x / 2}, {0, 1, 0}, {x / 2, 0, 1}}});
        }},
-      {0.1,
-       [](auto&, auto& m, double x) {
-         m.counts.contacts = 2000;
-         m.stress->symmetric = Mat3::identity();
-         m.stress->symmetric(0, 2) = m.stress->symmetric(2, 0) = x / 2;
-       }},
-      {0.4, // of a hundred contacts
-       [](auto&, auto& m, double x) {
-         m.counts.contacts = 100;
-         m.stress->symmetric = Mat3::diagonal(1 + x, 1, 1 - x);
-       }},
-      {20,
-       [](auto&, auto& m, double x) {
-         m.counts.contacts = static_cast<std::size_t>(x);
-         m.stress->symmetric = Mat3::diagonal(2, 0, 1);
-       }},
+      {0.4, [](auto&, auto& m, double x) { set_stress(m, 100, Mat3::diagonal(1 + x, 1, 1 - x)); }},
+      {20, [](auto&, auto& m, double x) { set_stress(m, x, Mat3::diagonal(2, 0, 1)); }},
   };
   for (const auto& row : rows)
     check_threshold(row.first, [&](double value) {

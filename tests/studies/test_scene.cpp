@@ -26,11 +26,6 @@ std::string refusal(const std::function<void(Scene&)>& change) {
 
 } // namespace
 
-TEST_CASE("the default scene is valid with each single contact law") {
-  for (const Shape shape : {Shape::cone, Shape::sphere, Shape::flat, Shape::power_law})
-    CHECK(refusal([&](Scene& s) { s.study.contacts = {shape}; }).empty());
-}
-
 // Ranges of single numbers: test_scene_keys.cpp.
 TEST_CASE("lists that no study can have are refused by their names") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
