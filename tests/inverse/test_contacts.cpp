@@ -15,13 +15,13 @@ using inverse::Quantity;
 namespace {
 
 constexpr double sand_grain_density = 2650;
-constexpr contact::GrainMaterial quartz{.shear_modulus = 44e9, .poisson_ratio = 0.074};
+constexpr contact::GrainMaterial quartz_grain{.shear_modulus = 44e9, .poisson_ratio = 0.074};
 constexpr double sand_radius = 1e-4;
 const std::vector<double> pressures{50e3, 100e3, 200e3, 400e3};
 
 State sand(double pressure) {
-  return {.law = contact::PowerLaw::sphere(quartz, sand_radius),
-          .tangential_ratio = contact::mindlin_stiffness_ratio(quartz.poisson_ratio),
+  return {.law = contact::PowerLaw::sphere(quartz_grain, sand_radius),
+          .tangential_ratio = contact::mindlin_stiffness_ratio(quartz_grain.poisson_ratio),
           .radius = sand_radius,
           .void_ratio = 0.7,
           .stress_v = pressure,
@@ -68,12 +68,12 @@ const std::vector<Quantity> both{Quantity::V_s, Quantity::V_p};
 
 TEST_CASE("a power law through a stiffness at a force has both") {
   for (const double alpha : {0.4, 1.0, 1.7, 2.0, 6.0}) {
-    const contact::PowerLaw law = inverse::power_law_through(quartz, alpha, 0.02, 3e5);
+    const contact::PowerLaw law = inverse::power_law_through(quartz_grain, alpha, 0.02, 3e5);
     CHECK(law.stiffness_at_force(0.02) == relative(3e5, 1e-13));
     CHECK(law.stiffness_exponent() == relative(1 / (1 + alpha), 1e-14));
   }
-  CHECK_THROWS_AS((void)inverse::power_law_through(quartz, 2, 0, 3e5), InvalidArgument);
-  CHECK_THROWS_AS((void)inverse::power_law_through(quartz, 0, 1, 3e5), InvalidArgument);
+  CHECK_THROWS_AS((void)inverse::power_law_through(quartz_grain, 2, 0, 3e5), InvalidArgument);
+  CHECK_THROWS_AS((void)inverse::power_law_through(quartz_grain, 0, 1, 3e5), InvalidArgument);
 }
 
 TEST_CASE("families of contact laws to infer are found by name and replace smooth spheres") {
@@ -88,12 +88,12 @@ TEST_CASE("families of contact laws to infer are found by name and replace smoot
   CHECK(inverse::unknown_contacts("power-law").law(sphere, 0.01, hertz).stiffness_at_force(0.3) ==
         relative(sphere.stiffness_at_force(0.3), 1e-13));
   CHECK_THROWS_AS(
-      (void)inverse::unknown_contacts("rough").law(contact::PowerLaw::cone(quartz, 0.4), 1, smooth),
+      (void)inverse::unknown_contacts("rough").law(contact::PowerLaw::cone(quartz_grain, 0.4), 1, smooth),
       InvalidArgument);
 }
 
 TEST_CASE("z* and roughness come back from V_s and V_p over pressures") {
-  const auto measured = speeds(contact::RoughSphere(quartz, sand_radius, 30e-9), 5.4, both);
+  const auto measured = speeds(contact::RoughSphere(quartz_grain, sand_radius, 30e-9), 5.4, both);
   const auto answer = asked(measured, "rough");
   const inverse::ImpliedContacts contacts = answer.together.value().contacts().value();
   CHECK(z_of(measured, answer) == doctest::Approx(5.4).epsilon(0.004));
@@ -143,7 +143,7 @@ constexpr double true_z = 5.3, true_softness = 0.7, true_alpha = 1.5;
 contact::PowerLaw soft_law() {
   const double force = effective::mean_contact_force(effective::with_contacts(
       sand(pressures[0]), true_z, effective::expected_rattlers(sand(pressures[0]), true_z).fraction));
-  return inverse::power_law_through(quartz, true_alpha, force,
+  return inverse::power_law_through(quartz_grain, true_alpha, force,
                                     true_softness * sand(1e5).law.stiffness_at_force(force));
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("stated errors of inferred contacts agree with the scatter of a sample
 }
 
 TEST_CASE("V_s alone does not determine contacts, and V_p would") {
-  const contact::RoughSphere law(quartz, sand_radius, 30e-9);
+  const contact::RoughSphere law(quartz_grain, sand_radius, 30e-9);
   const std::vector<Observation> measured = speeds(law, 5.4, {Quantity::V_s}, 0.015);
   const inverse::ImpliedContacts contacts = asked(measured, "power-law").together.value().contacts().value();
   CHECK_FALSE(contacts.numbers[0].determined());
@@ -191,7 +191,7 @@ TEST_CASE("V_s alone does not determine contacts, and V_p would") {
 }
 
 TEST_CASE("contacts: of grains of several materials only z* is inferred, no law") {
-  std::vector<Observation> measured = speeds(contact::PowerLaw::sphere(quartz, sand_radius), 5, both);
+  std::vector<Observation> measured = speeds(contact::PowerLaw::sphere(quartz_grain, sand_radius), 5, both);
   const double z = z_of(measured, asked(measured, "given"));
   CHECK_FALSE(asked(measured, "given").together.value().contacts());
   for (Observation& one : measured)
