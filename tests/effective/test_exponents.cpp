@@ -23,21 +23,20 @@ struct Estimator {
 const std::vector<Estimator> both{{effective::uniform_strain, effective::uniform_strain_exponents},
                                   {effective::uniform_stress, effective::uniform_stress_exponents}};
 
-/// d ln X/d ln stress by central differences of fourth order.
-double difference_quotient(const Estimator& h, const State& s, Modulus which, double State::*stress) {
-  const auto log_modulus = [&](double step) {
+/// d ln X/d ln stress of moduli of an estimate, by differences.
+template <class Estimate>
+double difference_quotient(const Estimate& estimate, const State& s, Modulus which, double State::*stress) {
+  return slope_of([&](double step) {
     State moved = s;
     moved.*stress *= std::exp(step);
-    return std::log(effective::modulus(h.estimate(moved).stiffness, which));
-  };
-  const double e = 2e-3;
-  return (8 * (log_modulus(e) - log_modulus(-e)) - (log_modulus(2 * e) - log_modulus(-2 * e))) / (12 * e);
+    return std::log(effective::modulus(estimate(moved).stiffness, which));
+  });
 }
 
 } // namespace
 
 TEST_CASE("exponents: derivatives of the estimates") {
-  for (const double alpha : {1.0, 2.0, 3.3})
+  for (const double alpha : {1.0, 2.0, 3.3, infinity})
     for (const double a : {-0.6, 0.0, 0.8})
       for (const double ratio : {0.2, 1.0, 4.0})
         for (const Estimator& h : both)
@@ -45,19 +44,9 @@ TEST_CASE("exponents: derivatives of the estimates") {
             CAPTURE(int(which));
             const State s = state_of(alpha, a, 0.15, ratio * 1e5, 1e5);
             const StressExponents e = h.exponents(s, which);
-            // Truncation ~ step^4 = 2e-11, round-off 1e-14/step = 5e-12.
-            CHECK(std::abs(e.stress_v - difference_quotient(h, s, which, &State::stress_v)) < 1e-9);
-            CHECK(std::abs(e.stress_h - difference_quotient(h, s, which, &State::stress_h)) < 1e-9);
+            CHECK(std::abs(e.stress_v - difference_quotient(h.estimate, s, which, &State::stress_v)) < 1e-9);
+            CHECK(std::abs(e.stress_h - difference_quotient(h.estimate, s, which, &State::stress_h)) < 1e-9);
           }
-}
-
-TEST_CASE("exponents: flat punches do not stiffen") {
-  for (const Estimator& h : both)
-    for (const Modulus which : all_moduli) {
-      const StressExponents e = h.exponents(state_of(infinity, 0.3, 0.15, 3e5, 1e5), which);
-      CHECK(e.stress_v == 0);
-      CHECK(e.stress_h == 0);
-    }
 }
 
 TEST_CASE("exponents: the same at any stress that a double can have") {
@@ -110,18 +99,9 @@ TEST_CASE("exponents: of rough spheres they are local, and derivatives of every 
             CAPTURE(rung.key);
             CAPTURE(int(which));
             const StressExponents e = *effective::exponents(rung, s, which);
-            const auto quotient = [&](double State::*stress) {
-              const auto log_modulus = [&](double step) {
-                State moved = s;
-                moved.*stress *= std::exp(step);
-                return std::log(effective::modulus(effective::answer(rung, moved).stiffness, which));
-              };
-              const double h = 2e-3;
-              return (8 * (log_modulus(h) - log_modulus(-h)) - (log_modulus(2 * h) - log_modulus(-2 * h))) /
-                     (12 * h);
-            };
-            CHECK(std::abs(e.stress_v - quotient(&State::stress_v)) < 1e-8);
-            CHECK(std::abs(e.stress_h - quotient(&State::stress_h)) < 1e-8);
+            const auto estimate = [&](const State& moved) { return effective::answer(rung, moved); };
+            CHECK(std::abs(e.stress_v - difference_quotient(estimate, s, which, &State::stress_v)) < 1e-8);
+            CHECK(std::abs(e.stress_h - difference_quotient(estimate, s, which, &State::stress_h)) < 1e-8);
             // Where all contacts are alike the sum is b, but for what rung 3 adds as its factor follows b.
             if (rung.key == std::string("0"))
               CHECK(e.sum() == relative(s.law.exponent_at_force(effective::mean_contact_force(s)), 1e-12));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/relaxation.hpp>
 
+#include <tuple>
+
 #include <Eigen/Core>
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/uniform_field.hpp>
@@ -14,6 +16,7 @@
 #include "thresholds.hpp"
 #include "unit.hpp"
 
+// Moduli of networks and of rough packings, and what is fitted to them: validation/relaxation.
 using namespace granum::test;
 using effective::relaxation;
 using effective::relaxed;
@@ -52,13 +55,17 @@ double error_of(const Function& f, std::array<double, n> c, const double (&covar
 
 } // namespace
 
-TEST_CASE("relaxation: z* from C_n and rattlers") {
+TEST_CASE("relaxation: z* from C_n and rattlers, and impossible packings") {
   CHECK(effective::mechanical_coordination_number(4.0, 0.1) == relative(4.0 / 0.9, 1e-15));
-  CHECK(effective::mechanical_coordination_number(5.5, 0) == 5.5);
   CHECK(effective::mechanical_coordination_number(0, 0.3) == 0);
-  CHECK_THROWS_AS((void)effective::mechanical_coordination_number(-1, 0.1), InvalidArgument);
-  CHECK_THROWS_AS((void)effective::mechanical_coordination_number(4, 1), InvalidArgument);
-  CHECK_THROWS_AS((void)effective::mechanical_coordination_number(4, NAN), InvalidArgument);
+  for (const auto& [C_n, rattlers] : {std::pair{-1.0, 0.1}, {4.0, 1.0}, {4.0, double(NAN)}})
+    CHECK_THROWS_AS((void)effective::mechanical_coordination_number(C_n, rattlers), InvalidArgument);
+  for (const auto& [z, r, b] : {std::tuple{-1.0, 0.9, 0.3},
+                                {5.0, -0.1, 0.3},
+                                {5.0, 0.9, 1.1},
+                                {5.0, 0.9, -0.1},
+                                {double(NAN), 0.9, 0.3}})
+    CHECK_THROWS_AS((void)relaxation(z, r, b), InvalidArgument);
 }
 
 TEST_CASE(
@@ -131,25 +138,6 @@ TEST_CASE("relaxation: more contacts and stiffer ones never make a softer packin
         CHECK(shear(z, r, b) < 1);
         CHECK(bulk(z, r, b) < 1);
       }
-}
-
-TEST_CASE("relaxation: networks of an independent code") {
-  // G and K over uniform strain of flat contacts, k_t/k_n = 0.9189, one to three packings of 600 to 1000
-  // grains made and solved by another program (loose: friction on below jamming; dense: without friction).
-  struct Point {
-    double z, G, K;
-  };
-  const std::vector<Point> loose{
-      {4.30, 0.224, 0.71}, {4.28, 0.197, 0.70}, {4.79, 0.404, 0.82}, {4.70, 0.345, 0.80}};
-  const std::vector<Point> dense{{6.040, 0.686, 0.8929}, {6.157, 0.701, 0.8974}, {7.449, 0.816, 0.9302}};
-  for (const auto& [z, G, K] : loose) { // so few grains scatter by some 7 % in G there
-    CHECK(shear(z, 0.9189) == relative(G, 0.14));
-    CHECK(bulk(z, 0.9189) == relative(K, 0.06));
-  }
-  for (const auto& [z, G, K] : dense) {
-    CHECK(shear(z, 0.9189) == relative(G, 0.05));
-    CHECK(bulk(z, 0.9189) == relative(K, 0.04));
-  }
 }
 
 TEST_CASE("relaxation: the standard error") {
@@ -230,42 +218,16 @@ TEST_CASE("relaxation: stated errors are those of coefficients and scatter, carr
     }
 }
 
-TEST_CASE("relaxation: refuses impossible packings") {
-  CHECK_THROWS_AS((void)relaxation(-1, 0.9, 0.3), InvalidArgument);
-  CHECK_THROWS_AS((void)relaxation(5, -0.1, 0.3), InvalidArgument);
-  CHECK_THROWS_AS((void)relaxation(5, 0.9, 1.1), InvalidArgument);
-  CHECK_THROWS_AS((void)relaxation(5, 0.9, -0.1), InvalidArgument);
-  CHECK_THROWS_AS((void)relaxation(NAN, 0.9, 0.3), InvalidArgument);
-}
-
-TEST_CASE("relaxed: an isotropic packing takes the two factors") {
-  for (const double alpha : {1.0, 1.5, 2.0, infinity})
-    for (const double z : {4.4, 5.2, 6.3}) {
-      const State s = state_of(alpha, 0, 0.15, 1e5, 1e5);
-      const auto uniform = effective::uniform_strain(s).stiffness;
-      const double left = shortened(s);
-      const effective::RelaxedEstimate estimate = relaxed(s, z);
-      const effective::Relaxation factors =
-          relaxation(z, s.tangential_ratio, s.law.constant_exponent().value());
-      const elastic::TransverselyIsotropic& c = estimate.stiffness;
-      CHECK(c.bulk_modulus() == relative(left * factors.bulk.value * uniform.bulk_modulus(), 1e-14));
-      CHECK(c.G_vh() == relative(left * factors.shear.value * uniform.G_vh(), 1e-14));
-      CHECK(c.G_hh() == relative(c.G_vh(), 1e-14));
-      CHECK(c.C33 == relative(c.C11, 1e-14));
-      CHECK(c.C13 == relative(c.C12, 1e-13));
-      CHECK(estimate.relative_error.G_hh == relative(factors.shear.relative_error, 1e-12));
-      CHECK(estimate.relative_error.bulk_modulus == factors.bulk.relative_error);
-    }
-}
-
-TEST_CASE("relaxed: an anisotropic packing is the uniform-strain one through two congruences") {
+TEST_CASE("relaxed: an anisotropic packing is the uniform-strain one through two congruences, the factors' "
+          "and a stretch") {
   for (const double alpha : {1.0, 2.0, infinity})
     for (const double a : {-0.2, 0.0, 0.2})
       for (const double ratio : {0.5, 1.0, 2.0}) {
         const State s = state_of(alpha, a, 0.15, ratio * 1e5, 1e5);
+        const double z = a == 0 ? 4.4 : 5.0;
         const double b = s.law.constant_exponent().value();
-        const effective::Relaxation factors = relaxation(5.0, s.tangential_ratio, b);
-        const elastic::TransverselyIsotropic c = relaxed(s, 5.0).stiffness;
+        const effective::Relaxation factors = relaxation(z, s.tangential_ratio, b);
+        const elastic::TransverselyIsotropic c = relaxed(s, z).stiffness;
         CHECK(c.positive_definite());
 
         const Matrix6 uniform =
@@ -320,30 +282,6 @@ TEST_CASE("relaxed: overlaps shorten branches as they do in a packing whose cont
   const State crushed = state_of(2, 0, 0.15, 1e12, 1e12);
   CHECK(relaxed(crushed, 5.9).stiffness.positive_definite());
   CHECK_FALSE(relaxed(crushed, 5.9).validity.ok());
-}
-
-TEST_CASE("relaxed: a sheared network of granum's own") {
-  // Loose spheres of validation/relaxation, seed 200, 4,000 grains, stress_v/stress_h = 2.09; the moduli are
-  // those of the contact network at k_t/k_n = 0.9189.
-  const State s{.law = contact::PowerLaw::sphere({30e9, 0.15}, 5e-4),
-                .tangential_ratio = 0.918918918918919,
-                .radius = 5e-4,
-                .void_ratio = 0.5696412,
-                .coordination_number = 4.376,
-                .fabric_anisotropy = 0.2581571,
-                .stress_v = 153332.3,
-                .stress_h = 73334.02};
-  const elastic::TransverselyIsotropic network{
-      .C11 = 173.4907e6, .C33 = 360.444e6, .C12 = 59.438e6, .C13 = 102.4568e6, .C44 = 81.61231e6};
-  const effective::RelaxedEstimate estimate = relaxed(s, 4.59589);
-  const elastic::TransverselyIsotropic& c = estimate.stiffness;
-  // Within two stated errors, and C33/C11 = 2.08, 1.3 under uniform strain, within 7 %.
-  CHECK(c.bulk_modulus() == relative(network.bulk_modulus(), 2 * estimate.relative_error.bulk_modulus));
-  CHECK(c.G_hh() == relative(network.G_hh(), 2 * estimate.relative_error.G_hh));
-  CHECK(c.G_vh() == relative(network.G_vh(), 2 * estimate.relative_error.G_vh));
-  CHECK(c.C33 / c.C11 == relative(network.C33 / network.C11, 0.07));
-  const elastic::TransverselyIsotropic uniform = effective::uniform_strain(s).stiffness;
-  CHECK(uniform.C33 / uniform.C11 < 1.5);
 }
 
 TEST_CASE("relaxed: extremes have no stiffness or a finite one") {
@@ -421,35 +359,6 @@ TEST_CASE("relaxation: the factors continue beyond the packings of the fit, powe
     }
 }
 
-TEST_CASE("relaxed: rough packings, of other numbers of grains than those of the fit") {
-  // The packings of validation/rough_contact/README.md.
-  struct Row {
-    double z, void_ratio, pressure, C_n, G, K;
-  };
-  const std::vector<Row> rows{{4.65409, 0.559348, 10e3, 4.44, 5.89884e6, 14.02374e6},
-                              {4.62034, 0.558440, 10e3, 4.384, 5.37807e6, 13.95329e6},
-                              {4.67908, 0.562301, 10e3, 4.524, 5.87276e6, 14.11775e6},
-                              {6.10163, 0.556453, 10e3, 6.008, 13.54204e6, 15.55793e6},
-                              {6.12628, 0.554837, 10e3, 6.016, 13.14116e6, 15.52904e6},
-                              {6.12576, 0.555302, 30e3, 6.04, 38.07974e6, 41.98098e6}};
-  for (const Row& row : rows) {
-    CAPTURE(row.z);
-    effective::State state{.law = contact::RoughSphere({30e9, 0.15}, 0.5e-3, 200e-9),
-                           .tangential_ratio = contact::mindlin_stiffness_ratio(0.15),
-                           .radius = 0.5e-3,
-                           .void_ratio = row.void_ratio,
-                           .coordination_number = row.C_n,
-                           .stress_v = row.pressure,
-                           .stress_h = row.pressure};
-    CHECK(effective::contact_exponent(state) > 0.85);
-    const effective::RelaxedEstimate rough = relaxed(state, row.z);
-    CHECK(rough.stiffness.G_vh() == relative(row.G, 2 * rough.relative_error.G_vh));
-    CHECK(rough.stiffness.bulk_modulus() == relative(row.K, 2 * rough.relative_error.bulk_modulus));
-    CHECK(rough.relative_error.G_vh < 0.035); // hardly wider than of smooth contacts
-    CHECK(rough.validity.ok());
-  }
-}
-
 TEST_CASE("relaxation: K never exceeds that of uniform strain, with a note where it is limited") {
   int held = 0;
   for (const double z : {4.0, 4.5, 6.2, 8.7, 20.0})
@@ -466,9 +375,8 @@ TEST_CASE("relaxation: K never exceeds that of uniform strain, with a note where
             const double bound = shortened(s) * effective::uniform_strain(s).stiffness.bulk_modulus();
             CHECK(K <= bound * (1 + 1e-14));
             const auto& notes = estimate.validity.notes;
-            const bool noted = std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-              return note.find("upper bound") != std::string::npos;
-            });
+            const bool noted = std::ranges::any_of(
+                notes, [](const std::string& note) { return note.find("bound") != std::string::npos; });
             CHECK(noted == (K > 0 && K >= bound * (1 - 1e-13)));
             held += noted;
             const bool calibrated = std::abs(a) <= 0.25 && ratio >= 0.5 && ratio <= 2.2 && r <= 1;
@@ -479,14 +387,13 @@ TEST_CASE("relaxation: K never exceeds that of uniform strain, with a note where
 
 TEST_CASE("relaxation: derivatives of a modulus at its bound") {
   State s = state_of(2, 1, 0.15, 2e6, 1e5);
-  const double z = 5.5, h = 1e-3;
-  const auto log_G = [&](double step) {
+  const double z = 5.5;
+  REQUIRE(effective::relaxed(s, z).stiffness.bulk_modulus() ==
+          relative(shortened(s) * effective::uniform_strain(s).stiffness.bulk_modulus(), 1e-13));
+  const double slope = slope_of([&](double step) {
     State moved = s;
     moved.stress_v *= std::exp(step);
     return std::log(effective::relaxed(moved, z).stiffness.C44);
-  };
-  REQUIRE(effective::relaxed(s, z).stiffness.bulk_modulus() ==
-          relative(shortened(s) * effective::uniform_strain(s).stiffness.bulk_modulus(), 1e-13));
-  const double slope = (8 * (log_G(h) - log_G(-h)) - (log_G(2 * h) - log_G(-2 * h))) / (12 * h);
-  CHECK(std::abs(effective::relaxed_exponents(s, z, {}, effective::Modulus::G_vh).stress_v - slope) < 1e-9);
+  });
+  CHECK(std::abs(effective::relaxed_exponents(s, z, {}, effective::Modulus::G_vh).stress_v - slope) < 2e-8);
 }

@@ -29,20 +29,15 @@ State packing(double alpha = 2) {
 } // namespace
 
 TEST_CASE("rungs: one row per name, and distinct names") {
-  std::set<RungName> names;
   std::set<std::string> keys, columns;
   for (const Rung& rung : effective::rungs()) {
     CHECK(&effective::rung(rung.name) == &rung);
-    names.insert(rung.name);
-    keys.insert(rung.key);
-    columns.insert(rung.column);
+    CHECK(keys.insert(rung.key).second);
+    CHECK(columns.insert(rung.column).second);
     CHECK(rung.typical_time > 0);
     if (rung.number)
       CHECK(effective::label(rung) == "rung " + std::to_string(*rung.number));
   }
-  CHECK(names.size() == 7);
-  CHECK(keys.size() == 7);
-  CHECK(columns.size() == 7);
   CHECK(closed_forms().size() == 5);
   for (const Rung& rung : closed_forms())
     CHECK_FALSE(rung.needs_packing);

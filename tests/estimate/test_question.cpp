@@ -46,20 +46,16 @@ Question with_ratio(GrainShape shape, double k0) {
 
 TEST_CASE(
     "question: a sand is between its limits, a little denser with a note and a wider range, or refused") {
-  CHECK(refused(of_sand(1.0)) == "");
-  CHECK(refused(of_sand(1.001)) == "void_ratio");
-  CHECK(refused(of_sand(0.6)) == "");
+  for (const auto& [e, name] : {std::pair{1.0, ""}, {1.001, "void_ratio"}, {0.519, "void_ratio"}})
+    CHECK(refused(of_sand(e)) == name);
   CHECK_FALSE(is_noted(of_sand(0.6)));
-  CHECK(refused(of_sand(0.52)) == "");
   CHECK(is_noted(of_sand(0.52)));
-  CHECK(refused(of_sand(0.519)) == "void_ratio");
   const auto width = [](double e) {
     return estimate::answer(of_sand(e))[Field::shear_modulus].relative_error();
   };
   CHECK(width(0.6) == relative(width(0.9), 1e-12));
   CHECK(width(0.52) > 1.2 * width(0.6));
   // The same where the relative density is known by itself.
-  CHECK(refused(of_sand(0.7, {.relative_density = 1.2})) == "");
   CHECK(is_noted(of_sand(0.7, {.relative_density = 1.2})));
   CHECK(refused(of_sand(0.7, {.relative_density = 1.21})) == "relative_density");
   CHECK(refused(of_sand(0.7, {.relative_density = -0.01})) == "relative_density");
@@ -93,12 +89,10 @@ TEST_CASE("question: limits of the void ratio that no soil has are refused") {
   const auto refused_limits = [](double least, double largest) {
     return refused(of_sand(least, {.least_void_ratio = least, .largest_void_ratio = largest}));
   };
-  CHECK(refused_limits(0.6, 0.65) == "");
-  CHECK(refused_limits(0.65, 0.7) == ""); // 0.05 apart up to rounding
-  CHECK(refused_limits(0.1, 0.9) == "");
-  CHECK(refused_limits(0.6, 0.649) == "largest_void_ratio");
-  CHECK(refused_limits(0.9, 0.6) == "largest_void_ratio");
-  CHECK(refused_limits(0.6, 5.1) == "largest_void_ratio");
+  for (const auto& [least, largest] : {std::pair{0.6, 0.65}, {0.65, 0.7}, {0.1, 0.9}}) // 0.05 apart
+    CHECK(refused_limits(least, largest) == "");
+  for (const auto& [least, largest] : {std::pair{0.6, 0.649}, {0.9, 0.6}, {0.6, 5.1}})
+    CHECK(refused_limits(least, largest) == "largest_void_ratio");
   CHECK(refused_limits(0.09, 0.6) == "least_void_ratio");
 }
 
@@ -178,7 +172,6 @@ TEST_CASE("question: what a deviation leads to is refused where no packing has i
     CHECK_THROWS_AS((void)estimate::possible_answer(q), InvalidArgument);
   }
   Question weightless = test::grains_of(2, 0, 100e3, 100e3);
-  weightless.grain_density = -1;
   weightless.grain_density.reset();
   CHECK_NOTHROW((void)estimate::possible_answer(weightless));
 }

@@ -63,15 +63,13 @@ TEST_CASE("a polynomial through numbers that no fit can take is refused without 
 TEST_CASE("a polynomial through fewer places than it has terms is finite, or refused") {
   const HostHandler host;
   const std::vector<double> same{2, 2, 2, 2}, tiny{0, 1e-300, 2e-300, 3e-300}, y{1, 2, 3, 4};
-  for (const std::vector<double>& x : {same, tiny}) {
+  for (const std::vector<double>& x : {same, tiny})
     try {
       const hardin::Polynomial fit = hardin::fit_polynomial(x, y, 3);
-      for (const double c : fit.coefficients)
-        CHECK(std::isfinite(c));
+      CHECK(std::ranges::all_of(fit.coefficients, [](double c) { return std::isfinite(c); }));
       CHECK(std::isfinite(fit.rms));
     } catch (const Error&) {
     }
-  }
   CHECK(handled == 0);
   CHECK(HostHandler::in_place());
 }

@@ -19,16 +19,12 @@ Eigen::MatrixXd valley_slopes(const Eigen::VectorXd& x) {
 
 } // namespace
 
-TEST_CASE("nonlinear fit: the bottom of a bent valley") {
-  const auto found = hardin::solve({valley, valley_slopes}, Eigen::Vector2d(-1.2, 1), 100, "a valley");
+TEST_CASE("nonlinear fit: the bottom of a bent valley, and too few steps to it") {
+  const Eigen::Vector2d start(-1.2, 1);
+  const auto found = hardin::solve({valley, valley_slopes}, start, 100, "a valley");
   CHECK(found.status == hardin::FitStatus::converged);
-  CHECK(found.iterations > 3);
-  CHECK(found.theta[0] == doctest::Approx(1).epsilon(1e-12));
-  CHECK(found.theta[1] == doctest::Approx(1).epsilon(1e-12));
-}
-
-TEST_CASE("nonlinear fit: too few steps are reported") {
-  const auto stopped = hardin::solve({valley, valley_slopes}, Eigen::Vector2d(-1.2, 1), 2, "a valley");
+  CHECK(found.theta.isApprox(Eigen::Vector2d(1, 1), 1e-12));
+  const auto stopped = hardin::solve({valley, valley_slopes}, start, 2, "a valley");
   CHECK(stopped.status == hardin::FitStatus::iteration_limit);
   CHECK(stopped.iterations == 2);
 }

@@ -43,16 +43,18 @@ TEST_CASE("axis: x and y become z, with the cell and its faces") {
   for (const auto& [axis, first] : {std::pair(Axis::x, 1), std::pair(Axis::y, 2), std::pair(Axis::z, 0)}) {
     const io::ImportedPacking turned = about_axis(packing, axis);
     const Mat3 t = stress_of(turned);
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
+      const int k = (i + first) % 3;
       for (int j = 0; j < 3; ++j) {
-        CHECK(t(i, j) == relative(s((i + first) % 3, (j + first) % 3), 1e-12));
-        CHECK(turned.assembly.cell(i, j) == packing.assembly.cell((i + first) % 3, (j + first) % 3));
+        CHECK(t(i, j) == relative(s(k, (j + first) % 3), 1e-12));
+        CHECK(turned.assembly.cell(i, j) == packing.assembly.cell(k, (j + first) % 3));
       }
-    for (int k = 0; k < 3; ++k)
-      CHECK(turned.periodic[static_cast<std::size_t>(k)] ==
-            packing.periodic[static_cast<std::size_t>((k + first) % 3)]);
+      CHECK(turned.periodic[static_cast<std::size_t>(i)] == packing.periodic[static_cast<std::size_t>(k)]);
+    }
     CHECK(determinant(turned.assembly.cell) > 0);
   }
+  CHECK((studies::parse_axis("y") == Axis::y && studies::parse_axis("principal") == Axis::principal));
+  CHECK_FALSE(studies::parse_axis("w"));
 }
 
 TEST_CASE("axis: the principal one is that of the stress") {
@@ -62,12 +64,11 @@ TEST_CASE("axis: the principal one is that of the stress") {
   CHECK(t(2, 2) == relative(s(2, 2), 0.02)); // the specimen is not exactly symmetric
   CHECK(std::abs(t(0, 1)) + std::abs(t(0, 2)) + std::abs(t(1, 2)) < 1e-9 * t(2, 2));
   CHECK(trace(t) == relative(trace(s), 1e-12));
-  io::ImportedPacking walled = upright;
+  io::ImportedPacking walled = upright, blind = upright;
   walled.periodic = {true, true, false};
-  CHECK_THROWS_AS((void)about_axis(walled, Axis::principal), InvalidArgument);
-  walled = upright;
-  walled.notes.push_back({io::Finding::forces_unknown, ""});
-  CHECK_THROWS_AS((void)about_axis(walled, Axis::principal), InvalidArgument);
+  blind.notes.push_back({io::Finding::forces_unknown, ""});
+  for (const io::ImportedPacking& refused : {walled, blind})
+    CHECK_THROWS_AS((void)about_axis(refused, Axis::principal), InvalidArgument);
 }
 
 TEST_CASE("axis: a stress that is not symmetric about z is warned of, with its directions") {
@@ -77,9 +78,4 @@ TEST_CASE("axis: a stress that is not symmetric about z is warned of, with its d
   CHECK_FALSE(studies::measure_frame(upright, {}, {}).triaxial);
   CHECK(warnings(lying) == warnings(upright) + 1);
   CHECK(warnings(about_axis(lying, Axis::principal)) == warnings(upright));
-}
-
-TEST_CASE("axis: names") {
-  CHECK((studies::parse_axis("y") == Axis::y && studies::parse_axis("principal") == Axis::principal));
-  CHECK_FALSE(studies::parse_axis("w"));
 }

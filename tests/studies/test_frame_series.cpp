@@ -44,15 +44,11 @@ TEST_CASE("frame series: states of one stress ratio give only s, those of severa
 }
 
 TEST_CASE("frame series: the reason is reported if no fit is possible") {
+  std::vector<MeasuredModulus> alike(4, states(0.2, 0.2, 0, 1).front()), bad = states(0.2, 0.2, 0);
+  bad[1].shear_modulus = -1;
   CHECK(fit_series({}).remark.find("3") != std::string::npos); // states are needed
   CHECK(fit_series(states(0.2, 0.2, 0, 2)).remark == fit_series({}).remark);
-  std::vector<MeasuredModulus> alike = states(0.2, 0.2, 0, 1);
-  alike.insert(alike.end(), 3, alike.front());
-  const studies::SeriesFit flat = fit_series(alike);
-  CHECK_FALSE(flat.remark.empty());
-  CHECK_FALSE(flat.sum);
-  std::vector<MeasuredModulus> bad = states(0.2, 0.2, 0);
-  bad[1].shear_modulus = -1;
+  CHECK_FALSE((fit_series(alike).remark.empty() || fit_series(alike).sum));
   CHECK(fit_series(bad).remark.find("shear_modulus") != std::string::npos);
   CHECK_THROWS_AS((void)fit_series(states(0.2, 0.2, 0), 0), InvalidArgument);
 }

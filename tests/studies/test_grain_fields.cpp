@@ -67,9 +67,9 @@ TEST_CASE("D2min between two frames goes by the ids of the grains, of those that
   CHECK(studies::d2min(before, after, 1.1) != all);
   io::ImportedPacking turned = after; // its grains in the reverse order
   turned.assembly.contacts.clear();
-  std::reverse(turned.id.begin(), turned.id.end());
-  std::reverse(turned.assembly.position.begin(), turned.assembly.position.end());
-  std::reverse(turned.assembly.radius.begin(), turned.assembly.radius.end());
+  std::ranges::reverse(turned.id);
+  std::ranges::reverse(turned.assembly.position);
+  std::ranges::reverse(turned.assembly.radius);
   const std::vector<double> reversed = studies::d2min(before, turned);
   for (std::size_t g = 0; g < grains; ++g)
     CHECK(std::abs(reversed[grains - 1 - g] - all[g]) <= 1e-12 * all[4]);
@@ -80,9 +80,8 @@ TEST_CASE("D2min between two frames goes by the ids of the grains, of those that
   const std::vector<double> partly = studies::d2min(before, later);
   CHECK(partly[0] == 0);
   CHECK(partly[4] > 0);
-  later.id = std::vector<long>(grains, 0);
-  for (std::size_t g = 0; g < grains; ++g)
-    later.id[g] = static_cast<long>(2 * g + 1);
+  for (long& id : later.id)
+    id = 2 * id + 1;
   CHECK(studies::d2min(before, later) == std::vector<double>(grains, 0.0));
   CHECK_THROWS_AS((void)studies::d2min(before, after, 0.5), InvalidArgument);
 }
@@ -92,15 +91,13 @@ TEST_CASE("extended XYZ: cell, faces, columns and grains") {
                             .position = {{1.0 / 3, 2, 3}, {4, 5, 6}},
                             .radius = {0.5, 0.25},
                             .contacts = {}};
-  const std::vector<long> id{7, 9};
-  const std::vector<io::GrainField> fields{{.name = "radius", .values = a.radius},
-                                           {.name = "push", .components = 2, .values = {1, 2, 3, 4}},
+  const std::vector<io::GrainField> fields{{.name = "push", .components = 2, .values = {1, 2, 3, 4}},
                                            {.name = "kind", .values = {0, 1}, .whole = true}};
-  CHECK(io::grains_xyz(a, {true, true, false}, fields, id, 0.5) ==
-        "2\nLattice=\"4 0 0 1 5 0 0 0 6\" pbc=\"T T F\" "
-        "Properties=id:I:1:pos:R:3:radius:R:1:push:R:2:kind:I:1 Time=0.5\n"
-        "7 0.3333333333333333 2 3 0.5 1 2 0\n9 4 5 6 0.25 3 4 1\n");
-  CHECK_THROWS_AS(static_cast<void>(io::grains_xyz(a, {}, fields, std::vector<long>{1})), InvalidArgument);
-  CHECK_THROWS_AS(static_cast<void>(io::grains_xyz(a, {}, std::vector<io::GrainField>{{.name = "short"}})),
+  CHECK(
+      io::grains_xyz(a, {true, true, false}, fields, std::vector<long>{7, 9}, 0.5) ==
+      "2\nLattice=\"4 0 0 1 5 0 0 0 6\" pbc=\"T T F\" Properties=id:I:1:pos:R:3:push:R:2:kind:I:1 Time=0.5\n"
+      "7 0.3333333333333333 2 3 1 2 0\n9 4 5 6 3 4 1\n");
+  CHECK_THROWS_AS((void)io::grains_xyz(a, {}, fields, std::vector<long>{1}), InvalidArgument);
+  CHECK_THROWS_AS((void)io::grains_xyz(a, {}, std::vector<io::GrainField>{{.name = "short"}}),
                   InvalidArgument);
 }

@@ -6,7 +6,6 @@
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/fabric/orientation.hpp>
-#include <granum/io/packing_files.hpp>
 #include <granum/packing/assembly.hpp>
 #include <granum/packing/coordination.hpp>
 
@@ -46,13 +45,6 @@ void check_same(const analysis::Measurement& measured, const packing::Assembly& 
         1e-8 * response.affine().matrix.norm());
 }
 
-io::ImportedPacking from_files(const std::vector<std::string>& names) {
-  std::vector<std::filesystem::path> paths;
-  for (const std::string& name : names)
-    paths.emplace_back(std::string(GRANUM_IO_DATA) + "/" + name);
-  return io::PackingFiles(paths).next().value();
-}
-
 /// Whether one of them has this number or option.
 bool one_has(const std::vector<std::string>& notes, const std::string& part) {
   return std::ranges::any_of(notes, [&](const std::string& n) { return n.find(part) != std::string::npos; });
@@ -66,7 +58,7 @@ TEST_CASE("frame: granum's own specimen through CSV and through a dump is the sp
   check_same(measure_frame(through_dump(own), known).packing, own);
 }
 
-TEST_CASE("frame: a packing between walls has the engine's stress, from text and from VTK's XML") {
+TEST_CASE("frame: a packing between walls has the engine's stress") {
   triaxial::SpecimenRecipe recipe = specimen_recipe(50e3, 60);
   recipe.wall_friction = 0.3;
   const dem::Specimen state = states_at({50e3}, recipe).front();
@@ -78,18 +70,18 @@ TEST_CASE("frame: a packing between walls has the engine's stress, from text and
   sticking.walls->friction_coefficient = material.friction_coefficient =
       std::numeric_limits<double>::infinity();
   const Mat3 engine = dem::Engine(sticking, material).figures().stress;
-  for (const io::ImportedPacking& packing : {through_mercury(own), through_vtk(own)}) {
-    const analysis::Measurement a = measure_frame(packing, known).packing;
-    check_same(a, own);
-    for (int k = 0; k < 3; ++k) // sums in another order
-      CHECK(a.stress->tensor(k, k) == relative(engine(k, k), 1e-11));
-    CHECK(a.counts.wall_contacts == own.wall_contacts.size());
-    CHECK(a.forces->unbalance.value().force_ratio < 1e-6); // walls hold their grains
-  }
+  io::ImportedPacking packing = through_mercury(own);
+  const analysis::Measurement a = measure_frame(packing, known).packing;
+  check_same(a, own);
+  for (int k = 0; k < 3; ++k) // sums in another order
+    CHECK(a.stress->tensor(k, k) == relative(engine(k, k), 1e-11));
+  CHECK(a.counts.wall_contacts == own.wall_contacts.size());
+  CHECK(a.counts.coordination_number_with_walls ==
+        relative(double(2 * own.contacts.size() + own.wall_contacts.size()) / 60, 1e-14));
+  CHECK(a.forces->unbalance.value().force_ratio < 1e-6); // walls hold their grains
   // Without the walls a good part of the stress is missing.
-  io::ImportedPacking open = through_vtk(own);
-  open.assembly.wall_contacts.clear();
-  CHECK(measure_frame(open, known).packing.stress->mean() < 0.9 * trace(engine) / 3);
+  packing.assembly.wall_contacts.clear();
+  CHECK(measure_frame(packing, known).packing.stress->mean() < 0.9 * trace(engine) / 3);
 }
 
 TEST_CASE("frame: G_g comes out of the forces where it is not given, and the closed forms with it") {
@@ -108,28 +100,20 @@ TEST_CASE("frame: G_g comes out of the forces where it is not given, and the clo
 }
 
 TEST_CASE("frame: without contacts, or without forces, the rest is still there") {
-  const analysis::Measurement data = measure_frame(from_files({"lammps_chain.data"})).packing;
-  CHECK(data.counts.without_contact == 3);
-  CHECK(data.counts.coordination_number == 0);
-  CHECK_FALSE((data.fabric || data.forces || data.stress || data.state || data.network));
-
   const packing::Assembly& own = specimen();
-  std::string contacts = "# units: SI\nid1,id2,nx,ny,nz\n";
-  for (const packing::Contact& c : own.contacts) {
-    const Vec3 n = normal(c);
-    contacts += std::to_string(c.i) + "," + std::to_string(c.j) + "," + words({n.x, n.y, n.z}, ",") + "\n";
-  }
-  const io::ImportedPacking packing =
-      io::read_packing_csv(io::TextSource::of_text("g", csv_grains(own)),
-                           io::TextSource::of_text("c", contacts), {.box = io::CsvBox{own.cell}});
+  io::ImportedPacking packing = through_csv(own);
+  packing.notes.push_back({io::Finding::forces_unknown, ""});
   const analysis::Measurement geometry = measure_frame(packing, known).packing;
   CHECK(geometry.counts.coordination_number == coordination_number(own));
   REQUIRE(geometry.fabric);
   CHECK_FALSE((geometry.forces || geometry.stress || geometry.state));
   REQUIRE(geometry.network); // k_n from the overlaps
-  CHECK(
-      (geometry.network->response.relaxed().matrix - network::linear_response(own).relaxed().matrix).norm() <
-      1e-8 * geometry.network->response.relaxed().matrix.norm());
+  const elastic::Matrix6 expected = network::linear_response(own).relaxed().matrix;
+  CHECK((geometry.network->response.relaxed().matrix - expected).norm() < 1e-8 * expected.norm());
+  packing.assembly.contacts.clear();
+  const analysis::Measurement data = measure_frame(packing).packing;
+  CHECK(data.counts.without_contact == own.grain_count());
+  CHECK_FALSE((data.fabric || data.forces || data.stress || data.state || data.network));
 }
 
 TEST_CASE("frame: a table with only contacts gives fabric and forces") {
@@ -144,22 +128,21 @@ TEST_CASE("frame: a table with only contacts gives fabric and forces") {
   CHECK(a.fabric->density->chi_square.p_value > 0.001);
   CHECK(a.fabric->rose.size() == 18);
   CHECK_FALSE(a.forces);
-
   for (std::size_t k = 0; k < table.normal.size(); ++k) {
     table.normal_force.push_back(k % 2 == 0 ? 1.0 : 3.0);
     table.tangential_size.push_back(0.5);
+    table.force.push_back(2 * table.normal[k]);
   }
+  io::ContactTable whole = table;
+  whole.normal_force.clear();
+  whole.tangential_size.clear();
+  CHECK(measure_frame(whole).packing.forces->distribution.largest == relative(2, 1e-15));
+  table.force.clear();
   a = measure_frame(table).packing;
   REQUIRE(a.forces);
   CHECK(a.forces->distribution.mean == relative(2, 1e-14));
   CHECK(a.forces->Z_2 == relative(5.0 / 4, 1e-14));
-  REQUIRE(a.forces->mean_tangential_over_normal);
-  CHECK(*a.forces->mean_tangential_over_normal == relative(0.25, 1e-12)); // a sum of 20,000 roots
-  table.normal_force.clear();
-  table.tangential_size.clear();
-  for (const Vec3& n : table.normal)
-    table.force.push_back(2 * n);
-  CHECK(measure_frame(table).packing.forces->distribution.largest == relative(2, 1e-15));
+  CHECK(a.forces->mean_tangential_over_normal.value() == relative(0.25, 1e-12)); // a sum of 20,000 roots
 }
 
 TEST_CASE("frame: contact means and the equivalent radius are those of the grains that touch") {
@@ -171,21 +154,13 @@ TEST_CASE("frame: contact means and the equivalent radius are those of the grain
   CHECK(a.sizes.smallest == 0.8 * r);
   CHECK(a.sizes.largest == r);
   CHECK(a.sizes.equivalent == relative(r * (1 + 0.8 * 0.8 * 0.8) / (1 + 0.8 * 0.8), 1e-12));
-  double lengths = 0, squares = 0, roots = 0, cubes = 0;
+  std::vector<sizes::TouchingPair> pairs;
+  double squares = 0;
   for (const packing::Contact& c : packing.assembly.contacts) {
-    const double ri = packing.assembly.radius[c.i], rj = packing.assembly.radius[c.j];
-    lengths += ri + rj;
-    squares += (ri + rj) * (ri + rj);
-    roots += (ri + rj) * (ri + rj) * std::cbrt(1 / (1 / ri + 1 / rj));
+    pairs.push_back({packing.assembly.radius[c.i], packing.assembly.radius[c.j]});
+    squares += std::pow(pairs.back().radius_i + pairs.back().radius_j, 2);
   }
-  for (const double radius : packing.assembly.radius)
-    cubes += radius * radius * radius;
-  const double R = a.sizes.equivalent, contacts = static_cast<double>(packing.assembly.contacts.size());
-  CHECK(a.sizes.contacts.branch == relative(lengths / contacts / (2 * R), 1e-12));
-  CHECK(a.sizes.contacts.branch_square == relative(squares / contacts / (4 * R * R), 1e-12));
-  CHECK(a.sizes.contacts.pair_radius == relative(2 * std::pow(roots / squares, 3) / R, 1e-12));
-  CHECK(a.sizes.contacts.grain_volume ==
-        relative(cubes / static_cast<double>(a.counts.grains) / (R * R * R), 1e-12));
+  CHECK(a.sizes.contacts == sizes::counted_contact_means(packing.assembly.radius, pairs, a.sizes.equivalent));
   CHECK(a.sizes.gradation.d50 == 2 * r);
   REQUIRE(a.state);
   CHECK(a.state->contacts == a.sizes.contacts);
@@ -195,10 +170,10 @@ TEST_CASE("frame: contact means and the equivalent radius are those of the grain
 
 TEST_CASE("frame: options that cannot be are refused") {
   const io::ImportedPacking packing = through_csv(specimen());
-  CHECK_THROWS_AS((void)measure_frame(packing, {.grain_shear_modulus = -1}), InvalidArgument);
-  CHECK_THROWS_AS((void)measure_frame(packing, {.grain_poisson_ratio = 0.7}), InvalidArgument);
-  CHECK_THROWS_AS((void)measure_frame(packing, {.friction_coefficient = -0.1}), InvalidArgument);
-  CHECK_THROWS_AS((void)measure_frame(packing, {.tangential_ratio = -0.1}), InvalidArgument);
+  using analysis::Given;
+  for (const Given& bad : {Given{.grain_shear_modulus = -1}, Given{.grain_poisson_ratio = 0.7},
+                           Given{.friction_coefficient = -0.1}, Given{.tangential_ratio = -0.1}})
+    CHECK_THROWS_AS((void)measure_frame(packing, bad), InvalidArgument);
   CHECK_THROWS_AS((void)measure_frame(packing, {}, {.rose_bins = 0}), InvalidArgument);
 }
 
@@ -217,18 +192,14 @@ io::ImportedPacking turned_chain() {
   p.assembly = {.cell = Mat3::diagonal(2, 2, 2),
                 .position = {{0.5, 1, 1}, {1.5, 1, 1}},
                 .radius = {0.5001, 0.5001},
-                .contacts = {{.i = 0,
-                              .j = 1,
-                              .branch = {-1, 0, 0},
-                              .overlap = 2e-4,
-                              .normal_force = 1,
-                              .tangential_force = {0, -0.2, 0}},
-                             {.i = 0,
-                              .j = 1,
-                              .branch = {1, 0, 0},
-                              .overlap = 2e-4,
-                              .normal_force = 1,
-                              .tangential_force = {0, 0.2, 0}}}};
+                .contacts = {}};
+  for (const double side : {-1.0, 1.0})
+    p.assembly.contacts.push_back({.i = 0,
+                                   .j = 1,
+                                   .branch = {side, 0, 0},
+                                   .overlap = 2e-4,
+                                   .normal_force = 1,
+                                   .tangential_force = {0, 0.2 * side, 0}});
   return p;
 }
 
@@ -247,46 +218,45 @@ TEST_CASE("frame: moments that are left are named, and rung 3 is withheld, packi
 }
 
 TEST_CASE("frame: contacts that resist rolling make network and rung 3 stiffer by the same") {
+  using Of = packing::TurningSpring::Of;
+  const auto with = [](double value, Of of) {
+    analysis::Given rolling = known;
+    rolling.rolling = packing::TurningSpring{.value = value, .of = of};
+    return rolling;
+  };
   const analysis::Measurement sound = measure_frame(through_dump(specimen()), known).packing;
-  analysis::Given rolling = known;
-  rolling.rolling = packing::TurningSpring{.value = 0.2, .of = packing::TurningSpring::Of::normal};
-  const MeasuredFrame frame = measure_frame(through_dump(specimen()), rolling);
+  const MeasuredFrame frame = measure_frame(through_dump(specimen()), with(0.2, Of::normal));
   CHECK_FALSE(one_has(frame.warnings, "--rolling-stiffness")); // it is known
   REQUIRE(relaxed_form(frame.packing).answer);
   CHECK(frame.packing.state->rolling == relative(0.2, 1e-14));
   CHECK(one_has(frame.packing.notes, "0.2 k_n"));
-  const auto gains = [&](const analysis::Measurement& m) {
-    const auto G = [](const analysis::Measurement& of) {
-      return std::pair(relaxed_form(of).answer->stiffness.G_vh(),
-                       of.network->isotropic_relaxed().shear_modulus());
-    };
-    return std::pair(G(m).first / G(sound).first, G(m).second / G(sound).second);
+  const auto check_gains = [&](const analysis::Measurement& m, double tolerance) {
+    const double of_network =
+        m.network->isotropic_relaxed().shear_modulus() / sound.network->isotropic_relaxed().shear_modulus();
+    CHECK(relaxed_form(m).answer->stiffness.G_vh() / relaxed_form(sound).answer->stiffness.G_vh() ==
+          relative(of_network, tolerance));
+    return of_network;
   };
-  const auto [of_rung, of_network] = gains(frame.packing);
-  CHECK(of_network > 1.05);
-  CHECK(of_rung == relative(of_network, 0.05));
+  CHECK(check_gains(frame.packing, 0.05) > 1.05);
   CHECK(relaxed_form(frame.packing).answer->relative_error->G_vh > 0.02);
-  // Springs of one stiffness on contacts of many: their mean.
-  rolling.rolling = packing::TurningSpring{.value = 1e-3, .of = packing::TurningSpring::Of::angle};
-  const analysis::Measurement uneven = measure_frame(through_dump(specimen()), rolling).packing;
-  CHECK(gains(uneven).first == relative(gains(uneven).second, 0.06));
-  rolling.rolling = packing::TurningSpring{.value = 1, .of = packing::TurningSpring::Of::normal};
-  CHECK(relaxed_form(measure_frame(through_dump(specimen()), rolling).packing).answer);
-  // Rung 3 is not evaluated beyond its fit, where twisting is resisted too, and of bonds.
-  rolling.rolling = packing::TurningSpring{.value = 1.1, .of = packing::TurningSpring::Of::normal};
-  const analysis::Measurement stiff = measure_frame(through_dump(specimen()), rolling).packing;
-  CHECK_FALSE(relaxed_form(stiff).answer);
-  CHECK_FALSE(relaxed_form(stiff).refusal.empty());
-  rolling.rolling->value = 0.2;
-  io::ImportedPacking bonded = through_dump(specimen());
-  bonded.assembly.contacts[3].normal_force *= -1;
-  CHECK_FALSE(relaxed_form(measure_frame(bonded, rolling).packing).answer);
-  rolling.twisting = rolling.rolling;
-  CHECK_FALSE(relaxed_form(measure_frame(through_dump(specimen()), rolling).packing).answer);
-  CHECK(frame.packing.network->isotropic_relaxed().shear_modulus() >
-        sound.network->isotropic_relaxed().shear_modulus());
   CHECK(frame.packing.network->isotropic_affine().shear_modulus() ==
         relative(sound.network->isotropic_affine().shear_modulus(), 1e-12));
+  // Springs of one stiffness on contacts of many: their mean.
+  check_gains(measure_frame(through_dump(specimen()), with(1e-3, Of::angle)).packing, 0.06);
+  // Rung 3 is not evaluated beyond its fit, where twisting is resisted too, and of bonds.
+  const auto answered = [](const analysis::Given& given, double first_force = 1) {
+    io::ImportedPacking p = through_dump(specimen());
+    p.assembly.contacts[3].normal_force *= first_force;
+    const analysis::Measurement m = measure_frame(p, given).packing;
+    CHECK(relaxed_form(m).answer.has_value() == relaxed_form(m).refusal.empty());
+    return relaxed_form(m).answer.has_value();
+  };
+  CHECK(answered(with(1, Of::normal)));
+  CHECK_FALSE(answered(with(1.1, Of::normal)));
+  CHECK_FALSE(answered(with(0.2, Of::normal), -1));
+  analysis::Given twisting = with(0.2, Of::normal);
+  twisting.twisting = twisting.rolling;
+  CHECK_FALSE(answered(twisting));
 }
 
 TEST_CASE("frame: bodies count in place of grains") {

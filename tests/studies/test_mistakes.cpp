@@ -42,27 +42,24 @@ io::ImportedPacking rescaled(double lengths, double radii) {
 
 } // namespace
 
-TEST_CASE("mistakes: a good packing has none, in any unit of length") {
+TEST_CASE("mistakes: a good packing has none") {
   CHECK(mistakes_in(rescaled(1, 1)).empty());
   CHECK(mistakes_in(rescaled(1, 1), {.grain_shear_modulus = 30e9}).empty());
-  CHECK(mistakes_in(rescaled(10, 1), {.grain_shear_modulus = 30e9}).size() == 1);
 }
 
 TEST_CASE("mistakes: radii and lengths of another unit, and grains of no material, are named with numbers") {
-  io::ImportedPacking no_law =
-      rescaled(1e3, 1); // where the law does not show G_g, the size of the grains does
+  io::ImportedPacking no_law = rescaled(1e3, 1); // there the size of the grains shows what G_g does not
   for (packing::Contact& c : no_law.assembly.contacts)
     c.normal_force = 1;
+  CHECK(one_names(mistakes_in(no_law), "500 mm"));
   CHECK(one_names(mistakes_in(rescaled(1, 2)), "e = 0.")); // diameters, which are halved
   CHECK(one_names(mistakes_in(rescaled(1, 0.999)), "1.000"));
   CHECK_FALSE(mistakes_in(rescaled(1, 0.51)).empty());
   CHECK(one_names(mistakes_in(rescaled(1e3, 1)), "30 kPa"));
-  CHECK(one_names(mistakes_in(no_law), "500 mm"));
-  CHECK(one_names(mistakes_in(rescaled(1, 1), {.grain_shear_modulus = 1e3}), "1 kPa"));
-  CHECK_FALSE(mistakes_in(rescaled(1, 1), {.grain_shear_modulus = 30e12}).empty());
+  CHECK(mistakes_in(rescaled(10, 1), {.grain_shear_modulus = 30e9}).size() == 1);
 }
 
-TEST_CASE("mistakes: a box too small, and one that is mostly empty") {
+TEST_CASE("mistakes: a box too small, but for overlaps of bodies") {
   packing::Assembly a = specimen();
   a.cell(2, 2) *= 0.6;
   a.contacts.clear();
@@ -70,17 +67,6 @@ TEST_CASE("mistakes: a box too small, and one that is mostly empty") {
   for (std::uint32_t g = 0; g < a.grain_count(); ++g)
     of_pairs.assembly.body.push_back(g / 2);
   CHECK(mistakes_in(of_pairs).size() + 1 == mistakes_in(through_dump(a)).size());
-  a.cell(2, 2) *= 10;
-  CHECK_FALSE(mistakes_in(through_dump(a)).empty());
-}
-
-TEST_CASE("mistakes: rows of contacts that are missing") {
-  packing::Assembly half = specimen(), one = specimen();
-  for (std::size_t k = half.contacts.size(); k-- > 0;)
-    if (k % 2 == 1)
-      half.contacts.erase(half.contacts.begin() + static_cast<std::ptrdiff_t>(k));
-  one.contacts.pop_back();
-  CHECK(mistakes_in(through_dump(half)).size() > mistakes_in(through_dump(one)).size());
 }
 
 TEST_CASE("mistakes: rows are missed from a tenth of the usual overlap on, more than one in twenty of them") {

@@ -7,18 +7,12 @@ using namespace granum::studies;
 using granum::contact::Shape;
 using granum::triaxial::Density;
 
-TEST_CASE("every shape of the paper has its printed numbers, others have none") {
-  for (const Density density : {Density::dense, Density::loose}) {
-    for (const Shape shape : {Shape::cone, Shape::sphere, Shape::flat})
-      CHECK(printed(shape, density).has_value());
-    CHECK_FALSE(printed(Shape::power_law, density).has_value());
-  }
-}
-
 // The numbers were typed from Tables 2, 4 and 5; these relations hold among them and catch most slips.
 TEST_CASE("printed exponents add up, G_vh mirrors G_hv, and angles and structure are ordered") {
+  CHECK_FALSE(printed(Shape::power_law, Density::dense).has_value());
   for (const Shape shape : {Shape::cone, Shape::sphere, Shape::flat}) {
-    const PrintedSpecimen dense = *printed(shape, Density::dense), loose = *printed(shape, Density::loose);
+    const PrintedSpecimen dense = printed(shape, Density::dense).value(),
+                          loose = printed(shape, Density::loose).value();
     for (const PrintedSpecimen& p : {dense, loose}) {
       for (const PrintedFit& fit : {p.hv, p.vh})
         CHECK(std::abs(*fit.m + *fit.n - fit.s) < 0.0025);

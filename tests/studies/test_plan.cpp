@@ -13,10 +13,10 @@ namespace {
 constexpr double speed = 2e-7; ///< of an imagined machine [s per grain and step]
 }
 
-TEST_CASE("the work of a study is that of its parts") {
+TEST_CASE("the work of a study is that of its parts, and a plan counts what a study runs") {
   Scene scene;
-  scene.study.contacts = {Shape::cone, Shape::flat};
-  scene.study.seeds = 3;
+  scene.study.seeds = 2;
+  scene.study.grains = 200;
   double parts = 0;
   for (const Shape shape : scene.study.contacts) {
     parts += preparation_work(scene);
@@ -25,13 +25,7 @@ TEST_CASE("the work of a study is that of its parts") {
         parts += stage_work(scene, density, shape, stage);
   }
   CHECK(parts > 0);
-  CHECK(total_work(scene) == relative(3 * parts, 1e-12)); // rounding of 40 terms
-}
-
-TEST_CASE("a plan counts what a study runs") {
-  Scene scene;
-  scene.study.seeds = 2;
-  scene.study.grains = 200;
+  CHECK(total_work(scene) == relative(2 * parts, 1e-12)); // rounding of 60 terms
   const Plan planned = plan(scene, speed);
   CHECK(planned.packings == 6);
   CHECK(planned.specimens == 12);
@@ -49,10 +43,7 @@ TEST_CASE("unequal grains take longer to pack, and as long as equal ones from th
   CHECK(preparation_work(unequal) < 2.4 * preparation_work(equal));
   CHECK(specimen_work(unequal, Density::loose, Shape::sphere) ==
         specimen_work(equal, Density::loose, Shape::sphere));
-  const Plan planned = plan(unequal, speed);
-  CHECK(planned.packings == 3);
-  CHECK(planned.grain_steps == total_work(unequal));
-  CHECK(planned.memory == plan(equal, speed).memory);
+  CHECK(plan(unequal, speed).grain_steps == total_work(unequal));
   unequal.study.grains = 293; // the cell would be narrower than four of the largest
   CHECK_THROWS_WITH_AS((void)plan(unequal, speed), doctest::Contains("294"), InvalidArgument);
   unequal.study.grains = 294;
@@ -71,23 +62,18 @@ TEST_CASE("the predicted time shares the work among threads, no more than there 
   }
 }
 
-TEST_CASE("an impossible scene has no plan") {
+TEST_CASE("an impossible scene has no plan, and the engine's speed can be measured for every law") {
   Scene scene;
+  for (const Shape shape : Scene{}.study.contacts) {
+    scene.study.contacts = {shape};
+    const double measured = measured_speed(scene);
+    CHECK((measured > 0 && std::isfinite(measured)));
+  }
   scene.study.pressures = {10e3};
   CHECK_THROWS_AS((void)plan(scene, speed), InvalidArgument);
   CHECK_THROWS_AS((void)measured_speed(scene), InvalidArgument);
   for (const double wrong : {0.0, -1.0})
     CHECK_THROWS_AS((void)plan(Scene{}, wrong), InvalidArgument);
-}
-
-TEST_CASE("the engine's speed can be measured for every law, with few grains and many") {
-  Scene scene;
-  for (const Shape shape : scene.study.contacts) {
-    scene.study.contacts = {shape};
-    const double measured = measured_speed(scene);
-    CHECK(measured > 0);
-    CHECK(std::isfinite(measured));
-  }
 }
 
 TEST_CASE("sizes that span up to 1:5 have no note on their cost, wider ones do") {

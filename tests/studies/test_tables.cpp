@@ -96,18 +96,20 @@ TEST_CASE("each number is in its own column") {
 TEST_CASE("exponents in CSV are read back, with empty cells for missing values") {
   const std::vector<ExponentRow> rows = exponents(scene_of_study(), study());
   const std::string csv = exponents_csv(rows);
-  const io::CsvTable table("exponents.csv", csv);
+  const io::CsvTable table("exponents.csv", csv), full("exponents.csv", exponents_csv({rows[0], rows[3]}));
   REQUIRE(table.row_count() == 4); // two contacts, two densities, with specimens or without
-  CHECK(table.numbers("contact_law", Dimension::dimensionless)[0] == rows[0].contact_law);
-  CHECK(table.numbers("paper", Dimension::dimensionless)[3] == 0.245);
-  CHECK_THROWS_AS((void)table.numbers("network", Dimension::dimensionless), FileError);
+  const auto numbers = [](const io::CsvTable& of, const char* column) {
+    return of.numbers(column, Dimension::dimensionless);
+  };
+  CHECK(numbers(table, "contact_law")[0] == rows[0].contact_law);
+  CHECK(numbers(table, "paper")[3] == 0.245);
+  CHECK_THROWS_AS((void)numbers(table, "network"), FileError);
   CHECK(contains(csv, "\nsphere,loose,"));
   CHECK(contains(csv, ",,,,,,,,0.533"));
-  const io::CsvTable full("exponents.csv", exponents_csv({rows[0], rows[3]}));
-  CHECK(full.numbers("network", Dimension::dimensionless)[0] == rows[0].network->value);
-  CHECK(full.numbers("network_error", Dimension::dimensionless)[1] == rows[3].network->standard_error);
-  CHECK(full.numbers("closed_form", Dimension::dimensionless)[1] == rows[3].closed_form->value);
-  CHECK(full.numbers("probe", Dimension::dimensionless)[1] == rows[3].probe->value);
+  CHECK(numbers(full, "network")[0] == rows[0].network->value);
+  CHECK(numbers(full, "network_error")[1] == rows[3].network->standard_error);
+  CHECK(numbers(full, "closed_form")[1] == rows[3].closed_form->value);
+  CHECK(numbers(full, "probe")[1] == rows[3].probe->value);
 }
 
 TEST_CASE("tables: numbers are shown in the unit of their heading") {

@@ -125,9 +125,9 @@ TEST_CASE("failed samples are counted, and the first is named with its reason") 
   CHECK(failures_text(samples).empty());
   samples[2].boundary = Boundary::smooth_walls;
   samples[2].density = Density::loose;
-  samples[2].failure = "a probe did not come to rest";
+  samples[2].failure = "why";
   samples[3].failure = "another";
-  for (const char* part : {"2", "4", "boundary", "1000", "smooth-walls", "loose", "7", "not come to rest"})
+  for (const char* part : {"2", "4", "boundary", "1000", "smooth-walls", "loose", "7", "why"})
     CHECK(failures_text(samples).find(part) != std::string::npos);
   samples[1].failure = "a third";
   CHECK(failures_text(samples).ends_with("a third")); // of a smaller number
@@ -136,9 +136,9 @@ TEST_CASE("failed samples are counted, and the first is named with its reason") 
 TEST_CASE("error of a specimen: bias and scatter if the packing changes, else the bias") {
   TradeRow row;
   row.shear_modulus = Deviation{.bias = -0.03, .scatter = 0.04};
-  CHECK(error_of(row) == relative(0.05, 1e-15));
-  row.varied = Varied::boundary;
-  CHECK(error_of(row) == relative(0.05, 1e-15));
-  row.varied = Varied::compression;
-  CHECK(error_of(row) == 0.03);
+  for (const auto& [varied, error] :
+       {std::pair{Varied::grains, 0.05}, {Varied::boundary, 0.05}, {Varied::compression, 0.03}}) {
+    row.varied = varied;
+    CHECK(error_of(row) == relative(error, 1e-15));
+  }
 }

@@ -9,7 +9,6 @@
 #include "written_packing.hpp"
 
 using namespace granum::samples;
-using analysis::InteriorMeasures;
 using studies::WindowChoice;
 
 namespace {
@@ -36,9 +35,7 @@ io::ImportedPacking column() {
 TEST_CASE("window: the whole of a periodic packing is the packing, wherever the window begins") {
   const io::ImportedPacking packing = through_csv(specimen());
   for (const double begin : {0.0, 0.3e-3, -7e-3}) {
-    WindowChoice choice;
-    choice.low = {begin, begin, begin};
-    const analysis::Measurement all = seen_through(packing, choice);
+    const analysis::Measurement all = seen_through(packing, {.low = {begin, begin, begin}});
     REQUIRE(all.interior);
     CHECK(all.interior->grains == packing.assembly.grain_count());
     CHECK(all.interior->void_ratio == relative(all.void_ratio, 1e-9));
@@ -55,15 +52,11 @@ TEST_CASE("window: solid volume and force times branch of two halves are those o
   const double edge = packing.assembly.cell(2, 2), cut = 0.4 * edge;
   WindowChoice lower, upper;
   lower.low[2] = 0;
-  lower.high[2] = cut;
-  upper.low[2] = cut;
+  lower.high[2] = upper.low[2] = cut;
   upper.high[2] = edge;
   const analysis::Measurement low = seen_through(packing, lower), high = seen_through(packing, upper);
-  const auto solid = [&](const InteriorMeasures& part, double share) {
-    return share * packing.assembly.volume() / (1 + part.void_ratio);
-  };
-  CHECK(solid(*low.interior, 0.4) + solid(*high.interior, 0.6) ==
-        relative(packing.assembly.volume() / (1 + low.void_ratio), 1e-9));
+  CHECK(0.4 / (1 + low.interior->void_ratio) + 0.6 / (1 + high.interior->void_ratio) ==
+        relative(1 / (1 + low.void_ratio), 1e-9));
   CHECK(0.4 * low.interior->stress(2, 2) + 0.6 * high.interior->stress(2, 2) ==
         relative(low.stress->tensor(2, 2), 1e-9));
   // the closed forms take the state of the window
@@ -71,39 +64,33 @@ TEST_CASE("window: solid volume and force times branch of two halves are those o
   CHECK(low.state->stress_v == low.interior->stress(2, 2));
 }
 
-TEST_CASE(
-    "window: the extent of the grains where faces are walls, an edge of the cell where they are periodic") {
+TEST_CASE("window: the grains between walls, an edge of the cell along periodic axes, depth from the highest "
+          "grain with a contact") {
   const analysis::Window whole = studies::window_in(column(), {});
   CHECK(std::abs(whole.low.z) < 1e-15);
   CHECK(whole.high.z == relative(3.6, 1e-15));
   CHECK(whole.high.x - whole.low.x == relative(1, 1e-15));
-}
-
-TEST_CASE("window: depth counts from the highest grain with a contact") {
-  WindowChoice choice;
-  choice.depth = {0.2, 0.9};
+  const WindowChoice choice{.depth = std::pair{0.2, 0.9}};
   const analysis::Window window = studies::window_in(column(), choice);
   CHECK(window.high.z == relative(1.2, 1e-15));
   CHECK(window.low.z == relative(0.5, 1e-15));
   io::ImportedPacking gas = column();
   gas.assembly.contacts.clear();
-  CHECK_THROWS_WITH_AS(static_cast<void>(studies::window_in(gas, choice)), doctest::Contains("--depth"),
-                       InvalidArgument);
+  CHECK_THROWS_WITH_AS((void)studies::window_in(gas, choice), doctest::Contains("--depth"), InvalidArgument);
 }
 
 TEST_CASE("window: a window beyond the grains, or without width, is refused") {
-  const auto refused = [](double low, double high, std::size_t axis, const char* words) {
+  const struct {
+    double low, high;
+    std::size_t axis;
+    const char* name;
+  } rows[] = {{1, 5, 2, " z"}, {-1, 1, 2, " z"}, {2, 1, 0, " x"}, {0, 1.5, 0, " x"}, {3, 3.5, 2, ""}};
+  for (const auto& row : rows) {
     WindowChoice choice;
-    choice.low[axis] = low;
-    choice.high[axis] = high;
-    CHECK_THROWS_WITH_AS(static_cast<void>(seen_through(column(), choice)), doctest::Contains(words),
-                         InvalidArgument);
-  };
-  refused(1, 5, 2, " z");
-  refused(-1, 1, 2, " z");
-  refused(2, 1, 0, " x");
-  refused(0, 1.5, 0, " x");
-  refused(3, 3.5, 2, "");
+    choice.low[row.axis] = row.low;
+    choice.high[row.axis] = row.high;
+    CHECK_THROWS_WITH_AS((void)seen_through(column(), choice), doctest::Contains(row.name), InvalidArgument);
+  }
 }
 
 TEST_CASE("window: the interior that is chosen lies two to three grains from walls, and is whole along "

@@ -9,8 +9,6 @@
 #include <granum/io/csv/packing.hpp>
 #include <granum/io/lammps/files.hpp>
 #include <granum/io/mercury/output.hpp>
-#include <granum/io/vtk/paraview.hpp>
-#include <granum/io/vtk/xml.hpp>
 #include <granum/packing/assembly.hpp>
 
 namespace granum::samples {
@@ -99,12 +97,6 @@ inline std::string fstat_row(long i, long j, const Vec3& point, const packing::C
                 along.y, along.z},
                " ") +
          "\n";
-}
-
-/// What is read back from granum's files for ParaView.
-inline io::ImportedPacking through_vtk(const packing::Assembly& a) {
-  return io::read_vtk_xml(io::TextSource::of_text("grains", io::grains_vtu(a)),
-                          io::TextSource::of_text("contacts", io::contacts_vtp(a)));
 }
 
 /// What is read back from MercuryDPM's files, contacts with walls among them.

@@ -87,7 +87,7 @@ Validity require_valid(const State& state);
 /// b = d ln k_n/d ln f of the state's law at the mean contact force (laws of one b have it at any force);
 /// without contacts, b at zero force.
 /// \throws   InvalidArgument as require_valid
-/// Accuracy  that of the law.  Checked by tests/effective/test_kernels.cpp
+/// Accuracy  that of the law.  Checked by tests/effective/test_state.cpp
 [[nodiscard]] double contact_exponent(const State& state);
 
 /// Contact forces f = V/(N_c <l>) stress F^-1 n of the static hypothesis: in the plane of axis 3 and the

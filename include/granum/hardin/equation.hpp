@@ -22,7 +22,7 @@ enum class VoidRatioFunction {
 /// \param    void_ratio  e > 0 [1]; the Hardin-Richart forms also need e below 2.17 and 2.97, where
 ///                       they reach zero
 /// \throws   InvalidArgument outside that range
-/// Accuracy  4 ulp.  Checked by tests/hardin/test_void_ratio_function.cpp
+/// Accuracy  4 ulp.  Checked by tests/hardin/test_equation.cpp
 [[nodiscard]] double void_ratio_value(VoidRatioFunction function, double void_ratio);
 
 /// The names that programs accept: hardin-richart-round, hardin-richart-angular, power-1.3,
@@ -73,7 +73,7 @@ struct Polynomial {
 ///           degree or y is beyond 1e150; NotConverged if the least squares fail
 /// GSL reports its errors to this function alone: a handler of the program is neither called nor replaced.
 /// Accuracy  points on a polynomial give its coefficients to 1e-12 where abs(x) <= 2.
-/// Checked by tests/hardin/test_polynomial.cpp
+/// Checked by tests/hardin/test_equation.cpp
 [[nodiscard]] Polynomial fit_polynomial(std::span<const double> x, std::span<const double> y,
                                         std::size_t degree);
 

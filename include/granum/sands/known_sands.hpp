@@ -110,7 +110,7 @@ struct MeasuredLaw {
 /// (zero - e)^2/(1 + e), the void-ratio function of Hardin and Richart.            [HardinRichart1963]
 /// \param    zero   void ratio at which it vanishes [1]
 /// \throws   InvalidArgument unless 0 < void_ratio < zero
-/// Accuracy  4 ulp.  Checked by tests/hardin/test_void_ratio_function.cpp
+/// Accuracy  4 ulp.  Checked by tests/hardin/test_equation.cpp
 [[nodiscard]] double hardin_richart_factor(double zero, double void_ratio);
 
 /// A modulus and its validity notes.
