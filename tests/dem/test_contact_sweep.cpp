@@ -17,10 +17,9 @@ using test::radius;
 Specimen shaken_lattice(bool unequal) {
   Specimen state = test::fcc(radius, 4, 1e-6);
   for (std::size_t g = 0; g < state.grain_count(); ++g) {
-    const double phase = static_cast<double>(g);
-    state.position[g] += 2e-6 * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
+    state.position[g] += 2e-6 * test::scatter(g);
     if (unequal)
-      state.size.push_back(1 + 1e-3 * std::sin(phase));
+      state.size.push_back(1 + 1e-3 * std::sin(static_cast<double>(g)));
   }
   return state;
 }

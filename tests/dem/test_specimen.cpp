@@ -63,14 +63,3 @@ TEST_CASE("void ratio of a touching face-centred cubic lattice") {
   const double expected = 3 * std::sqrt(2.0) / 3.14159265358979323846 - 1;
   CHECK(dem::void_ratio(test::fcc(1e-3, 2, 0)) == relative(expected, 1e-14));
 }
-
-TEST_CASE("impossible materials are named") {
-  dem::Material material = test::quartz(1e-3, -0.1);
-  CHECK_THROWS_AS(dem::require_valid(material), InvalidArgument);
-  material = test::quartz(1e-3, 0.5);
-  material.density = 0;
-  CHECK_THROWS_AS(dem::require_valid(material), InvalidArgument);
-  material = test::quartz(1e-3, 0.5);
-  material.tangential_ratio = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_AS(dem::require_valid(material), InvalidArgument);
-}

@@ -103,27 +103,6 @@ TEST_CASE("each list may have another skin than the one before") {
   }
 }
 
-TEST_CASE("a grain that crosses faces again and again keeps its pairs") {
-  Specimen state = scattered(cube, 300, 5, false);
-  VerletList list(state, skin, wide_skin);
-  // Grain 0 goes to and fro through a corner, so that its surroundings lie across three faces.
-  const Vec3 to_corner = -1.0 * state.position[0] - Vec3{0.005, 0.005, 0.005};
-  for (Vec3& x : state.position)
-    x += to_corner;
-  std::size_t crossed = 0;
-  for (int b = 0; b < 40; ++b) {
-    const double aside = b % 2 == 0 ? 0.01 : -0.01;
-    for (Vec3& x : state.position)
-      x += Vec3{aside, aside, aside};
-    const Vec3 before = state.position[0];
-    list.build(state);
-    crossed += static_cast<std::size_t>(norm(state.position[0] - before) > 1);
-    REQUIRE(list.pairs() == searched(state));
-  }
-  CHECK(crossed == 39);
-  CHECK(list.searches() == 2);
-}
-
 TEST_CASE("two grains that come from afar, straight at each other, are listed in time") {
   for (const bool by_strain : {false, true})
     for (const double later_skin : {skin, 0.3}) {
