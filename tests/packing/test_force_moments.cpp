@@ -9,27 +9,22 @@
 #include "sphere_chain.hpp"
 #include "unit.hpp"
 
-TEST_CASE("moments of two forces by hand") {
+TEST_CASE("moments of two forces by hand, contacts that carry nothing do not count") {
   packing::Assembly a = samples::sphere_chain();
   a.contacts[0].normal_force = 1;
   a.contacts[1].normal_force = 3;
-  CHECK(normal_force_moment(a, 2) == doctest::Approx(5.0 / 4).epsilon(1e-14));
+  a.contacts[0].tangential_force = {0, 0.5, 0};
   CHECK(normal_force_moment(a, 0) == 1);
   CHECK(normal_force_moment(a, 1) == doctest::Approx(1).epsilon(1e-15));
-  a.contacts[0].tangential_force = {0, 0.5, 0};
   CHECK(normal_force_moment(a, 2) == doctest::Approx(5.0 / 4).epsilon(1e-14));
-}
-
-TEST_CASE("contacts that carry nothing do not count") {
-  packing::Assembly a = samples::sphere_chain();
-  a.contacts[0].normal_force = 0;
-  CHECK(normal_force_moment(a, -0.5) == doctest::Approx(1).epsilon(1e-15));
-  a.contacts[1].normal_force = 0;
-  CHECK_THROWS_AS(static_cast<void>(normal_force_moment(a, 1)), InvalidArgument);
-  a.contacts[1].normal_force = -1e-9;
-  CHECK_THROWS_AS(static_cast<void>(normal_force_moment(a, 1)), InvalidArgument);
   CHECK_THROWS_AS(static_cast<void>(normal_force_moment(a, std::numeric_limits<double>::infinity())),
                   InvalidArgument);
+  a.contacts[0].normal_force = 0;
+  CHECK(normal_force_moment(a, -0.5) == doctest::Approx(1).epsilon(1e-15));
+  for (const double none : {0.0, -1e-9}) {
+    a.contacts[1].normal_force = none;
+    CHECK_THROWS_AS(static_cast<void>(normal_force_moment(a, 1)), InvalidArgument);
+  }
 }
 
 TEST_CASE("unevenness: of equal grains the moment of the forces, of others by hand, none of equal forces") {
@@ -92,10 +87,9 @@ TEST_CASE("Hertz contacts: the bounds are those written in force moments") { // 
     const Vec3 push = uniform.vector(0.3 * c.normal_force);
     c.tangential_force = push - dot(push, normal(c)) * normal(c);
   }
-  const double pi = 3.14159265358979323846;
   const double density = coordination_number(a) * solid_fraction(a);
   const double scale =
-      0.5 * std::pow(density * stiff / (3 * pi), 2.0 / 3) * std::cbrt(contact_stress(a).mean());
+      0.5 * std::pow(density * stiff / (3 * std::numbers::pi), 2.0 / 3) * std::cbrt(contact_stress(a).mean());
   // Z'(5/3) = <f_n^(5/3) (1 + (f_t/f_n)^2/r)>/<f_n>^(5/3)
   double forces = 0, energy = 0;
   for (const packing::Contact& c : a.contacts) {
