@@ -19,26 +19,13 @@ using test::material;
 using test::pressure;
 using test::radius;
 
-SpecimenRecipe boxed() {
-  SpecimenRecipe recipe{.material = material, .radius = radius};
-  recipe.grains = 400;
-  recipe.seed = 2;
-  recipe.wall_friction = 0;
-  return recipe;
-}
-
-dem::Specimen compressed(const SpecimenRecipe& recipe, Density density) {
-  dem::Specimen state = start_of_compression(frictionless_specimen(recipe).state, density, recipe);
-  REQUIRE(isotropic_path(state, material, {pressure}, compression_options(), [&](const Snapshot& snapshot) {
-    state = snapshot.state;
-    return true;
-  }));
-  return state;
-}
-
 /// A dense specimen between smooth walls, made once.
 const dem::Specimen& specimen() {
-  static const dem::Specimen made = compressed(boxed(), Density::dense);
+  static const dem::Specimen made = [] {
+    SpecimenRecipe recipe{.material = material, .radius = radius, .grains = 400, .seed = 2};
+    recipe.wall_friction = 0;
+    return test::compressed(recipe, Density::dense, {pressure});
+  }();
   return made;
 }
 
@@ -51,6 +38,8 @@ TEST_CASE("a specimen between walls: the walls carry the pressure, and so does i
     // At rest an identity; residual forces are 1e-5 of the mean one.
     CHECK(engine.figures().stress(axis, axis) == relative(pressure, 1e-3));
   }
+  for (const double nothing : {10 * radius, -radius})
+    CHECK_THROWS_AS((void)test::measured(specimen(), material, {.interior_layer = nothing}), InvalidArgument);
   const analysis::InteriorMeasures interior =
       test::measured(specimen(), material, {.interior_layer = 3 * radius}).interior.value();
   CHECK(interior.grains > 60);
@@ -128,10 +117,4 @@ TEST_CASE("tilting pairs of walls shears a specimen in all three modes, rough wa
     CHECK(rough[k] > 1.2 * smooth[k]);
     CHECK(rough[k] < 1.2 * bound);
   }
-}
-
-TEST_CASE("a layer that leaves nothing is refused") {
-  CHECK_THROWS_AS((void)test::measured(specimen(), material, {.interior_layer = 10 * radius}),
-                  InvalidArgument);
-  CHECK_THROWS_AS((void)test::measured(specimen(), material, {.interior_layer = -radius}), InvalidArgument);
 }
