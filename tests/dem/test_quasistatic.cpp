@@ -58,30 +58,22 @@ TEST_CASE("small strains of a lattice give the closed-form moduli") {
   CHECK(modulus(shear, 0, 2) == relative(c11 / 2, 1e-3));
 }
 
-TEST_CASE("a smaller time step takes more steps to the same equilibrium") {
-  const Material material = test::quartz(radius, 0.5);
+TEST_CASE(
+    "a fraction of the time step stays when the step is chosen anew, and impossible options are refused") {
   const Vec3 target{1e5, 1e5, 1e5};
-  const auto run = [&](double fraction) {
-    Engine engine(test::fcc(radius, 3, 1e-8), material);
-    const double usual = engine.time_step();
-    engine.set_time_step_fraction(fraction);
-    CHECK(engine.time_step() == relative(usual * fraction / default_time_step_fraction, 1e-15));
-    const QuasistaticReport report = equilibrate(engine, target, {.time_step_fraction = fraction});
-    CHECK(report.stress()(0, 0) == relative(target.x, 1e-6));
-    return std::pair{report.steps, engine.time_step()};
+  const auto time_step = [&](double fraction) {
+    Engine engine(test::fcc(radius, 3, 1e-8), test::quartz(radius, 0.5));
+    CHECK(equilibrate(engine, target, {.time_step_fraction = fraction}).stress()(0, 0) ==
+          relative(target.x, 1e-6));
+    return engine.time_step();
   };
-  const auto [usual_steps, usual] = run(default_time_step_fraction);
-  const auto [many_steps, small] = run(default_time_step_fraction / 4);
-  // Chosen anew, from stiffnesses that agree to the tolerance of the stress: the fraction has stayed.
-  CHECK(small == relative(usual / 4, 1e-5));
-  // The strain at the largest rate takes four times the steps; the servo closes its last gap in as many.
-  CHECK(many_steps > usual_steps);
+  const double usual = time_step(default_time_step_fraction);
+  CHECK(time_step(default_time_step_fraction / 4) == relative(usual / 4, 1e-5));
 
-  Engine engine(test::fcc(radius, 3, 1e-8), material);
+  Engine engine(test::fcc(radius, 3, 1e-8), test::quartz(radius, 0.5));
   CHECK_THROWS_AS((void)equilibrate(engine, {1e5, -1, 1e5}), InvalidArgument);
   CHECK_THROWS_AS((void)equilibrate(engine, target, {.inertial_number = 0}), InvalidArgument);
   for (const double bad : {0.0, 1.0001, std::nan("")}) {
-    CAPTURE(bad);
     CHECK_THROWS_AS(engine.set_time_step_fraction(bad), InvalidArgument);
     CHECK_THROWS_AS((void)equilibrate(engine, target, {.time_step_fraction = bad}), InvalidArgument);
     CHECK_THROWS_AS((void)deform(engine, Mat3{}, 0, {.time_step_fraction = bad}), InvalidArgument);

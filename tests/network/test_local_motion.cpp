@@ -81,20 +81,3 @@ TEST_CASE("the grains moved most by a motion are found for each motion separatel
   motion.add_movers(1, 0.05, second);
   CHECK(second == std::vector<std::uint32_t>{1, 5});
 }
-
-TEST_CASE("grains of a motion are taken from the latest to the first, also those that join on the way") {
-  std::vector<std::uint32_t> place(10, network::LocalMotion<6>::absent), order;
-  network::LocalMotion<6> motion(place);
-  motion.of(7);
-  motion.of(2);
-  for (std::uint32_t g = 0; motion.take_latest(g);) {
-    order.push_back(g);
-    if (g == 7) {
-      motion.of(5);
-      motion.of(2); // moves already
-    }
-    if (g == 5)
-      motion.of(0);
-  }
-  CHECK(order == std::vector<std::uint32_t>{7, 5, 2, 0});
-}

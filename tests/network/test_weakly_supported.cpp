@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "network/numbering/numbering.hpp"
 
-#include <initializer_list>
-
 #include "large_networks.hpp"
 #include "network/backbone.hpp"
 #include "unit.hpp"
 
 namespace {
-
-void join(network::Neighbours& neighbours, std::uint32_t g, std::initializer_list<std::uint32_t> others) {
-  for (const std::uint32_t h : others) {
-    neighbours[g].push_back(h);
-    neighbours[h].push_back(g);
-  }
-}
-
-/// Grains 4 to 8, each of which touches the other four, and four without contacts.
-network::Neighbours five_well_held() {
-  network::Neighbours neighbours(9);
-  join(neighbours, 4, {5, 6, 7, 8});
-  join(neighbours, 5, {6, 7, 8});
-  join(neighbours, 6, {7, 8});
-  join(neighbours, 7, {8});
-  return neighbours;
-}
 
 network::Neighbours neighbours_of(const network::Backbone& backbone) {
   network::Neighbours neighbours(backbone.grain_count);
@@ -36,33 +17,6 @@ network::Neighbours neighbours_of(const network::Backbone& backbone) {
 }
 
 } // namespace
-
-TEST_CASE("a grain is weakly supported by two contacts, or by three with one to such a grain") {
-  network::Neighbours neighbours = five_well_held();
-  join(neighbours, 0, {1, 4});
-  join(neighbours, 1, {5, 6});
-  join(neighbours, 2, {4, 5}); // apart from these two
-  join(neighbours, 3, {6, 7, 8});
-  const network::WeaklySupported weakly_supported(neighbours);
-  for (std::uint32_t g = 0; g < neighbours.size(); ++g) {
-    CAPTURE(g);
-    CHECK(weakly_supported.contains(g) == (g <= 2));
-    CHECK(weakly_supported.first_of_cluster(g) == (g == 1 ? 0 : g));
-  }
-}
-
-TEST_CASE(
-    "four contacts support a grain weakly if three lead to grains of two contacts, and well if two do") {
-  network::Neighbours neighbours = five_well_held();
-  join(neighbours, 0, {1, 2, 3, 4});
-  join(neighbours, 1, {5});
-  join(neighbours, 2, {6});
-  join(neighbours, 3, {7});
-  CHECK(network::WeaklySupported(neighbours).contains(0));
-  CHECK(network::WeaklySupported(neighbours).first_of_cluster(3) == 0);
-  join(neighbours, 3, {8});
-  CHECK_FALSE(network::WeaklySupported(neighbours).contains(0));
-}
 
 namespace {
 

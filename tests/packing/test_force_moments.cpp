@@ -63,17 +63,6 @@ TEST_CASE("unevenness: of equal grains the moment of the forces, of others by ha
         doctest::Approx(std::log(stiffness / (std::cbrt(work / lengths * R) * squares))).epsilon(1e-12));
 }
 
-TEST_CASE("both bounds meet where every contact carries the same force") {
-  const double radius = 0.5e-3, kn = 1.3e6;
-  const packing::Assembly a = samples::lattice(
-      samples::face_centred,
-      {.radius = radius, .normal_force = 0.02, .normal_stiffness = kn, .tangential_stiffness = 0.9e6});
-  // (C11 + 2 C12)/3 of the lattice. [DuffyMindlin1957]
-  const double closed = 2 * kn / (3 * std::sqrt(2) * radius);
-  CHECK(bulk_modulus_bounds(a).upper == doctest::Approx(closed).epsilon(1e-13));
-  CHECK(bulk_modulus_bounds(a).lower == doctest::Approx(closed).epsilon(1e-13));
-}
-
 TEST_CASE("Hertz contacts: the bounds are those written in force moments") { // [AgnolinRoux2007c]
   const double young = 70e9, poisson = 0.3, radius = 1e-3, diameter = 2 * radius;
   const double stiff = young / (1 - poisson * poisson), ratio = 2 * (1 - poisson) / (2 - poisson);
