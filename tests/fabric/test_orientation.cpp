@@ -54,15 +54,6 @@ TEST_CASE("orientation: F33 and a convert into each other over the whole range o
   CHECK(fabric::anisotropy_from_F33(0) == -5);
 }
 
-TEST_CASE("orientation: |a| > 1 is reported, not clipped") {
-  CHECK(fabric::anisotropy_validity(1).ok());
-  CHECK(fabric::anisotropy_validity(-1).ok());
-  const Validity validity = fabric::anisotropy_validity(1.25);
-  REQUIRE(validity.notes.size() == 1);
-  CHECK(validity.notes[0].find("1.25") != std::string::npos);
-  CHECK_FALSE(fabric::anisotropy_validity(-1.01).ok());
-}
-
 TEST_CASE("orientation: bad input") {
   const double undefined = std::nan("");
   CHECK_THROWS_AS((void)fabric::density(undefined, 0), InvalidArgument);

@@ -2,7 +2,6 @@
 #include <granum/triaxial/shear_test.hpp>
 
 #include <optional>
-#include <thread>
 
 #include <granum/triaxial/specimen.hpp>
 
@@ -149,21 +148,6 @@ TEST_CASE("all four paths begin with the shear modulus of the frozen network") {
     const double shear_strain = now.axial_strain - now.volumetric_strain / 3;
     // dq = 3 G d(e_a - e_v/3). The specimen is small and not quite isotropic, and a few contacts slide: 12 %.
     CHECK(now.stress.deviator() / (3 * shear_strain) == relative(G, 0.12));
-  }
-}
-
-TEST_CASE("side by side or one after the other: the same bits") {
-  std::vector<Reached> first, second;
-  std::thread a([&] { first = run(options_of(ShearPath::txe)); });
-  std::thread b([&] { second = run(options_of(ShearPath::txe)); });
-  a.join();
-  b.join();
-  const std::vector<Reached> alone = run(options_of(ShearPath::txe));
-  REQUIRE(first.size() == alone.size());
-  REQUIRE(second.size() == alone.size());
-  for (std::size_t k = 0; k < alone.size(); ++k) {
-    CHECK(first[k].state == alone[k].state);
-    CHECK(second[k].path == alone[k].path);
   }
 }
 
