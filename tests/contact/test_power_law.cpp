@@ -69,14 +69,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("power law: k_n = 2 G a/(1-nu) with the contact radius of the profile") {
-  // a of the textbook: sphere a^2 = R d/2, cone a = d/(pi A_1).
-  const double d = 2e-7;
-  CHECK(close(PowerLaw::sphere(glass, 5e-4).contact_radius(d), std::sqrt(5e-4 * d / 2), 1e-15));
-  CHECK(close(PowerLaw::cone(glass, 0.4).contact_radius(d), d / (std::numbers::pi * 0.4), 1e-15));
-  CHECK(close(PowerLaw::flat(glass, 5.7e-6).contact_radius(d), 5.7e-6, 1e-15));
-}
-
 TEST_CASE("power law: the sphere is Hertz's textbook contact") {
   // F = 4/3 E* sqrt(R*) d^1.5 with 1/E* = 2 (1-nu^2)/E and R* = R/2.
   for (const double nu : {-0.9, 0.0, 0.15, 0.3, 0.5})
@@ -95,19 +87,12 @@ TEST_CASE("power law: force and overlap, and both stiffnesses, are inverse to ea
       CAPTURE(law.alpha());
       CHECK(close(law.overlap(law.force(d)), d, 1e-14)); // log(f/c) ~ 30 spends some 5 bits
       CHECK(close(law.stiffness_at_force(law.force(d)), law.stiffness_at_overlap(d), 1e-14));
+      CHECK(close(law.stiffness_at_overlap(d), 2 * 30e9 / 0.85 * law.contact_radius(d), 1e-14));
+      const double unloaded = std::isinf(law.alpha()) ? law.coefficient() : 0;
+      CHECK(law.stiffness_at_overlap(0) == unloaded);
+      CHECK(law.stiffness_at_force(0) == unloaded);
+      CHECK(law.force(0) + law.overlap(0) + law.energy(0) == 0);
     }
-}
-
-TEST_CASE("power law: at zero load") {
-  for (const PowerLaw& law : laws()) {
-    CAPTURE(law.alpha());
-    const double unloaded = std::isinf(law.alpha()) ? law.coefficient() : 0;
-    CHECK(law.force(0) == 0);
-    CHECK(law.overlap(0) == 0);
-    CHECK(law.energy(0) == 0);
-    CHECK(law.stiffness_at_overlap(0) == unloaded);
-    CHECK(law.stiffness_at_force(0) == unloaded);
-  }
 }
 
 TEST_CASE("power law: the general constructor meets cone and sphere") {
@@ -150,17 +135,16 @@ TEST_CASE("power law: the exponent may be huge") {
 }
 
 TEST_CASE("power law: bad input") {
-  CHECK_THROWS_AS((void)PowerLaw::sphere({30e9, 0.6}, 1e-3), InvalidArgument);
-  CHECK_THROWS_AS((void)PowerLaw::sphere({30e9, -1}, 1e-3), InvalidArgument);
-  CHECK_THROWS_AS((void)PowerLaw::sphere({0, 0.2}, 1e-3), InvalidArgument);
-  CHECK_THROWS_AS((void)PowerLaw::sphere({not_a_number, 0.2}, 1e-3), InvalidArgument);
-  CHECK_THROWS_AS((void)PowerLaw::sphere(glass, 0), InvalidArgument);
-  CHECK_THROWS_AS((void)PowerLaw::cone(glass, -0.4), InvalidArgument);
-  CHECK_THROWS_AS((void)PowerLaw::flat(glass, inf), InvalidArgument);
-  CHECK_THROWS_AS((void)PowerLaw::general(glass, -0.5, 1), InvalidArgument);
-  CHECK_THROWS_AS((void)PowerLaw::general(glass, not_a_number, 1), InvalidArgument);
-  CHECK_THROWS_AS((void)PowerLaw::general(glass, inf, 1), InvalidArgument);
-  CHECK_THROWS_AS((void)PowerLaw::general(glass, 2, 0), InvalidArgument);
+  for (const GrainMaterial& bad :
+       {GrainMaterial{30e9, 0.6}, GrainMaterial{30e9, -1}, GrainMaterial{0, 0.2}, {not_a_number, 0.2}})
+    CHECK_THROWS_AS((void)PowerLaw::sphere(bad, 1e-3), InvalidArgument);
+  for (const double bad : {0.0, -0.4, inf, not_a_number}) {
+    CHECK_THROWS_AS((void)PowerLaw::sphere(glass, bad), InvalidArgument);
+    CHECK_THROWS_AS((void)PowerLaw::cone(glass, bad), InvalidArgument);
+    CHECK_THROWS_AS((void)PowerLaw::flat(glass, bad), InvalidArgument);
+    CHECK_THROWS_AS((void)PowerLaw::general(glass, bad, 1), InvalidArgument);
+    CHECK_THROWS_AS((void)PowerLaw::general(glass, 2, bad), InvalidArgument);
+  }
   for (const PowerLaw& law : laws())
     for (const double bad : {-1e-9, not_a_number, inf})
       CHECK_THROWS_AS((void)law.contact_radius(bad), InvalidArgument);
@@ -173,7 +157,6 @@ TEST_CASE("tangential stiffness ratio") {
   CHECK(contact::mindlin_stiffness_ratio(-0.999999) == doctest::Approx(4.0 / 3).epsilon(1e-6));
   CHECK_THROWS_AS((void)contact::mindlin_stiffness_ratio(-1), InvalidArgument);
   CHECK_THROWS_AS((void)contact::mindlin_stiffness_ratio(0.51), InvalidArgument);
-  CHECK(contact::given_stiffness_ratio(0) == 0);
   CHECK(contact::given_stiffness_ratio(2.5) == 2.5);
   CHECK_THROWS_AS((void)contact::given_stiffness_ratio(-0.1), InvalidArgument);
   CHECK_THROWS_AS((void)contact::given_stiffness_ratio(inf), InvalidArgument);
@@ -191,15 +174,15 @@ TEST_CASE("power law: the profile constant comes back from the coefficient") {
 
 TEST_CASE("power law: the same profile of another solid") {
   const GrainMaterial steel{.shear_modulus = 80e9, .poisson_ratio = 0.3};
-  const auto same = [](const PowerLaw& a, const PowerLaw& b) {
-    CHECK(a.alpha() == b.alpha());
-    CHECK(a.grain().shear_modulus == b.grain().shear_modulus);
-    CHECK(a.grain().poisson_ratio == b.grain().poisson_ratio);
-    CHECK(close(a.stiffness_at_force(0.3), b.stiffness_at_force(0.3), 2e-15));
-  };
-  same(PowerLaw::cone(glass, 0.4).of_grain(steel), PowerLaw::cone(steel, 0.4));
-  same(PowerLaw::sphere(glass, 5e-4).of_grain(steel), PowerLaw::sphere(steel, 5e-4));
-  same(PowerLaw::flat(glass, 5.7e-6).of_grain(steel), PowerLaw::flat(steel, 5.7e-6));
-  same(PowerLaw::general(glass, 1.5, 180).of_grain(steel), PowerLaw::general(steel, 1.5, 180));
+  for (const auto& [here, there] :
+       {std::pair(PowerLaw::cone(glass, 0.4), PowerLaw::cone(steel, 0.4)),
+        {PowerLaw::sphere(glass, 5e-4), PowerLaw::sphere(steel, 5e-4)},
+        {PowerLaw::flat(glass, 5.7e-6), PowerLaw::flat(steel, 5.7e-6)},
+        {PowerLaw::general(glass, 1.5, 180), PowerLaw::general(steel, 1.5, 180)}}) {
+    const PowerLaw moved = here.of_grain(steel);
+    CHECK(moved.alpha() == there.alpha());
+    CHECK(moved.grain() == steel);
+    CHECK(close(moved.stiffness_at_force(0.3), there.stiffness_at_force(0.3), 2e-15));
+  }
   CHECK_THROWS_AS((void)PowerLaw::sphere(glass, 5e-4).of_grain({.shear_modulus = 0}), InvalidArgument);
 }

@@ -163,9 +163,7 @@ TEST_CASE("rough spheres: numbers far out of the ordinary end in no NaN") {
       if (d < 1e100)
         CHECK(law.energy(d) >= 0);
     }
-  CHECK_THROWS_AS(RoughSphere(quartz, R, -1e-9), InvalidArgument);
-  CHECK_THROWS_AS(RoughSphere(quartz, -R, 1e-9), InvalidArgument);
-  CHECK_THROWS_AS(RoughSphere(quartz, R, 10.1e-6), InvalidArgument);
-  CHECK_THROWS_AS(RoughSphere(quartz, 1e-6, 1.1e-6), InvalidArgument);
+  for (const auto& [radius, roughness] : {std::pair(R, -1e-9), {-R, 1e-9}, {R, 10.1e-6}, {1e-6, 1.1e-6}})
+    CHECK_THROWS_AS(RoughSphere(quartz, radius, roughness), InvalidArgument);
   CHECK(RoughSphere(quartz, 1e-6, 1e-6).roughness() == 1e-6);
 }

@@ -9,13 +9,14 @@ TEST_CASE("a rejected value is named with its unit and range, also as data") {
     require_closed("stress_v", 2e300, 0, 1e200, "Pa");
     FAIL("no exception");
   } catch (const InvalidArgument& error) {
-    for (const char* part : {"stress_v = 2e+300 Pa", "[0, 1e+200]"})
-      CHECK(std::string(error.what()).find(part) != std::string::npos);
+    const std::string text = error.what();
+    CHECK(text.find("stress_v = 2e+300 Pa") != std::string::npos);
     REQUIRE(error.refused());
     CHECK(error.refused()->name == "stress_v");
     CHECK(error.refused()->value == 2e300);
     CHECK(error.refused()->unit == "Pa");
     CHECK(error.refused()->range == "[0, 1e+200]");
+    CHECK(text.find(error.refused()->range) != std::string::npos);
   }
   CHECK_FALSE(InvalidArgument("two masses").refused());
 }
@@ -45,26 +46,22 @@ TEST_CASE("no refusal prints a value that is within the range it prints") {
               CHECK(check("x", value, low, high, "m") == value);
             } catch (const InvalidArgument& error) {
               CAPTURE(error.what());
-              CHECK_FALSE(contradicts_itself(error.what()));
+              const std::string_view text = error.what();
+              const auto printed = leading_number(text.substr(text.find("x = ") + 4));
+              CHECK_FALSE(detail::contains(error.refused().value().range, printed.value().value));
               ++refused;
             }
   CHECK(refused > 500);
 }
 
-TEST_CASE("a NUL in a text does not end the message") {
+TEST_CASE("a NUL in a text does not end the message, and a file error has its path and line") {
   const std::string name("two\0words\0", 10);
-  CHECK(std::string(InvalidArgument("'" + name + "' is unknown").what()) ==
-        "'two\\x00words\\x00' is unknown");
+  CHECK(std::string(InvalidArgument("'" + name + "'").what()) == "'two\\x00words\\x00'");
   CHECK(std::string(FileError(name, 2, "no").what()) == "two\\x00words\\x00:2: no");
   CHECK(std::string(InvalidArgument(name, 1, "", "[2, 3]").what()).ends_with("[2, 3]"));
-}
-
-TEST_CASE("a file error contains its path and its line") {
   const FileError error("a.csv", 3, "expected a number");
   CHECK(error.path() == "a.csv");
   CHECK(error.line() == 3);
-  CHECK(std::string(error.what()) == "a.csv:3: expected a number"); // this test's own words
-  CHECK(FileError("a.csv", 0, "no such file").line() == 0);
 }
 
 TEST_CASE("checks pass their value on and stop NaN and infinity") {

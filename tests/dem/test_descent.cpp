@@ -20,30 +20,24 @@ Material sticking() { return test::quartz(radius, std::numeric_limits<double>::i
 Specimen shaken(int edges, bool unequal, bool walls) {
   Specimen state = test::fcc(radius, edges, lattice_overlap);
   for (std::size_t g = 0; g < state.grain_count(); ++g) {
-    const auto phase = static_cast<double>(g);
-    state.position[g] +=
-        0.05 * lattice_overlap * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
+    state.position[g] += 0.05 * lattice_overlap * test::scatter(g);
     if (unequal)
-      state.size.push_back(1 + 0.1 * lattice_overlap / radius * std::sin(7 * phase));
+      state.size.push_back(1 + 0.1 * lattice_overlap / radius * std::sin(7 * static_cast<double>(g)));
   }
   if (walls) { // the outermost layers overlap with them as grains do
     const double room = radius - lattice_overlap / 2 - std::sqrt(2.0) / 4 * (2 * radius - lattice_overlap);
     state.cell = state.cell + 2 * room * Mat3::identity();
     for (Vec3& x : state.position)
       x += {room, room, room};
-    state.walls = Walls{.friction_coefficient = 0.3, .history = {}};
+    state.walls = test::walls(0.3);
   }
   return state;
 }
 
-/// Two grains that overlap in a wide cell, and one that touches nothing.
+/// Two grains that overlap, and one that touches nothing.
 Specimen pair_and_one() {
-  Specimen state;
-  state.radius = radius;
-  state.cell = Mat3::diagonal(10 * radius, 10 * radius, 10 * radius);
-  state.position = {{2 * radius, 2 * radius, 2 * radius},
-                    {4 * radius - lattice_overlap, 2 * radius, 2 * radius},
-                    {7 * radius, 7 * radius, 7 * radius}};
+  Specimen state = test::pair_state(lattice_overlap);
+  state.position.push_back({1e-3, 1e-3, 1e-3});
   state.velocity.resize(3);
   state.angular_velocity.resize(3);
   return state;
@@ -101,8 +95,7 @@ TEST_CASE("a descent turns a tenth of the velocities towards the forces") {
   // One pair: force and velocity are across each other, so that turning shows at once.
   Specimen state = pair_and_one();
   state.velocity = {{0, 1, 0}, {0, -1, 0}, {}};
-  Material smooth = test::quartz(radius, 0);
-  Engine free(state, smooth), turned(state, smooth);
+  Engine free(state, test::quartz(radius, 0)), turned(state, test::quartz(radius, 0));
   free.set_damping(0);
   free.step();
   turned.descend();

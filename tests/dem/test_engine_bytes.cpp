@@ -11,16 +11,15 @@ using namespace granum::dem;
 namespace {
 
 using test::radius;
+using test::reloaded;
 
 /// A lattice in motion: contacts open, close and slide.
 Specimen lively(bool walls, double speed = 5e-3) {
   Specimen state = test::fcc(radius, 3, 2e-7);
-  for (std::size_t g = 0; g < state.grain_count(); ++g) {
-    const double phase = static_cast<double>(g);
-    state.velocity[g] = speed * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
-  }
+  for (std::size_t g = 0; g < state.grain_count(); ++g)
+    state.velocity[g] = speed * test::scatter(g);
   if (walls)
-    state.walls = Walls{.friction_coefficient = 0.3, .history = {}};
+    state.walls = test::walls(0.3);
   return state;
 }
 
@@ -32,15 +31,6 @@ void run(Engine& engine, int steps, double scale = 1) {
   }
 }
 
-Engine reloaded(const Engine& engine) {
-  ByteWriter bytes;
-  engine.save(bytes);
-  ByteReader reader(bytes.bytes(), "bytes");
-  Engine again = Engine::load(reader, engine.material());
-  CHECK(reader.empty());
-  return again;
-}
-
 } // namespace
 
 TEST_CASE("2 n steps are n steps, saved, loaded, and n more, to the bit") {
@@ -50,7 +40,7 @@ TEST_CASE("2 n steps are n steps, saved, loaded, and n more, to the bit") {
   };
   for (const Start& start : {Start{false, true, 0.5}, Start{false, true, 0}, Start{true, true, 0.5},
                              Start{true, true, 0}, Start{false, false, 0.5}})
-    for (const int n : {0, 1, 49, 137, 700}) {
+    for (const int n : {0, 1, 137, 700}) {
       CAPTURE(start.walls);
       CAPTURE(start.by_default);
       CAPTURE(start.friction);
@@ -83,19 +73,6 @@ TEST_CASE("the pair list is renewed at the same step where the strain of the cel
   run(straight, 1500, 8);
   run(resumed, 1500, 8);
   CHECK(resumed.state() == straight.state());
-}
-
-TEST_CASE("a state comes back equal, walls and memories included") {
-  const Material material = test::quartz(radius, 0.5);
-  Engine engine(lively(true), material);
-  run(engine, 100);
-  const Specimen state = engine.state();
-  REQUIRE_FALSE(state.walls->history.empty());
-  ByteWriter bytes;
-  save_specimen(bytes, state);
-  ByteReader reader(bytes.bytes(), "bytes");
-  CHECK(load_specimen(reader) == state);
-  CHECK(reader.empty());
 }
 
 TEST_CASE("an engine is not loaded for another material, nor from part of its bytes") {

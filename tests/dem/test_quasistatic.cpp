@@ -58,29 +58,22 @@ TEST_CASE("small strains of a lattice give the closed-form moduli") {
   CHECK(modulus(shear, 0, 2) == relative(c11 / 2, 1e-3));
 }
 
-TEST_CASE("a smaller time step takes more steps to the same equilibrium") {
-  const Material material = test::quartz(radius, 0.5);
+TEST_CASE(
+    "a fraction of the time step stays when the step is chosen anew, and impossible options are refused") {
   const Vec3 target{1e5, 1e5, 1e5};
-  const auto run = [&](double fraction) {
-    Engine engine(test::fcc(radius, 3, 1e-8), material);
-    const double usual = engine.time_step();
-    engine.set_time_step_fraction(fraction);
-    CHECK(engine.time_step() == relative(usual * fraction / default_time_step_fraction, 1e-15));
-    const QuasistaticReport report = equilibrate(engine, target, {.time_step_fraction = fraction});
-    CHECK(report.converged());
-    // Chosen anew, from stiffnesses that agree to the tolerance of the stress: the fraction has stayed.
-    CHECK(report.stress()(0, 0) == relative(target.x, 1e-6));
-    return std::pair{report.steps, engine.time_step()};
+  const auto time_step = [&](double fraction) {
+    Engine engine(test::fcc(radius, 3, 1e-8), test::quartz(radius, 0.5));
+    CHECK(equilibrate(engine, target, {.time_step_fraction = fraction}).stress()(0, 0) ==
+          relative(target.x, 1e-6));
+    return engine.time_step();
   };
-  const auto [usual_steps, usual] = run(default_time_step_fraction);
-  const auto [many_steps, small] = run(default_time_step_fraction / 4);
-  CHECK(small == relative(usual / 4, 1e-5));
-  // The strain at the largest rate takes four times the steps; the servo closes its last gap in as many.
-  CHECK(many_steps > usual_steps);
+  const double usual = time_step(default_time_step_fraction);
+  CHECK(time_step(default_time_step_fraction / 4) == relative(usual / 4, 1e-5));
 
-  Engine engine(test::fcc(radius, 3, 1e-8), material);
-  for (const double bad : {0.0, -0.5, 1.0001, std::nan("")}) {
-    CAPTURE(bad);
+  Engine engine(test::fcc(radius, 3, 1e-8), test::quartz(radius, 0.5));
+  CHECK_THROWS_AS((void)equilibrate(engine, {1e5, -1, 1e5}), InvalidArgument);
+  CHECK_THROWS_AS((void)equilibrate(engine, target, {.inertial_number = 0}), InvalidArgument);
+  for (const double bad : {0.0, 1.0001, std::nan("")}) {
     CHECK_THROWS_AS(engine.set_time_step_fraction(bad), InvalidArgument);
     CHECK_THROWS_AS((void)equilibrate(engine, target, {.time_step_fraction = bad}), InvalidArgument);
     CHECK_THROWS_AS((void)deform(engine, Mat3{}, 0, {.time_step_fraction = bad}), InvalidArgument);
@@ -109,26 +102,17 @@ TEST_CASE(
   CHECK_THROWS_AS((void)shear_at_stress(engine, shear, 50, {1e5, 0, 1e5}), InvalidArgument);
 }
 
-TEST_CASE("runs that cannot converge report it") {
-  const Material material = test::quartz(radius, 0.5);
-  Engine engine(test::fcc(radius, 3, 1e-8), material);
-  CHECK(equilibrate(engine, {1e5, 1e5, 1e5}, {.max_steps = 20}).outcome == Outcome::step_limit);
-  CHECK(equilibrate(engine, {1e5, 1e5, 1e5}, {.stop_requested = [] { return true; }}).outcome ==
-        Outcome::stopped);
-  CHECK_THROWS_AS((void)equilibrate(engine, {1e5, -1, 1e5}), InvalidArgument);
-  CHECK_THROWS_AS((void)equilibrate(engine, {1e5, 1e5, 1e5}, {.inertial_number = 0}), InvalidArgument);
-}
-
 TEST_CASE("a stop request is observed before the next step of any kind") {
   const Material material = test::quartz(radius, 0.5);
   Mat3 shear;
   shear(0, 2) = 1e-6;
-  for (const std::size_t question : {1u, 2u, 37u, 60u}) {
+  for (const std::size_t question : {1u, 37u, 60u}) {
     CAPTURE(question);
     Engine servo(test::fcc(radius, 3, 1e-8), material), sheared(test::fcc(radius, 3, 2e-7), material);
     const QuasistaticReport first =
         equilibrate(servo, {1e5, 1e5, 1e5}, {.stop_requested = test::StopAt(question)});
     CHECK(first.outcome == Outcome::stopped);
+    CHECK_THROWS_AS((void)first.stress(), NotConverged);
     CHECK(first.steps == question - 1);
     // 40 steps of ramp: some stop on it, some while the sheared cell comes to rest.
     const QuasistaticReport second =
@@ -166,6 +150,7 @@ TEST_CASE("a run at fixed cell may end when its stress is constant, in less time
   };
   const QuasistaticReport to_the_end = sheared(0);
   CHECK(to_the_end.outcome == Outcome::step_limit);
+  CHECK_THROWS_AS((void)to_the_end.stress(), NotConverged);
   const double stress = to_the_end.last_stress(0, 2);
   const QuasistaticReport early = sheared(1e-6 * std::abs(stress));
   CHECK(early.outcome == Outcome::settled);
@@ -174,17 +159,4 @@ TEST_CASE("a run at fixed cell may end when its stress is constant, in less time
   // Three spells at least, however much may change.
   CHECK(sheared(1e300).steps == 50 + 3 * 100);
   CHECK_THROWS_AS((void)sheared(-1), InvalidArgument);
-}
-
-TEST_CASE("a run that did not converge gives its stress only by its other name") {
-  QuasistaticReport report;
-  report.last_stress = Mat3::identity();
-  for (const Outcome outcome : {Outcome::step_limit, Outcome::unstable, Outcome::stopped}) {
-    report.outcome = outcome;
-    CHECK_THROWS_AS((void)report.stress(), NotConverged);
-  }
-  for (const Outcome outcome : {Outcome::converged, Outcome::settled}) {
-    report.outcome = outcome;
-    CHECK(report.stress() == report.last_stress);
-  }
 }

@@ -46,31 +46,3 @@ TEST_CASE("a frozen state includes tangential forces and sliding contacts") {
   sticking.friction_coefficient = std::numeric_limits<double>::infinity();
   CHECK_FALSE(dem::contact_network(state, sticking).contacts[0].sliding);
 }
-
-TEST_CASE("contacts across the border of the cell have the same branch as inside") {
-  const dem::Material material = test::quartz(0.5e-3, 0.5);
-  dem::Specimen state = chain();
-  const packing::Assembly inside = dem::contact_network(state, material);
-  for (Vec3& x : state.position)
-    x += Vec3{2.5e-3, -2.1e-3, 1.2e-3};
-  const packing::Assembly across = dem::contact_network(state, material);
-  REQUIRE(across.contacts.size() == 2);
-  for (std::size_t k = 0; k < 2; ++k)
-    CHECK(norm(across.contacts[k].branch - inside.contacts[k].branch) < 1e-17);
-}
-
-TEST_CASE("void ratio of a touching face-centred cubic lattice") {
-  const double expected = 3 * std::sqrt(2.0) / 3.14159265358979323846 - 1;
-  CHECK(dem::void_ratio(test::fcc(1e-3, 2, 0)) == relative(expected, 1e-14));
-}
-
-TEST_CASE("impossible materials are named") {
-  dem::Material material = test::quartz(1e-3, -0.1);
-  CHECK_THROWS_AS(dem::require_valid(material), InvalidArgument);
-  material = test::quartz(1e-3, 0.5);
-  material.density = 0;
-  CHECK_THROWS_AS(dem::require_valid(material), InvalidArgument);
-  material = test::quartz(1e-3, 0.5);
-  material.tangential_ratio = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_AS(dem::require_valid(material), InvalidArgument);
-}

@@ -13,27 +13,18 @@ using namespace granum::dem;
 namespace {
 
 using test::radius;
+using test::reloaded;
+using test::shear_on;
 
-/// A lattice of 4 * 11^3 grains in motion, equal or of sizes from 1/2 to 1: contacts open, close and slide.
+/// A lattice of 4 * 11^3 grains in motion, equal or of sizes from 1/2 to 1.
 Engine lively(double friction, bool walls, bool unequal = false) {
   Specimen state = test::fcc(radius, 11, 2e-7 + (unequal ? 0.5 * radius : 0));
-  for (std::size_t g = 0; g < state.grain_count(); ++g) {
-    const double phase = static_cast<double>(g);
-    if (unequal)
-      state.size.push_back(0.75 + 0.25 * std::sin(13 * phase));
-    state.velocity[g] = 1e-2 * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
-    state.angular_velocity[g] = 2 * Vec3{std::cos(phase), std::sin(7 * phase), std::cos(4 * phase)};
-  }
+  test::set_in_motion(state);
+  for (std::size_t g = 0; unequal && g < state.grain_count(); ++g)
+    state.size.push_back(0.75 + 0.25 * std::sin(13 * static_cast<double>(g)));
   if (walls)
-    state.walls = Walls{.friction_coefficient = 0.3, .history = {}};
+    state.walls = test::walls(0.3);
   return {std::move(state), test::quartz(radius, friction)};
-}
-
-void run(Engine& engine, int steps) {
-  for (int k = 0; k < steps; ++k) {
-    engine.set_velocity_gradient(4e-6 / engine.time_step() * Mat3::diagonal(1, -1.5, 0.2));
-    engine.step();
-  }
 }
 
 void check_same(const Engine& one, const Engine& other) {
@@ -47,17 +38,10 @@ void check_same(const Engine& one, const Engine& other) {
   CHECK(one.time_step() == other.time_step());
 }
 
-Engine reloaded(const Engine& engine) {
-  ByteWriter bytes;
-  engine.save(bytes);
-  ByteReader reader(bytes.bytes(), "bytes");
-  return Engine::load(reader, engine.material());
-}
-
 } // namespace
 
 TEST_CASE("any number of threads gives the same bits, before and after save and load") {
-  for (const int kind : {0, 1, 2, 3, 4, 5, 6, 7}) {
+  for (int kind = 0; kind < 8; ++kind) {
     const bool walls = kind % 2 == 1, unequal = kind >= 4;
     for (const double friction : {0.2, 0.0}) {
       CAPTURE(walls);
@@ -70,7 +54,7 @@ TEST_CASE("any number of threads gives the same bits, before and after save and 
         return engine;
       };
       Engine one = start();
-      run(one, 50);
+      shear_on(one, 50);
       CHECK(one.figures().contacts > 0);
       if (kind < 2) {
         CHECK((one.figures().sliding > 0) == (friction > 0));
@@ -81,12 +65,12 @@ TEST_CASE("any number of threads gives the same bits, before and after save and 
         Engine many = start();
         many.set_threads(threads);
         CHECK(many.threads() == threads);
-        run(many, 25);
+        shear_on(many, 25);
         Engine resumed = reloaded(many);
         CHECK(resumed.threads() == 1);
         resumed.set_threads(5 - threads);
-        run(many, 25);
-        run(resumed, 25);
+        shear_on(many, 25);
+        shear_on(resumed, 25);
         check_same(one, many);
         check_same(one, resumed);
       }
@@ -98,8 +82,8 @@ TEST_CASE("threads come and go while an engine runs, and it may be moved") {
   Engine one = lively(0.2, false), other = lively(0.2, false);
   for (const std::size_t threads : {3u, 1u, 2u}) {
     other.set_threads(threads);
-    run(one, 10);
-    run(other, 10);
+    shear_on(one, 10);
+    shear_on(other, 10);
     Engine moved = std::move(other);
     other = std::move(moved);
   }
@@ -123,6 +107,19 @@ TEST_CASE("a team calls its job once for each member, in each run") {
       CHECK(std::accumulate(calls.begin(), calls.end(), 0) == round * static_cast<int>(members));
     }
     CHECK(calls == std::vector<int>(members, 1000));
+  }
+}
+
+TEST_CASE("a listed pair keeps its four places apart") {
+  constexpr auto last = static_cast<std::uint32_t>(RowPlace::most_rows);
+  CHECK(RowPlace::of(last + 1).number() != last + 1);
+  for (const std::uint32_t number : {0u, 12345u, last}) {
+    const RowPlace other = RowPlace::of(last - number);
+    const ListedPair pair(RowPlace::of(number), other, RowPlace::of(number / 2), RowPlace::of(number / 3));
+    CHECK(pair.i().number() == number);
+    CHECK(pair.j() == other);
+    CHECK(pair.image().number() == number / 2);
+    CHECK(pair.row().number() == number / 3);
   }
 }
 

@@ -45,13 +45,9 @@ Run run(const Scene& scene, VectorLevel level) {
   const test::LevelSet at(level);
   constexpr double force = 0.067;
   Specimen state = test::fcc(radius, 3, scene.law.overlap(force));
-  for (std::size_t g = 0; g < state.grain_count(); ++g) {
-    const double phase = static_cast<double>(g);
-    state.velocity[g] = 1e-2 * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
-    state.angular_velocity[g] = 2 * Vec3{std::cos(phase), std::sin(7 * phase), std::cos(4 * phase)};
-  }
+  test::set_in_motion(state);
   if (scene.walls)
-    state.walls = Walls{.friction_coefficient = 0.3, .history = {}};
+    state.walls = test::walls(0.3);
   Material material = test::quartz(radius, scene.friction);
   material.law = scene.law;
   Run out{Engine(std::move(state), material), 0};
@@ -67,7 +63,7 @@ Run run(const Scene& scene, VectorLevel level) {
 
 } // namespace
 
-TEST_CASE("vector levels with fused multiply-adds give the same bits") {
+TEST_CASE("vector levels with fused multiply-adds give the same bits in the engine and the minimiser") {
   if (!runs_here(VectorLevel::avx512)) {
     MESSAGE("NOT COMPARED: this machine or build has no second level with fused multiply-adds");
     return;
@@ -84,23 +80,13 @@ TEST_CASE("vector levels with fused multiply-adds give the same bits") {
     CHECK(wide.engine.kinetic_energy() == narrow.engine.kinetic_energy());
     CHECK(wide.engine.time_step() == narrow.engine.time_step());
   }
-}
-
-TEST_CASE("a minimiser gives the same bits at the vector levels with fused multiply-adds") {
-  if (!runs_here(VectorLevel::avx512)) {
-    MESSAGE("NOT COMPARED: this machine or build has no second level with fused multiply-adds");
-    return;
-  }
   for (const bool walls : {false, true}) {
     CAPTURE(walls);
     const auto minimised = [&](VectorLevel level) {
       const test::LevelSet at(level);
       Specimen state = test::fcc(radius, 3, 0.03 * radius);
-      for (std::size_t g = 0; g < state.grain_count(); ++g) {
-        const double phase = static_cast<double>(g);
-        state.position[g] +=
-            0.05 * radius * Vec3{std::sin(5 * phase), std::sin(3 * phase + 1), std::cos(2 * phase)};
-      }
+      for (std::size_t g = 0; g < state.grain_count(); ++g)
+        state.position[g] += 0.05 * radius * test::scatter(g);
       if (walls)
         state.walls = Walls{};
       const RelaxReport report = minimise_enthalpy(state, contact::PowerLaw::sphere(grain, radius), 1e5);
@@ -126,15 +112,5 @@ TEST_CASE("the baseline differs from the other vector levels by round-off") {
       for (int col = 0; col < 3; ++col)
         CHECK(std::abs(plain.engine.figures().stress(row, col) - stress(row, col)) < 1e-9 * trace(stress));
     CHECK(plain.engine.kinetic_energy() == doctest::Approx(fused.engine.kinetic_energy()).epsilon(1e-9));
-  }
-}
-
-TEST_CASE("the engine takes the widest level that runs here, and none that does not") {
-  for (const VectorLevel level : {VectorLevel::baseline, VectorLevel::avx2, VectorLevel::avx512}) {
-    CAPTURE(static_cast<int>(level));
-    if (runs_here(level))
-      CHECK(static_cast<int>(vector_level()) >= static_cast<int>(level));
-    else
-      CHECK_THROWS_AS(set_vector_level(level), InvalidArgument);
   }
 }

@@ -29,13 +29,6 @@ Matrix6 mean_over_rotations(const Matrix6& m) {
   return mean;
 }
 
-void check_ordered(const IsotropicAverages& m) {
-  for (const auto modulus : {&Isotropic::bulk_modulus, &Isotropic::shear_modulus}) {
-    CHECK((m.voigt.*modulus)() >= (m.hill.*modulus)());
-    CHECK((m.hill.*modulus)() >= (m.reuss.*modulus)());
-  }
-}
-
 } // namespace
 
 TEST_CASE("averages: Voigt is the mean stiffness over all rotations, Reuss the mean compliance") {
@@ -54,12 +47,13 @@ TEST_CASE("averages: the closed form of transverse isotropy is that of the full 
   for (int i = 0; i < 200; ++i) {
     const TransverselyIsotropic c = random_layered(random, -0.9, 0.9);
     const IsotropicAverages closed = isotropic_averages(c), full = isotropic_averages(voigt(c));
-    const double tolerance = 1e-12; // condition numbers up to some 1000
-    CHECK(closed.voigt.bulk_modulus() == relative(full.voigt.bulk_modulus(), 1e-14));
-    CHECK(closed.voigt.shear_modulus() == relative(full.voigt.shear_modulus(), 1e-14));
-    CHECK(closed.reuss.bulk_modulus() == relative(full.reuss.bulk_modulus(), tolerance));
-    CHECK(closed.reuss.shear_modulus() == relative(full.reuss.shear_modulus(), tolerance));
-    check_ordered(closed);
+    for (const auto modulus : {&Isotropic::bulk_modulus, &Isotropic::shear_modulus}) {
+      const auto of = [&](const Isotropic& solid) { return (solid.*modulus)(); };
+      CHECK(of(closed.voigt) == relative(of(full.voigt), 1e-14));
+      CHECK(of(closed.reuss) == relative(of(full.reuss), 1e-12)); // condition numbers up to some 1000
+      CHECK(of(closed.voigt) >= of(closed.hill));
+      CHECK(of(closed.hill) >= of(closed.reuss));
+    }
   }
 }
 
@@ -67,9 +61,6 @@ TEST_CASE("averages: a stiffness with a floppy mode is refused") {
   TransverselyIsotropic c = layered_sample();
   c.C44 = 0;
   CHECK_THROWS_AS((void)isotropic_averages(c), InvalidArgument);
-  CHECK_THROWS_AS((void)isotropic_averages(voigt(c)), InvalidArgument);
-  CHECK_THROWS_AS((void)isotropic_averages(VoigtStiffness{}), InvalidArgument);
-  VoigtStiffness bad = triclinic_sample();
-  bad.matrix(0, 3) = std::nan("");
-  CHECK_THROWS_AS((void)isotropic_averages(bad), InvalidArgument);
+  for (const VoigtStiffness& bad : {voigt(c), VoigtStiffness{}})
+    CHECK_THROWS_AS((void)isotropic_averages(bad), InvalidArgument);
 }

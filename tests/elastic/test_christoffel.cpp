@@ -15,7 +15,6 @@ namespace {
 
 constexpr double density = 1650; // of a dry sand [kg/m3]
 using test::rounding;
-using test::tilt;
 
 /// The Christoffel matrix from the fourth-rank tensor, by the four-fold sum of its definition.
 Mat3 christoffel_matrix(const VoigtStiffness& c, const Vec3& n) {
@@ -39,24 +38,21 @@ std::vector<Vec3> directions() {
   return list;
 }
 
-/// \param    tolerance   one rounding for closed vectors, that of many rotations for iterated ones
-void check_orthonormal(const std::array<Vec3, 3>& p, double tolerance) {
+void check_orthonormal(const std::array<PlaneWave, 3>& waves, double tolerance) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
-      CHECK(std::abs(dot(p[i], p[j]) - (i == j ? 1 : 0)) < tolerance);
+      CHECK(std::abs(dot(waves[i].polarisation, waves[j].polarisation) - (i == j ? 1 : 0)) < tolerance);
 }
 
-std::array<Vec3, 3> polarisations(const TransverselyIsotropicWaves& w) {
-  return {w.quasi_p.polarisation, w.quasi_s.polarisation, w.pure_s.polarisation};
-}
-std::array<Vec3, 3> polarisations(const PlaneWaves& w) {
-  return {w.fastest.polarisation, w.middle.polarisation, w.slowest.polarisation};
-}
+std::array<PlaneWave, 3> all(const TransverselyIsotropicWaves& w) { return {w.quasi_p, w.quasi_s, w.pure_s}; }
+std::array<PlaneWave, 3> all(const PlaneWaves& w) { return {w.fastest, w.middle, w.slowest}; }
 
-std::array<double, 3> descending(const TransverselyIsotropicWaves& w) {
-  std::array<double, 3> speeds{w.quasi_p.speed, w.quasi_s.speed, w.pure_s.speed};
-  std::sort(speeds.rbegin(), speeds.rend());
-  return speeds;
+std::array<double, 3> squares(const std::array<PlaneWave, 3>& waves) {
+  std::array<double, 3> list{};
+  std::transform(waves.begin(), waves.end(), list.begin(),
+                 [](const PlaneWave& w) { return w.speed * w.speed; });
+  std::sort(list.rbegin(), list.rend());
+  return list;
 }
 
 /// Gamma p = density v^2 p, relative to the largest eigenvalue.
@@ -72,17 +68,15 @@ TEST_CASE("plane waves: every wave of a triclinic solid is an eigenpair of the C
     const PlaneWaves waves = plane_waves(triclinic_sample(), density, n);
     n *= 1 / norm(n);
     const Mat3 gamma = christoffel_matrix(triclinic_sample(), n);
-    for (const PlaneWave& wave : {waves.fastest, waves.middle, waves.slowest})
+    for (const PlaneWave& wave : all(waves))
       check_eigenpair(gamma, wave);
-    check_orthonormal(polarisations(waves), 4e-15);
+    check_orthonormal(all(waves), 4e-15);
     CHECK(waves.fastest.speed >= waves.middle.speed);
     CHECK(waves.middle.speed >= waves.slowest.speed);
     CHECK(dot(waves.fastest.polarisation, n) > 0);
     // sum rule: V_p^2 + V_s1^2 + V_s2^2 = trace/density
-    double squares = 0;
-    for (const double v : {waves.fastest.speed, waves.middle.speed, waves.slowest.speed})
-      squares += v * v;
-    CHECK(squares == relative(trace(gamma) / density, rounding));
+    const auto v2 = squares(all(waves));
+    CHECK(v2[0] + v2[1] + v2[2] == relative(trace(gamma) / density, rounding));
   }
 }
 
@@ -92,15 +86,13 @@ TEST_CASE("plane waves: the closed form of transverse isotropy is that of the fu
     const TransverselyIsotropic c = random_layered(random, -0.9, 0.999);
     const TransverselyIsotropicWaves closed = plane_waves(c, density, n);
     const PlaneWaves full = plane_waves(voigt(c), density, n);
-    const std::array<double, 3> speeds = descending(closed);
-    const double scale = full.fastest.speed; // squares agree to the rounding of the largest
-    CHECK(std::abs(speeds[0] * speeds[0] - std::pow(full.fastest.speed, 2)) < rounding * scale * scale);
-    CHECK(std::abs(speeds[1] * speeds[1] - std::pow(full.middle.speed, 2)) < rounding * scale * scale);
-    CHECK(std::abs(speeds[2] * speeds[2] - std::pow(full.slowest.speed, 2)) < rounding * scale * scale);
+    const auto one = squares(all(closed)), other = squares(all(full));
+    for (std::size_t k = 0; k < 3; ++k) // to the rounding of the largest
+      CHECK(std::abs(one[k] - other[k]) < rounding * other[0]);
     const Mat3 gamma = christoffel_matrix(voigt(c), 1 / norm(n) * n);
-    for (const PlaneWave& wave : {closed.quasi_p, closed.quasi_s, closed.pure_s})
+    for (const PlaneWave& wave : all(closed))
       check_eigenpair(gamma, wave);
-    check_orthonormal(polarisations(closed), 1e-15);
+    check_orthonormal(all(closed), 1e-15);
     CHECK(closed.quasi_p.speed >= closed.quasi_s.speed);
     CHECK(dot(closed.quasi_p.polarisation, n) >= 0);
     CHECK(closed.pure_s.polarisation.z == 0);
@@ -109,7 +101,7 @@ TEST_CASE("plane waves: the closed form of transverse isotropy is that of the fu
 
 TEST_CASE("plane waves: closed speeds are right to 4 ulp, a slow quasi-S too") {
   std::mt19937_64 random(7);
-  double worst_p = 0, worst_sv = 0, worst_sh = 0;
+  double worst = 0;
   for (int i = 0; i < 2000; ++i) {
     const TransverselyIsotropic c = random_layered(random, -0.99, 0.99);
     const Vec3 n = random_vector(random);
@@ -121,17 +113,11 @@ TEST_CASE("plane waves: closed speeds are right to 4 ulp, a slow quasi-S too") {
     const Long C11 = c.C11, C33 = c.C33, C13 = c.C13, C44 = c.C44, C12 = c.C12;
     const Long g11 = C11 * s2 + C44 * c2, g33 = C44 * s2 + C33 * c2, g13 = (C13 + C44) * std::sqrt(s2 * c2);
     const Long root = std::sqrt((g11 - g33) * (g11 - g33) / 4 + g13 * g13), mean = (g11 + g33) / 2;
-    worst_p = std::max(worst_p, ulps(waves.quasi_p.speed, std::sqrt((mean + root) / density)));
-    worst_sv = std::max(worst_sv, ulps(waves.quasi_s.speed, std::sqrt((mean - root) / density)));
-    worst_sh =
-        std::max(worst_sh, ulps(waves.pure_s.speed, std::sqrt(((C11 - C12) / 2 * s2 + C44 * c2) / density)));
+    worst = std::max({worst, ulps(waves.quasi_p.speed, std::sqrt((mean + root) / density)),
+                      ulps(waves.quasi_s.speed, std::sqrt((mean - root) / density)),
+                      ulps(waves.pure_s.speed, std::sqrt(((C11 - C12) / 2 * s2 + C44 * c2) / density))});
   }
-  CAPTURE(worst_p);
-  CAPTURE(worst_sv);
-  CAPTURE(worst_sh);
-  CHECK(worst_p < 4);
-  CHECK(worst_sv < 4);
-  CHECK(worst_sh < 4);
+  CHECK(worst < 4);
 }
 
 TEST_CASE("plane waves: a nearly fluid solid keeps the digits of its shear waves") {
@@ -150,29 +136,25 @@ TEST_CASE("plane waves: degenerate speeds have orthonormal polarisations") {
     const PlaneWaves full = plane_waves(voigt(sand), density, n);
     const TransverselyIsotropicWaves closed = plane_waves(transversely_isotropic(sand), density, n);
     n *= 1 / norm(n);
-    for (const double speed : {full.fastest.speed, closed.quasi_p.speed})
-      CHECK(speed == relative(V_p, rounding));
-    for (const double speed :
-         {full.middle.speed, full.slowest.speed, closed.quasi_s.speed, closed.pure_s.speed})
-      CHECK(speed == relative(V_s, rounding));
+    const double V[] = {V_p, V_s, V_s};
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(all(full)[k].speed == relative(V[k], rounding));
+      CHECK(all(closed)[k].speed == relative(V[k], rounding));
+    }
     CHECK(norm(full.fastest.polarisation - n) < rounding);
     CHECK(norm(closed.quasi_p.polarisation - n) < rounding);
-    check_orthonormal(polarisations(full), 4e-15);
-    check_orthonormal(polarisations(closed), 1e-15);
+    check_orthonormal(all(full), 4e-15);
+    check_orthonormal(all(closed), 1e-15);
   }
   // on the axis of symmetry both shear waves run at sqrt(C44/density)
   const auto vertical = plane_waves(layered_sample(), density, {0, 0, 2});
-  CHECK(vertical.quasi_p.polarisation == Vec3{0, 0, 1});
   CHECK(vertical.quasi_s.speed == relative(std::sqrt(121e6 / density), 1e-15));
   CHECK(vertical.pure_s.speed == vertical.quasi_s.speed);
-  // all three speeds equal: lambda = -mu
-  const TransverselyIsotropic same{.C11 = 1e8, .C33 = 1e8, .C12 = -1e8 / 2, .C13 = -1e8, .C44 = 1e8};
-  CHECK_THROWS_AS((void)plane_waves(same, density, {1, 2, 3}), InvalidArgument); // not semidefinite
   const TransverselyIsotropic equal{.C11 = 1e8, .C33 = 1e8, .C12 = 0, .C13 = 0, .C44 = 1e8};
   const auto waves = plane_waves(equal, density, {0, 0, 1});
   CHECK(waves.quasi_p.speed == waves.quasi_s.speed);
   CHECK(waves.quasi_p.polarisation == Vec3{0, 0, 1});
-  check_orthonormal(polarisations(waves), 1e-15);
+  check_orthonormal(all(waves), 1e-15);
 }
 
 TEST_CASE("plane waves: group velocity is the gradient of the frequency and projects on the phase speed") {
@@ -225,7 +207,7 @@ TEST_CASE("plane waves: a semidefinite stiffness has speeds of zero, an indefini
     CHECK(waves.quasi_p.speed == relative(std::sqrt(2.2e6), rounding));
     CHECK(waves.quasi_s.speed < 1e-7 * waves.quasi_p.speed); // the root of a rounded zero
     CHECK(waves.pure_s.speed == 0);
-    check_orthonormal(polarisations(waves), 1e-15);
+    check_orthonormal(all(waves), 1e-15);
   }
   TransverselyIsotropic rounded = water; // a shear modulus of zero, as a simulation would give it
   rounded.C44 = -1e-15 * water.C33;
@@ -234,23 +216,22 @@ TEST_CASE("plane waves: a semidefinite stiffness has speeds of zero, an indefini
   CHECK(plane_waves(TransverselyIsotropic{}, density, {1, 2, 3}).quasi_p.speed == 0);
   CHECK(plane_waves(VoigtStiffness{}, density, {1, 2, 3}).fastest.speed == 0);
 
-  TransverselyIsotropic broken = layered_sample();
-  broken.C13 = 300e6;
-  CHECK_THROWS_AS((void)plane_waves(broken, density, {0, 0, 1}), InvalidArgument);
+  const double infinity = std::numeric_limits<double>::infinity();
+  TransverselyIsotropic broken = layered_sample(), undefined = broken, infinite = broken;
+  broken.C13 = 300e6, undefined.C13 = std::nan(""), infinite.C11 = infinity;
+  for (const TransverselyIsotropic& bad : {broken, undefined, infinite})
+    CHECK_THROWS_AS((void)plane_waves(bad, density, {0, 0, 1}), InvalidArgument);
   CHECK_THROWS_AS((void)plane_waves(voigt(broken), density, {0, 0, 1}), InvalidArgument);
-  broken.C13 = std::nan("");
-  CHECK_THROWS_AS((void)plane_waves(broken, density, {0, 0, 1}), InvalidArgument);
-  broken.C13 = 0, broken.C11 = std::numeric_limits<double>::infinity();
-  CHECK_THROWS_AS((void)plane_waves(broken, density, {0, 0, 1}), InvalidArgument);
 }
 
 TEST_CASE("plane waves: bad densities, directions and waves are refused") {
   const TransverselyIsotropic c = layered_sample();
-  CHECK_THROWS_AS((void)plane_waves(c, 0, {0, 0, 1}), InvalidArgument);
-  CHECK_THROWS_AS((void)plane_waves(voigt(c), -1, {0, 0, 1}), InvalidArgument);
-  CHECK_THROWS_AS((void)plane_waves(c, density, {0, 0, 0}), InvalidArgument);
-  CHECK_THROWS_AS((void)plane_waves(voigt(c), density, {0, std::nan(""), 1}), InvalidArgument);
-  CHECK_THROWS_AS((void)group_velocity(voigt(c), density, {0, 0, 1}, {}), InvalidArgument);
-  CHECK_THROWS_AS((void)group_velocity(voigt(c), density, {0, 0, 0}, {.speed = 1, .polarisation = {1, 0, 0}}),
+  const Vec3 up{0, 0, 1}, none{0, 0, 0}, undefined{0, std::nan(""), 1};
+  for (const auto& [rho, n] : {std::pair(0.0, up), {-1.0, up}, {density, none}, {density, undefined}}) {
+    CHECK_THROWS_AS((void)plane_waves(c, rho, n), InvalidArgument);
+    CHECK_THROWS_AS((void)plane_waves(voigt(c), rho, n), InvalidArgument);
+  }
+  CHECK_THROWS_AS((void)group_velocity(voigt(c), density, up, {}), InvalidArgument);
+  CHECK_THROWS_AS((void)group_velocity(voigt(c), density, none, {.speed = 1, .polarisation = {1, 0, 0}}),
                   InvalidArgument);
 }

@@ -28,16 +28,6 @@ TEST_CASE("saturation: an isotropic skeleton has the bulk modulus of the usual e
   CHECK(std::abs(wet.C11 / wet.C33 - 1) < 1e-14);
 }
 
-TEST_CASE("saturation: pores filled with a fluid as stiff as the solid compress as the solid") {
-  SaturatedPores filled = sand;
-  filled.fluid_bulk_modulus = filled.grain_bulk_modulus;
-  for (const double K : {0.1 * GPa, 10 * GPa, 30 * GPa})
-    CHECK(std::abs(saturated(transversely_isotropic(Isotropic::from_bulk_and_shear(K, 5 * GPa)), filled)
-                           .bulk_modulus() /
-                       (37 * GPa) -
-                   1) < 1e-13);
-}
-
 TEST_CASE(
     "saturation: an anisotropic skeleton under equal pressure inside and outside strains as the solid") {
   const TransverselyIsotropic skeleton{

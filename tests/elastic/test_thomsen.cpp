@@ -25,14 +25,6 @@ TransverselyIsotropic with_fast_p(std::mt19937_64& random) {
   return c;
 }
 
-void check_same(const TransverselyIsotropic& a, const TransverselyIsotropic& b, double tolerance) {
-  CHECK(a.C11 == relative(b.C11, tolerance));
-  CHECK(a.C33 == relative(b.C33, tolerance));
-  CHECK(a.C44 == relative(b.C44, tolerance));
-  CHECK(std::abs(a.C12 - b.C12) < tolerance * b.C11);
-  CHECK(std::abs(a.C13 - b.C13) < tolerance * b.C33);
-}
-
 } // namespace
 
 TEST_CASE("Thomsen: the parameters agree with the wave speeds") {
@@ -79,19 +71,6 @@ TEST_CASE("Thomsen: closed parameters are right to 8 ulp, near isotropy too") {
   CHECK(worst < 8);
 }
 
-TEST_CASE("Thomsen: weak delta is exact delta to first order") {
-  for (const double size : {1e-2, 1e-4, 1e-6}) {
-    TransverselyIsotropic c = layered_sample();
-    const double isotropic = c.C33 - 2 * c.C44;
-    c.C13 = isotropic + size * c.C33;
-    const double exact = thomsen_parameters(c).delta, weak = weak_thomsen_parameters(c).delta;
-    CHECK(weak == relative(size, 1e-9));
-    CHECK(exact != weak);
-    // exact/weak - 1 = size C33/(2 (C33-C44))
-    CHECK(exact / weak - 1 == relative(size * 402 / (2 * (402 - 121.)), 1e-6));
-  }
-}
-
 TEST_CASE("Thomsen: stiffness to parameters and back is the identity") {
   std::mt19937_64 random(3);
   for (int i = 0; i < 1000; ++i) {
@@ -100,18 +79,10 @@ TEST_CASE("Thomsen: stiffness to parameters and back is the identity") {
     CHECK(solid.bulk_density == density);
     CHECK(solid.anisotropy == thomsen_parameters(c));
     // a delta near its smallest, -(1 - C44/C33)/2, magnifies its rounding in the root for C13
-    check_same(transversely_isotropic(solid), c, 2e-14);
+    const Matrix6 back = voigt(transversely_isotropic(solid)).matrix;
+    CHECK((back - voigt(c).matrix).cwiseAbs().maxCoeff() < 2e-14 * std::max(c.C11, c.C33));
+    CHECK(back(3, 3) == relative(c.C44, 2e-14));
   }
-  const ThomsenSolid shale{.bulk_density = 2420,
-                           .vertical_p_speed = 3377,
-                           .vertical_s_speed = 1490,
-                           .anisotropy = {.epsilon = 0.2, .delta = -0.075, .gamma = 0.51}};
-  const ThomsenSolid back = thomsen_solid(transversely_isotropic(shale), shale.bulk_density);
-  CHECK(back.vertical_p_speed == relative(3377, 1e-15));
-  CHECK(back.vertical_s_speed == relative(1490, 1e-15));
-  CHECK(back.anisotropy.epsilon == relative(0.2, 1e-14));
-  CHECK(back.anisotropy.delta == relative(-0.075, 1e-14));
-  CHECK(back.anisotropy.gamma == relative(0.51, 1e-14));
 }
 
 TEST_CASE("Thomsen: stiffnesses without parameters, or of no solid, are refused") {

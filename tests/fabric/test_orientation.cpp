@@ -47,33 +47,21 @@ TEST_CASE("orientation: closed moments are the means over the density") {
 }
 
 TEST_CASE("orientation: F33 and a convert into each other over the whole range of F33") {
-  for (double a = -5; a <= 5.0 / 3; a += 0.05) {
-    CAPTURE(a);
-    // da/dF33 = 40/(5 F33 + 1)^2 is 40 at F33 = 0: rounding of F33 is magnified at most that much.
+  // da/dF33 = 40/(5 F33 + 1)^2 is 40 at F33 = 0: rounding of F33 is magnified at most that much.
+  for (double a = -5; a <= 5.0 / 3; a += 0.05)
     CHECK(std::abs(fabric::anisotropy_from_F33(fabric::second_moments(a).F33) - a) < 2e-15 * (1 + a * a));
-  }
-  CHECK(fabric::anisotropy_from_F33(1.0 / 3) == doctest::Approx(0).scale(1).epsilon(1e-15));
+  CHECK(std::abs(fabric::anisotropy_from_F33(1.0 / 3)) < 1e-15);
   CHECK(fabric::anisotropy_from_F33(0) == -5);
-  CHECK(fabric::anisotropy_from_F33(1) == doctest::Approx(5.0 / 3).epsilon(1e-15));
-}
-
-TEST_CASE("orientation: |a| > 1 is reported, not clipped") {
-  CHECK(fabric::anisotropy_validity(1).ok());
-  CHECK(fabric::anisotropy_validity(-1).ok());
-  const Validity validity = fabric::anisotropy_validity(1.25);
-  REQUIRE(validity.notes.size() == 1);
-  CHECK(validity.notes[0].find("1.25") != std::string::npos);
-  CHECK_FALSE(fabric::anisotropy_validity(-1.01).ok());
 }
 
 TEST_CASE("orientation: bad input") {
-  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  const double undefined = std::nan("");
+  CHECK_THROWS_AS((void)fabric::density(undefined, 0), InvalidArgument);
   CHECK_THROWS_AS((void)fabric::density(0, 1.01), InvalidArgument);
-  CHECK_THROWS_AS((void)fabric::density(not_a_number, 0), InvalidArgument);
-  CHECK_THROWS_AS((void)fabric::second_moments(3), InvalidArgument);
-  CHECK_THROWS_AS((void)fabric::second_moments(not_a_number), InvalidArgument);
-  CHECK_THROWS_AS((void)fabric::fourth_moments(1.5), InvalidArgument);
-  CHECK_THROWS_AS((void)fabric::fourth_moments(-2.5), InvalidArgument);
-  CHECK_THROWS_AS((void)fabric::anisotropy_from_F33(-0.1), InvalidArgument);
-  CHECK_THROWS_AS((void)fabric::anisotropy_from_F33(1.1), InvalidArgument);
+  for (const double bad : {3.0, undefined})
+    CHECK_THROWS_AS((void)fabric::second_moments(bad), InvalidArgument);
+  for (const double bad : {1.5, -2.5})
+    CHECK_THROWS_AS((void)fabric::fourth_moments(bad), InvalidArgument);
+  for (const double bad : {-0.1, 1.1})
+    CHECK_THROWS_AS((void)fabric::anisotropy_from_F33(bad), InvalidArgument);
 }

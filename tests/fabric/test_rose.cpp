@@ -64,13 +64,9 @@ TEST_CASE("rose: bins are merged until the bin at the vertical is expected to co
     return fabric::readable_rose(counts, 0).size();
   };
   // 25/(1 - cos w) contacts for w of 5, 10, 15 degrees: 6570, 1645.6, 733.7.
-  CHECK(bins(6570) == 18);
-  CHECK(bins(6569) == 9);
-  CHECK(bins(1646) == 9);
-  CHECK(bins(1645) == 6);
-  CHECK(bins(734) == 6);
-  CHECK(bins(733) == 3);
-  CHECK(bins(1) == 3);
+  for (const auto& [contacts, count] :
+       {std::pair(6570, 18), {6569, 9}, {1646, 9}, {1645, 6}, {734, 6}, {733, 3}, {1, 3}})
+    CHECK(bins(static_cast<std::size_t>(contacts)) == static_cast<std::size_t>(count));
   CHECK(fabric::readable_rose(std::vector<std::size_t>{1, 1}, 0).size() == 2);
 
   for (std::size_t k = 0; k < 18; ++k)

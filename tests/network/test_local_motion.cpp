@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <numeric>
+
 #include <granum/network/linear_response.hpp>
 
 #include "large_networks.hpp"
@@ -43,10 +45,10 @@ void check_energy(const packing::Assembly& a, const std::vector<std::uint32_t>& 
     network::apply_stiffness<Dof>(backbone, alone, 0, x, answer);
     const elastic::Matrix6 expected = network::products<Dof>(alone, x, answer);
     const elastic::Matrix6 sizes = network::products<Dof>(alone, x, x);
-    for (int c = 0; c < network::load_cases; ++c)
+    for (int c = 0; c < network::load_cases; ++c) {
       CHECK(squares[static_cast<std::size_t>(c)] == doctest::Approx(sizes(c, c)).epsilon(1e-13));
-    for (int c = 0; c < network::load_cases; ++c)
       CHECK(energy[static_cast<std::size_t>(c)] == doctest::Approx(expected(c, c)).epsilon(1e-13));
+    }
   }
   CHECK(std::count(place.begin(), place.end(), network::LocalMotion<Dof>::absent) ==
         static_cast<std::ptrdiff_t>(place.size()));
@@ -57,8 +59,7 @@ void check_energy(const packing::Assembly& a, const std::vector<std::uint32_t>& 
 TEST_CASE("the energy of a motion of few grains is that of the whole network") {
   const std::vector<std::uint32_t> scattered{12, 3, 150}, cluster{60, 61, 62, 63, 64, 90, 91, 40, 41};
   std::vector<std::uint32_t> many(120);
-  for (std::uint32_t g = 0; g < many.size(); ++g)
-    many[g] = g;
+  std::iota(many.begin(), many.end(), 0U);
   for (const auto& grains : {scattered, cluster, many, std::vector<std::uint32_t>{}}) {
     CAPTURE(grains.size());
     check_energy<6>(samples::large_network(6, 0.4), grains);
@@ -79,21 +80,4 @@ TEST_CASE("the grains moved most by a motion are found for each motion separatel
   CHECK(first == std::vector<std::uint32_t>{7, 3});
   motion.add_movers(1, 0.05, second);
   CHECK(second == std::vector<std::uint32_t>{1, 5});
-}
-
-TEST_CASE("grains of a motion are taken from the latest to the first, also those that join on the way") {
-  std::vector<std::uint32_t> place(10, network::LocalMotion<6>::absent), order;
-  network::LocalMotion<6> motion(place);
-  motion.of(7);
-  motion.of(2);
-  for (std::uint32_t g = 0; motion.take_latest(g);) {
-    order.push_back(g);
-    if (g == 7) {
-      motion.of(5);
-      motion.of(2); // moves already
-    }
-    if (g == 5)
-      motion.of(0);
-  }
-  CHECK(order == std::vector<std::uint32_t>{7, 5, 2, 0});
 }

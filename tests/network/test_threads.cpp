@@ -86,11 +86,6 @@ TEST_CASE("a stop request ends the response at every stop point, on one thread a
   }
 }
 
-TEST_CASE("without threads there is no response") {
-  const packing::Assembly a = samples::lattice(samples::simple_cubic, {});
-  CHECK_THROWS_AS(static_cast<void>(network::linear_response(a, {.threads = 0})), InvalidArgument);
-}
-
 TEST_CASE(
     "pieces contain every grain once, and touch none of their stage, also through an earlier neighbour") {
   for (const double kept : {0.6, 0.26})

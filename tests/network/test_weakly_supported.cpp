@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "network/numbering/numbering.hpp"
 
-#include <initializer_list>
-
 #include "large_networks.hpp"
 #include "network/backbone.hpp"
 #include "unit.hpp"
 
 namespace {
-
-void join(network::Neighbours& neighbours, std::uint32_t g, std::initializer_list<std::uint32_t> others) {
-  for (const std::uint32_t h : others) {
-    neighbours[g].push_back(h);
-    neighbours[h].push_back(g);
-  }
-}
-
-/// Grains 4 to 8, each of which touches the other four, and four without contacts.
-network::Neighbours five_well_held() {
-  network::Neighbours neighbours(9);
-  join(neighbours, 4, {5, 6, 7, 8});
-  join(neighbours, 5, {6, 7, 8});
-  join(neighbours, 6, {7, 8});
-  join(neighbours, 7, {8});
-  return neighbours;
-}
 
 network::Neighbours neighbours_of(const network::Backbone& backbone) {
   network::Neighbours neighbours(backbone.grain_count);
@@ -37,50 +18,29 @@ network::Neighbours neighbours_of(const network::Backbone& backbone) {
 
 } // namespace
 
-TEST_CASE("a grain is weakly supported by two contacts, or by three with one to such a grain") {
-  network::Neighbours neighbours = five_well_held();
-  join(neighbours, 0, {1, 4});
-  join(neighbours, 1, {5, 6});
-  join(neighbours, 2, {4, 5}); // apart from these two
-  join(neighbours, 3, {6, 7, 8});
-  const network::WeaklySupported weakly_supported(neighbours);
-  for (std::uint32_t g = 0; g < neighbours.size(); ++g) {
-    CAPTURE(g);
-    CHECK(weakly_supported.contains(g) == (g <= 2));
-    CHECK(weakly_supported.first_of_cluster(g) == (g == 1 ? 0 : g));
-  }
+namespace {
+
+/// In each piece of the first stage.
+template <class IsFirst>
+std::size_t out_of_order(const network::Backbone& backbone, const IsFirst& is_first) {
+  std::size_t count = 0;
+  for (const network::Piece& p : backbone.stages.front())
+    for (std::uint32_t g = p.first; g + 1 < p.last; ++g)
+      count += !is_first(g) && is_first(g + 1) ? 1U : 0U;
+  return count;
 }
 
-TEST_CASE(
-    "four contacts support a grain weakly if three lead to grains of two contacts, and well if two do") {
-  network::Neighbours neighbours = five_well_held();
-  join(neighbours, 0, {1, 2, 3, 4});
-  join(neighbours, 1, {5});
-  join(neighbours, 2, {6});
-  join(neighbours, 3, {7});
-  CHECK(network::WeaklySupported(neighbours).contains(0));
-  CHECK(network::WeaklySupported(neighbours).first_of_cluster(3) == 0);
-  join(neighbours, 3, {8});
-  CHECK_FALSE(network::WeaklySupported(neighbours).contains(0));
-}
+} // namespace
 
 TEST_CASE("weakly supported grains come first in pieces of the first stage, whole clusters in one") {
   const network::Backbone backbone = network::load_bearing_network(samples::large_network(29, 0.26), {});
   REQUIRE(backbone.stages.size() == 3);
   const network::WeaklySupported weakly_supported(neighbours_of(backbone));
+  CHECK(out_of_order(backbone, [&](std::uint32_t g) { return weakly_supported.contains(g); }) == 0);
   std::vector<std::size_t> piece(backbone.grain_count, 0); // 0: of a later stage
-  std::size_t pieces = 0, out_of_order = 0;
-  for (const network::Piece& p : backbone.stages.front()) {
-    ++pieces;
-    bool before = true;
-    for (std::uint32_t g = p.first; g < p.last; ++g) {
-      piece[g] = pieces;
-      out_of_order += !before && weakly_supported.contains(g) ? 1U : 0U;
-      before = weakly_supported.contains(g);
-    }
-  }
-  CHECK(out_of_order == 0);
-  std::size_t barely = 0, elsewhere = 0, split = 0;
+  std::size_t pieces = 0, barely = 0, elsewhere = 0, split = 0;
+  for (const network::Piece& p : backbone.stages.front())
+    std::fill(piece.begin() + p.first, piece.begin() + p.last, ++pieces);
   for (std::uint32_t g = 0; g < backbone.grain_count; ++g)
     if (weakly_supported.contains(g)) {
       ++barely;
@@ -99,19 +59,14 @@ TEST_CASE("grains that count as weakly supported come first in pieces of the fir
     soft[g] = true;
   const network::Backbone backbone = network::load_bearing_network(a, {}, soft);
   const network::WeaklySupported by_contacts(neighbours_of(backbone));
-  const auto is_first = [&](std::uint32_t g) { return by_contacts.contains(g) || soft[backbone.grain[g]]; };
-  std::size_t out_of_order = 0, in_first_stage = 0;
-  for (const network::Piece& p : backbone.stages.front()) {
-    bool before = true;
-    for (std::uint32_t g = p.first; g < p.last; ++g) {
-      out_of_order += !before && is_first(g) ? 1U : 0U;
-      before = is_first(g);
-      in_first_stage += soft[backbone.grain[g]] ? 1U : 0U;
-    }
-  }
-  CHECK(out_of_order == 0);
-  const auto numbered = [&](std::uint32_t g) { return soft[g]; };
-  CHECK(in_first_stage ==
-        static_cast<std::size_t>(std::count_if(backbone.grain.begin(), backbone.grain.end(), numbered)));
+  const auto is_soft = [&](std::uint32_t g) { return soft[backbone.grain[g]]; };
+  CHECK(out_of_order(backbone, [&](std::uint32_t g) { return by_contacts.contains(g) || is_soft(g); }) == 0);
+  std::size_t numbered = 0, in_first_stage = 0;
+  for (std::uint32_t g = 0; g < backbone.grain_count; ++g)
+    numbered += is_soft(g) ? 1U : 0U;
+  for (const network::Piece& p : backbone.stages.front())
+    for (std::uint32_t g = p.first; g < p.last; ++g)
+      in_first_stage += is_soft(g) ? 1U : 0U;
+  CHECK(in_first_stage == numbered);
   CHECK(in_first_stage > 400);
 }

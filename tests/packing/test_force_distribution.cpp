@@ -25,24 +25,6 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "force distribution: of an exponential law, the densities are those of the law within their errors") {
-  samples::Uniform uniform(7);
-  std::vector<double> forces;
-  for (int k = 0; k < 40000; ++k)
-    forces.push_back(-1e-2 * std::log(uniform(0, 1)));
-  const packing::ForceDistribution d = packing::force_distribution(forces);
-  double inside = 0, total = 0;
-  for (const packing::ForceBin& bin : d.bins) {
-    inside += static_cast<double>(bin.count);
-    total += bin.density * (bin.high - bin.low);
-    const double expected = (std::exp(-bin.low) - std::exp(-bin.high)) / (bin.high - bin.low);
-    CHECK(std::abs(bin.density - expected) < 5 * std::sqrt(expected / (40000 * 0.25)) + 1e-3);
-  }
-  CHECK(total == relative(inside / 40000, 1e-13));
-  CHECK(inside + static_cast<double>(d.beyond) == 40000);
-}
-
-TEST_CASE(
     "force distribution: without a pressing contact the bins are empty, and bad arguments are refused") {
   CHECK(packing::force_distribution(std::vector<double>{}).mean == 0);
   const packing::ForceDistribution none = packing::force_distribution(std::vector<double>{-1, 0}, 2);

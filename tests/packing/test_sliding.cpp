@@ -28,7 +28,7 @@ packing::Assembly sample(double limit, std::size_t below, std::size_t at_limit) 
 } // namespace
 
 TEST_CASE("sliding: contacts that pile up at a ratio show the friction coefficient and their share") {
-  const packing::Assembly a = sample(0.4, 2000, 60);
+  packing::Assembly a = sample(0.4, 2000, 60);
   const auto friction = estimate_friction(a);
   REQUIRE(friction);
   CHECK(friction->coefficient == relative(0.4, 1e-4));
@@ -36,14 +36,8 @@ TEST_CASE("sliding: contacts that pile up at a ratio show the friction coefficie
   CHECK(sliding_fraction(a, 0.4) == relative(62.0 / 2060, 1e-14)); // 2 even ones lie within 1e-3 of the limit
   CHECK(sliding_fraction(a, 0.5) == 0);
   CHECK(sliding_fraction(a, 0) == 0);
-}
-
-TEST_CASE("sliding: one contact above the limit, as viscous forces make, does not hide it") {
-  packing::Assembly a = sample(0.4, 2000, 60);
-  a.contacts[0].tangential_force = {0, 0.9 * a.contacts[0].normal_force, 0};
-  const auto friction = estimate_friction(a);
-  REQUIRE(friction);
-  CHECK(friction->coefficient == relative(0.4, 1e-4));
+  a.contacts[0].tangential_force = {0, 0.9 * a.contacts[0].normal_force, 0}; // as viscous forces make
+  CHECK(estimate_friction(a).value().coefficient == relative(0.4, 1e-4));
 }
 
 TEST_CASE("sliding: ratios that only thin out, or contacts that hardly press, show no limit") {

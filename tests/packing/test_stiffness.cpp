@@ -1,37 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/packing/stiffness.hpp>
 
+#include "sphere_chain.hpp"
 #include "unit.hpp"
 
 namespace {
 
 constexpr contact::GrainMaterial glass{30e9, 0.15};
-constexpr double force_ab = 0.0235294118; // [N], as LAMMPS printed them for these overlaps
-constexpr double force_bc = 0.0665512265;
-
-/// Three spheres of R = 0.5 mm: a touches b, and b touches c.
-packing::Assembly chain() {
-  return {
-      .cell = Mat3::diagonal(4e-3, 4e-3, 4e-3),
-      .position = {{1e-3, 1e-3, 1e-3}, {1.9999e-3, 1e-3, 1e-3}, {1.9999e-3, 1e-3, 1.9998e-3}},
-      .radius = {0.5e-3, 0.5e-3, 0.5e-3},
-      .contacts = {{.i = 0, .j = 1, .branch = {0.9999e-3, 0, 0}, .overlap = 1e-7, .normal_force = force_ab},
-                   {.i = 1, .j = 2, .branch = {0, 0, 0.9998e-3}, .overlap = 2e-7, .normal_force = force_bc}}};
-}
+using samples::chain_force_ab, samples::chain_force_bc;
 
 } // namespace
 
 TEST_CASE("stiffness without a material is 1.5 f/d, and of one material twice that of one") {
-  packing::Assembly a = chain();
+  packing::Assembly a = samples::sphere_chain();
   packing::assign_stiffness_of_ratio(a, 0.5);
-  CHECK(a.contacts[0].normal_stiffness == relative(1.5 * force_ab / 1e-7, 1e-15));
-  CHECK(a.contacts[1].tangential_stiffness == relative(0.75 * force_bc / 2e-7, 1e-15));
+  CHECK(a.contacts[0].normal_stiffness == relative(1.5 * chain_force_ab / 1e-7, 1e-15));
+  CHECK(a.contacts[1].tangential_stiffness == relative(0.75 * chain_force_bc / 2e-7, 1e-15));
   a.contacts[0].overlap = 0;
   packing::assign_stiffness_of_ratio(a, 0.5);
   CHECK(a.contacts[0].normal_stiffness == 0);
   CHECK_THROWS_AS(packing::assign_stiffness_of_ratio(a, -1), InvalidArgument);
 
-  packing::Assembly one = chain(), many = chain();
+  packing::Assembly one = samples::sphere_chain(), many = one;
   const std::vector<contact::GrainMaterial> same(3, glass);
   assign_hertz_stiffness(one, glass, contact::mindlin_stiffness_ratio(glass.poisson_ratio));
   assign_hertz_stiffness(many, same, std::nullopt);
@@ -39,47 +29,36 @@ TEST_CASE("stiffness without a material is 1.5 f/d, and of one material twice th
   CHECK_THROWS_AS(assign_hertz_stiffness(many, std::vector(2, glass), std::nullopt), InvalidArgument);
 }
 
-TEST_CASE("stiffnesses of the chain by overlap and by force are those of Hertz and Mindlin") {
-  const double ratio = contact::mindlin_stiffness_ratio(glass.poisson_ratio);
-  for (const packing::StiffnessFrom from : {packing::StiffnessFrom::overlap, packing::StiffnessFrom::force}) {
-    packing::Assembly a = chain();
-    assign_stiffness(a, contact::PowerLaw::sphere(glass, 0.5e-3), ratio, from);
-    CHECK(a.contacts[0].normal_stiffness == relative(1.5 * force_ab / 1e-7, 1e-8));
-    CHECK(a.contacts[1].normal_stiffness == relative(1.5 * force_bc / 2e-7, 1e-8));
-    CHECK(a.contacts[1].tangential_stiffness == relative(0.918918918918919 * 1.5 * force_bc / 2e-7, 1e-8));
-    packing::Assembly b = chain();
-    assign_hertz_stiffness(b, glass, ratio, from);
-    CHECK(b.contacts[0].normal_stiffness == relative(a.contacts[0].normal_stiffness, 1e-14));
-  }
-}
-
-TEST_CASE("at a wall the grain has the stiffness of F(2 d), by overlap and by force") {
-  packing::Assembly a = chain();
+TEST_CASE("stiffnesses by overlap and by force are those of Hertz and Mindlin, at a wall that of F(2 d)") {
+  const double ratio = contact::mindlin_stiffness_ratio(glass.poisson_ratio), d = 1e-7;
   const auto law = contact::PowerLaw::sphere(glass, 0.5e-3);
-  const double d = 1e-7, force = law.force(2 * d);
-  a.wall_contacts = {{.i = 1, .j = 0, .branch = {0, -0.4999e-3, 0}, .overlap = d, .normal_force = force}};
   const double slope = (law.force(2 * d * 1.0001) - law.force(2 * d * 0.9999)) / (2e-4 * d);
   for (const packing::StiffnessFrom from : {packing::StiffnessFrom::overlap, packing::StiffnessFrom::force}) {
-    assign_stiffness(a, law, 0.5, from);
+    packing::Assembly a = samples::sphere_chain();
+    a.wall_contacts = {
+        {.i = 1, .j = 0, .branch = {0, -0.4999e-3, 0}, .overlap = d, .normal_force = law.force(2 * d)}};
+    packing::Assembly b = a;
+    assign_stiffness(a, law, ratio, from);
+    CHECK(a.contacts[0].normal_stiffness == relative(1.5 * chain_force_ab / 1e-7, 1e-8));
+    CHECK(a.contacts[1].normal_stiffness == relative(1.5 * chain_force_bc / 2e-7, 1e-8));
+    CHECK(a.contacts[1].tangential_stiffness ==
+          relative(0.918918918918919 * 1.5 * chain_force_bc / 2e-7, 1e-8));
     CHECK(a.wall_contacts[0].normal_stiffness == relative(slope, 1e-7)); // a central difference
-    CHECK(a.wall_contacts[0].tangential_stiffness == 0.5 * a.wall_contacts[0].normal_stiffness);
-    const double before = a.wall_contacts[0].normal_stiffness;
-    assign_hertz_stiffness(a, glass, 0.5, from);
-    CHECK(a.wall_contacts[0].normal_stiffness == relative(before, 1e-14));
+    CHECK(a.wall_contacts[0].tangential_stiffness == relative(ratio * slope, 1e-7));
+    assign_hertz_stiffness(b, glass, ratio, from);
+    CHECK(b.contacts[0].normal_stiffness == relative(a.contacts[0].normal_stiffness, 1e-14));
+    CHECK(b.wall_contacts[0].normal_stiffness == relative(a.wall_contacts[0].normal_stiffness, 1e-14));
   }
-}
-
-TEST_CASE("spheres of two sizes have the stiffness of their reduced radius") {
-  packing::Assembly a = chain();
-  a.radius[0] = 1.5e-3; // 1/R* = 1/1.5 + 1/0.5 per mm: that of two spheres of 0.75 mm
-  assign_hertz_stiffness(a, glass, 0);
-  const auto law = contact::PowerLaw::sphere(glass, 0.75e-3);
-  CHECK(a.contacts[0].normal_stiffness == relative(law.stiffness_at_overlap(a.contacts[0].overlap), 1e-14));
-  CHECK(a.contacts[0].tangential_stiffness == 0);
+  packing::Assembly two_sizes = samples::sphere_chain();
+  two_sizes.radius[0] = 1.5e-3; // 1/R* = 1/1.5 + 1/0.5 per mm: that of two spheres of 0.75 mm
+  assign_hertz_stiffness(two_sizes, glass, 0);
+  CHECK(two_sizes.contacts[0].normal_stiffness ==
+        relative(contact::PowerLaw::sphere(glass, 0.75e-3).stiffness_at_overlap(d), 1e-14));
+  CHECK(two_sizes.contacts[0].tangential_stiffness == 0);
 }
 
 TEST_CASE("a contact that does not press has no Hertz stiffness, and a bad ratio is refused") {
-  packing::Assembly a = chain();
+  packing::Assembly a = samples::sphere_chain();
   a.contacts[0].overlap = -1e-9;
   a.contacts[1].normal_force = -1;
   assign_stiffness(a, contact::PowerLaw::sphere(glass, 0.5e-3), 1);
@@ -95,9 +74,9 @@ TEST_CASE("grains with adhesion have its k_n, Mindlin's k_t of the contact area,
   const std::vector<contact::GrainMaterial> same(3, glass);
   for (const auto model : {contact::AdhesionModel::jkr, contact::AdhesionModel::dmt}) {
     const contact::Adhesion adhesion{model, 0.4}, none{model, 0};
-    packing::Assembly a = chain(), hertz = chain();
+    packing::Assembly a = samples::sphere_chain(), hertz = a;
     a.wall_contacts = hertz.wall_contacts = {
-        {.i = 1, .j = 0, .branch = {0, -0.4999e-3, 0}, .overlap = 1e-7, .normal_force = force_bc}};
+        {.i = 1, .j = 0, .branch = {0, -0.4999e-3, 0}, .overlap = 1e-7, .normal_force = chain_force_bc}};
     assign_hertz_stiffness(hertz, same, std::nullopt);
     packing::Assembly without = a;
     assign_adhesive_stiffness(without, none, same, std::nullopt);
@@ -126,7 +105,7 @@ TEST_CASE("grains with adhesion have its k_n, Mindlin's k_t of the contact area,
 }
 
 TEST_CASE("resistance to rolling as codes state it") {
-  packing::Assembly a = chain();
+  packing::Assembly a = samples::sphere_chain();
   a.radius[0] = 1.5e-3;
   assign_hertz_stiffness(a, glass, 0.8);
   const packing::Contact& c = a.contacts[0];

@@ -6,12 +6,14 @@
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <granum/core/numerics.hpp>
 
+#include "states.hpp"
 #include "unit.hpp"
 
 using rock_physics::cement_radius_ratio;
 using rock_physics::CementedPacking;
 using rock_physics::CementScheme;
 using rock_physics::contact_cement;
+using test::with;
 
 namespace {
 
@@ -151,44 +153,33 @@ TEST_CASE("contact cement: the regression against its integral equation wherever
 }
 
 TEST_CASE("contact cement: outside its range the regression is noted or refused") {
-  auto soft = example();
-  soft.cement_shear_modulus = 0.01e9; // leads to a packing stiffer than its grains
-  const auto impossible = contact_cement(soft, CementScheme::at_contacts);
-  CHECK(impossible.validity.notes.size() >= 3);
-  auto negative = example();
-  negative.cement_shear_modulus = 0.3e9;
-  negative.cement_saturation = 1;
+  const auto at_contacts = [](const CementedPacking& p) {
+    return contact_cement(p, CementScheme::at_contacts);
+  };
+  const auto coats = [](const CementedPacking& p) { return contact_cement(p, CementScheme::surface_layer); };
+  const auto cement = &CementedPacking::cement_shear_modulus,
+             saturation = &CementedPacking::cement_saturation;
+  // leads to a packing stiffer than its grains
+  CHECK(at_contacts(with(example(), cement, 0.01e9)).validity.notes.size() >= 3);
+  CHECK_FALSE(at_contacts(with(example(), cement, 450e9)).validity.ok());
+  CHECK_FALSE(coats(with(example(), saturation, 0)).validity.ok());
+  CHECK(coats(example()).validity.ok());
+  auto negative = with(with(example(), cement, 0.3e9), saturation, 1);
   negative.porosity = 0.6;
   negative.coordination_number = 3;
-  CHECK_THROWS_AS((void)contact_cement(negative, CementScheme::at_contacts), InvalidArgument);
-  auto stiff = example();
-  stiff.cement_shear_modulus = 450e9;
-  CHECK_FALSE(contact_cement(stiff, CementScheme::at_contacts).validity.ok());
-  auto dry = example();
-  dry.cement_saturation = 0;
-  CHECK_FALSE(contact_cement(dry, CementScheme::surface_layer).validity.ok());
-  CHECK(contact_cement(example(), CementScheme::surface_layer).validity.ok());
-}
+  CHECK_THROWS_AS((void)at_contacts(negative), InvalidArgument);
 
-TEST_CASE("contact cement: bad input") {
-  for (const auto member : {&CementedPacking::shear_modulus, &CementedPacking::poisson_ratio,
-                            &CementedPacking::cement_shear_modulus, &CementedPacking::cement_poisson_ratio,
-                            &CementedPacking::porosity, &CementedPacking::coordination_number,
-                            &CementedPacking::cement_saturation})
-    for (const double bad :
-         {std::numeric_limits<double>::quiet_NaN(), -1.0, std::numeric_limits<double>::infinity()}) {
-      auto p = example();
-      p.*member = bad;
-      CHECK_THROWS_AS((void)contact_cement(p, CementScheme::surface_layer), InvalidArgument);
-    }
-  auto p = example();
-  p.cement_poisson_ratio = 0.5;
-  CHECK_THROWS_AS((void)contact_cement(p, CementScheme::surface_layer), InvalidArgument);
+  test::check_refused(example(),
+                      {&CementedPacking::shear_modulus, &CementedPacking::poisson_ratio,
+                       &CementedPacking::cement_shear_modulus, &CementedPacking::cement_poisson_ratio,
+                       &CementedPacking::porosity, &CementedPacking::coordination_number,
+                       &CementedPacking::cement_saturation},
+                      coats);
+  CHECK_THROWS_AS((void)coats(with(example(), &CementedPacking::cement_poisson_ratio, 0.5)), InvalidArgument);
   CHECK_THROWS_AS((void)contact_cement(example(), CementScheme(3)), InvalidArgument);
   CHECK_THROWS_AS((void)rock_physics::cement_saturation(0.4, 0.41), InvalidArgument);
   CHECK_THROWS_AS((void)rock_physics::cement_saturation(0, 0), InvalidArgument);
-  auto empty = example();
-  empty.coordination_number = 0;
-  CHECK(contact_cement(empty, CementScheme::surface_layer).bulk_modulus == 0);
-  CHECK_THROWS_AS((void)contact_cement(empty, CementScheme::at_contacts), InvalidArgument);
+  const auto empty = with(example(), &CementedPacking::coordination_number, 0);
+  CHECK(coats(empty).bulk_modulus == 0);
+  CHECK_THROWS_AS((void)at_contacts(empty), InvalidArgument);
 }

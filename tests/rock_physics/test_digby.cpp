@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/rock_physics/sphere_packs.hpp>
 
+#include "states.hpp"
 #include "unit.hpp"
 
 using rock_physics::BondedPacking;
 using rock_physics::digby;
+using test::with;
 
 namespace {
 
@@ -16,11 +18,6 @@ constexpr BondedPacking bonded{.shear_modulus = 44e9,
                                .pressure = 20e6,
                                .bond_radius_ratio = 0.2};
 
-BondedPacking with(BondedPacking packing, double BondedPacking::*member, double value) {
-  packing.*member = value;
-  return packing;
-}
-
 /// The root of d^3 + 3/2 b^2 d = q by bisection in long double.
 long double bisected(long double b, long double q) {
   long double low = 0, high = std::cbrt(q);
@@ -29,13 +26,6 @@ long double bisected(long double b, long double q) {
     (d * d * d + 1.5L * b * b * d < q ? low : high) = d;
   }
   return low;
-}
-
-/// 3 pi (1-nu) p/(2 C_n (1-phi) G).
-long double load(const BondedPacking& p) {
-  return 3 * static_cast<long double>(M_PI) * (1 - static_cast<long double>(p.poisson_ratio)) * p.pressure /
-         (2 * static_cast<long double>(p.coordination_number) * (1 - static_cast<long double>(p.porosity)) *
-          p.shear_modulus);
 }
 
 } // namespace
@@ -53,12 +43,12 @@ TEST_CASE("digby: the contact radius against bisection, from strong bonds to str
     for (double b = 1e-8; b < 1; b *= 10, ++tried) {
       const auto p =
           with(with(bonded, &BondedPacking::pressure, pressure), &BondedPacking::bond_radius_ratio, b);
-      const long double d = bisected(b, load(p)), a = std::sqrt(d * d + static_cast<long double>(b) * b);
-      const long double S_n = 4 * a / (1 - static_cast<long double>(p.poisson_ratio));
-      const long double S_t =
-          8 * static_cast<long double>(b) / (2 - static_cast<long double>(p.poisson_ratio));
-      const long double scale =
-          9 * (1 - static_cast<long double>(p.porosity)) * p.shear_modulus / static_cast<long double>(M_PI);
+      using Long = long double;
+      const Long pi = static_cast<Long>(M_PI), nu = p.poisson_ratio,
+                 solid = 1 - static_cast<Long>(p.porosity);
+      const Long q = 3 * pi * (1 - nu) * p.pressure / (2 * solid * p.coordination_number * p.shear_modulus);
+      const Long d = bisected(b, q), S_n = 4 * std::sqrt(d * d + static_cast<Long>(b) * b) / (1 - nu);
+      const Long S_t = 8 * b / (2 - nu), scale = 9 * solid * p.shear_modulus / pi;
       const auto m = digby(p);
       CAPTURE(pressure);
       CAPTURE(b);
@@ -92,12 +82,11 @@ TEST_CASE("digby: limits") {
 }
 
 TEST_CASE("digby: bad input and notes") {
-  for (const auto member :
-       {&BondedPacking::shear_modulus, &BondedPacking::poisson_ratio, &BondedPacking::porosity,
-        &BondedPacking::coordination_number, &BondedPacking::pressure, &BondedPacking::bond_radius_ratio})
-    for (const double bad :
-         {std::numeric_limits<double>::quiet_NaN(), -1.0, std::numeric_limits<double>::infinity()})
-      CHECK_THROWS_AS((void)digby(with(bonded, member, bad)), InvalidArgument);
+  test::check_refused(bonded,
+                      {&BondedPacking::shear_modulus, &BondedPacking::poisson_ratio, &BondedPacking::porosity,
+                       &BondedPacking::coordination_number, &BondedPacking::pressure,
+                       &BondedPacking::bond_radius_ratio},
+                      digby);
   CHECK_THROWS_AS((void)digby(with(bonded, &BondedPacking::bond_radius_ratio, 1)), InvalidArgument);
   CHECK_FALSE(digby(bonded).validity.ok());
   CHECK(digby(with(bonded, &BondedPacking::bond_radius_ratio, 0.05)).validity.ok());

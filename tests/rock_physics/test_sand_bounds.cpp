@@ -30,28 +30,21 @@ double coated_sphere_bulk(double inner, double shell, double shell_shear, double
 
 } // namespace
 
-TEST_CASE("sand bounds: bulk moduli of coated spheres") {
+TEST_CASE("sand bounds: bulk moduli of coated spheres, shear moduli as the bounds are printed") {
   const auto end = rock_physics::hertz_mindlin(packing);
-  for (const double porosity : {0.01, 0.1, 0.2, 0.3, 0.39}) {
-    const double f = porosity / 0.4;
-    CAPTURE(porosity);
-    CHECK(soft_sand(packing, porosity).bulk_modulus ==
-          relative(coated_sphere_bulk(36.6e9, end.bulk_modulus, end.shear_modulus, 1 - f), 1e-14));
-    CHECK(stiff_sand(packing, porosity).bulk_modulus ==
-          relative(coated_sphere_bulk(end.bulk_modulus, 36.6e9, 45e9, f), 1e-14));
-  }
-}
-
-TEST_CASE("sand bounds: shear moduli as the bounds are printed") {
-  const auto end = rock_physics::hertz_mindlin(packing);
-  const auto printed = [&](double porosity, double K, double G) {
-    const double z = G / 6 * (9 * K + 8 * G) / (K + 2 * G), f = porosity / 0.4;
+  const auto printed = [&](double f, double K, double G) {
+    const double z = G / 6 * (9 * K + 8 * G) / (K + 2 * G);
     return 1 / (f / (end.shear_modulus + z) + (1 - f) / (45e9 + z)) - z;
   };
   for (const double porosity : {0.01, 0.1, 0.2, 0.3, 0.39}) {
-    CHECK(soft_sand(packing, porosity).shear_modulus ==
-          relative(printed(porosity, end.bulk_modulus, end.shear_modulus), 1e-13));
-    CHECK(stiff_sand(packing, porosity).shear_modulus == relative(printed(porosity, 36.6e9, 45e9), 1e-13));
+    const double f = porosity / 0.4;
+    CAPTURE(porosity);
+    const auto soft = soft_sand(packing, porosity), stiff = stiff_sand(packing, porosity);
+    CHECK(soft.bulk_modulus ==
+          relative(coated_sphere_bulk(36.6e9, end.bulk_modulus, end.shear_modulus, 1 - f), 1e-14));
+    CHECK(stiff.bulk_modulus == relative(coated_sphere_bulk(end.bulk_modulus, 36.6e9, 45e9, f), 1e-14));
+    CHECK(soft.shear_modulus == relative(printed(f, end.bulk_modulus, end.shear_modulus), 1e-13));
+    CHECK(stiff.shear_modulus == relative(printed(f, 36.6e9, 45e9), 1e-13));
   }
 }
 
@@ -88,19 +81,13 @@ TEST_CASE("sand bounds: no pressure, no contacts, incompressible grains") {
   }
 }
 
-TEST_CASE("sand bounds: a porosity above the critical one is refused with advice") {
+TEST_CASE("sand bounds: a porosity above the critical one is refused by its name") {
+  auto solid = packing;
+  solid.porosity = 0;
   for (const auto model : {soft_sand, stiff_sand}) {
     CHECK_THROWS_AS((void)model(packing, -0.1), InvalidArgument);
     CHECK_THROWS_AS((void)model(packing, std::numeric_limits<double>::quiet_NaN()), InvalidArgument);
-    std::string text;
-    try {
-      (void)model(packing, 0.8);
-    } catch (const InvalidArgument& error) {
-      text = error.what();
-    }
-    CHECK(text.starts_with("porosity = 0.8"));
-    auto solid = packing;
-    solid.porosity = 0;
+    CHECK_THROWS_WITH_AS((void)model(packing, 0.8), doctest::Contains("porosity = "), InvalidArgument);
     CHECK_THROWS_AS((void)model(solid, 0), InvalidArgument);
   }
 }

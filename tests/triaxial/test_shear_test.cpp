@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/triaxial/shear_test.hpp>
 
-#include <thread>
+#include <optional>
 
 #include <granum/triaxial/specimen.hpp>
 
@@ -15,22 +15,18 @@ using namespace granum::stress;
 
 namespace {
 
-constexpr double pressure = 100e3;
-const dem::Material material = test::quartz(0.5e-3, 0.4986);
+using test::material;
+using test::pressure;
+
+dem::Specimen dense(std::uint64_t seed, std::optional<double> wall_friction = {}) {
+  SpecimenRecipe recipe{.material = material, .radius = test::radius, .grains = 300, .seed = seed};
+  recipe.wall_friction = wall_friction;
+  return test::compressed(recipe, Density::dense, {pressure});
+}
 
 /// Dense specimen of 300 grains at rest under 100 kPa, made once.
 const dem::Specimen& specimen() {
-  static const dem::Specimen made = [] {
-    SpecimenRecipe recipe{.material = material, .radius = 0.5e-3};
-    recipe.grains = 300;
-    recipe.seed = 3;
-    dem::Specimen state = start_of_compression(frictionless_specimen(recipe).state, Density::dense, recipe);
-    (void)isotropic_path(state, material, {pressure}, compression_options(), [&](const Snapshot& snapshot) {
-      state = snapshot.state;
-      return snapshot.report.converged();
-    });
-    return state;
-  }();
+  static const dem::Specimen made = dense(3);
   return made;
 }
 
@@ -155,33 +151,6 @@ TEST_CASE("all four paths begin with the shear modulus of the frozen network") {
   }
 }
 
-TEST_CASE("past the peak a dense specimen has lost contacts, dilates and is anisotropic") {
-  const std::vector<Reached> points = run(options_of(ShearPath::txc));
-  const analysis::Microstructure before = test::measured(points.front().state, material).microstructure();
-  const analysis::Microstructure after = test::measured(points.back().state, material).microstructure();
-  CHECK(before.coordination_number - after.coordination_number > 0.8);
-  CHECK(after.fabric_anisotropy > 5 * after.fabric_anisotropy_error);
-  CHECK(after.sliding_fraction > before.sliding_fraction);
-  CHECK(points.back().path.volumetric_strain < 0);
-  CHECK(test::frozen_network(points.back().state, material).G_vh() <
-        0.7 * test::frozen_network(points.front().state, material).G_vh());
-}
-
-TEST_CASE("side by side or one after the other: the same bits") {
-  std::vector<Reached> first, second;
-  std::thread a([&] { first = run(options_of(ShearPath::txe)); });
-  std::thread b([&] { second = run(options_of(ShearPath::txe)); });
-  a.join();
-  b.join();
-  const std::vector<Reached> alone = run(options_of(ShearPath::txe));
-  REQUIRE(first.size() == alone.size());
-  REQUIRE(second.size() == alone.size());
-  for (std::size_t k = 0; k < alone.size(); ++k) {
-    CHECK(first[k].state == alone[k].state);
-    CHECK(second[k].path == alone[k].path);
-  }
-}
-
 TEST_CASE("a test that is stopped before any step, saved and taken up ends in the same bits") {
   ShearOptions options = options_of(ShearPath::txc);
   const auto to_end = [](ShearTest& test, std::size_t& snapshots) {
@@ -224,38 +193,25 @@ TEST_CASE("a test can be stopped and taken on, and impossible options are refuse
   CHECK(test.advance() == ShearEvent::finished);
   CHECK(test.advance() == ShearEvent::finished);
 
-  const auto refused = [&](auto change) {
-    ShearOptions bad = options_of(ShearPath::txc);
-    change(bad);
-    CHECK_THROWS_AS(ShearTest(specimen(), material, bad), InvalidArgument);
+  const auto refused = [](double ShearOptions::*option, std::initializer_list<double> values) {
+    for (const double value : values) {
+      ShearOptions bad = options_of(ShearPath::txc);
+      bad.*option = value;
+      CHECK_THROWS_AS(ShearTest(specimen(), material, bad), InvalidArgument);
+    }
   };
-  refused([](ShearOptions& o) { o.mean_stress = 0; });
-  refused([](ShearOptions& o) { o.inertial_number = -1; });
-  refused([](ShearOptions& o) { o.eta_step = 0; });
-  refused([](ShearOptions& o) { o.strain_step = NAN; });
-  refused([](ShearOptions& o) { o.largest_strain = 1; });
-  refused([](ShearOptions& o) { o.time_step_fraction = 0; });
-  refused([](ShearOptions& o) { o.time_step_fraction = 1.5; });
-  refused([](ShearOptions& o) { o.drag_share = 0; });
-  refused([](ShearOptions& o) { o.drag_share = 1; });
+  refused(&ShearOptions::mean_stress, {0});
+  refused(&ShearOptions::inertial_number, {-1});
+  refused(&ShearOptions::eta_step, {0});
+  refused(&ShearOptions::strain_step, {NAN});
+  refused(&ShearOptions::largest_strain, {1});
+  refused(&ShearOptions::time_step_fraction, {0, 1.5});
+  refused(&ShearOptions::drag_share, {0, 1});
 }
 
 TEST_CASE(
     "between smooth walls q/p' hardly depends on the rate of shear, for the drag carries next to nothing") {
-  const std::vector<dem::Specimen> starts = [] {
-    std::vector<dem::Specimen> made;
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      SpecimenRecipe recipe{.material = material, .radius = 0.5e-3, .grains = 300, .seed = seed};
-      recipe.wall_friction = 0;
-      made.push_back(start_of_compression(frictionless_specimen(recipe).state, Density::dense, recipe));
-      const auto keep = [&](const Snapshot& snapshot) {
-        made.back() = snapshot.state;
-        return snapshot.report.converged();
-      };
-      REQUIRE(isotropic_path(made.back(), material, {pressure}, compression_options(), keep));
-    }
-    return made;
-  }();
+  const std::vector<dem::Specimen> starts{dense(1, 0.0), dense(2, 0.0), dense(3, 0.0)};
   // Mean of |q/p'| from 0.5 to 1.5 % of axial strain.
   const auto mean_ratio = [](const dem::Specimen& start, ShearOptions options) {
     options.largest_strain = 0.015;
@@ -285,4 +241,28 @@ TEST_CASE(
   };
   CHECK(std::abs(growth(starts.size(), ShearOptions{}.drag_share)) < 0.02);
   CHECK(growth(1, 0.5) > 0.05); // so a drag that is too strong would be noticed
+}
+
+TEST_CASE("a servo is proportional and integral, and its integral rests while the rate is at its limit") {
+  ShearOptions options = options_of(ShearPath::txc);
+  options.eta_step = options.strain_step = 10;
+  bool stop = true;
+  options.stop_requested = [&] { return stop = !stop; }; // after each step
+  ShearTest test(specimen(), material, options);
+  const dem::Engine& engine = test.engine();
+  double integral = 0;
+  for (int k = 0; k < 300; ++k) {
+    const dem::StepFigures& figures = engine.figures();
+    const double p = test.now().stress.mean(), dt = engine.time_step(), before = engine.cell()(0, 0);
+    const double driven = options.inertial_number / (engine.diameter() * std::sqrt(material.density / p));
+    const double gap = pressure - figures.boundary_stress.x, limit = 3 * driven;
+    const double proportional = gap / (13 * dt * std::max(figures.p_wave_modulus, p));
+    const double wanted = proportional + integral;
+    if (std::abs(wanted) < limit || wanted * gap < 0)
+      integral = std::clamp(integral + proportional / 130, -limit, limit);
+    REQUIRE(test.advance() == ShearEvent::stopped);
+    const double rate = (1 - engine.cell()(0, 0) / before) / dt;
+    REQUIRE(std::abs(rate - std::clamp(wanted, -limit, limit)) < 1e-6 * driven);
+  }
+  CHECK(std::abs(integral) > 0); // what it has learnt
 }

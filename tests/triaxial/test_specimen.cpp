@@ -45,27 +45,17 @@ TEST_CASE("dense and loose specimens have almost one void ratio but not one coor
   const SpecimenRecipe recipe = small_recipe();
   const dem::Specimen jammed = frictionless_specimen(recipe).state;
   double c_n[2] = {}, e[2] = {};
-  for (const Density density : {Density::dense, Density::loose}) {
-    const auto kind = static_cast<std::size_t>(density);
-    const bool whole =
-        isotropic_path(start_of_compression(jammed, density, recipe), recipe.material, {10e3},
-                       compression_options(), [&](const Snapshot& snapshot) {
-                         c_n[kind] = coordination(dem::contact_network(snapshot.state, recipe.material));
-                         e[kind] = dem::void_ratio(snapshot.state);
-                         return true;
-                       });
-    CHECK(whole);
-  }
+  for (const Density density : {Density::dense, Density::loose})
+    CHECK(isotropic_path(start_of_compression(jammed, density, recipe), recipe.material, {10e3},
+                         compression_options(), [&](const Snapshot& snapshot) {
+                           const auto kind = static_cast<std::size_t>(density);
+                           c_n[kind] = coordination(dem::contact_network(snapshot.state, recipe.material));
+                           e[kind] = dem::void_ratio(snapshot.state);
+                           return true;
+                         }));
   CHECK(c_n[0] - c_n[1] > 1.0);
   CHECK(e[1] - e[0] > 0);
   CHECK(e[1] - e[0] < 0.02);
-}
-
-TEST_CASE("opening below jamming leaves no force anywhere") {
-  const SpecimenRecipe recipe = small_recipe();
-  const dem::Specimen opened = unjam(frictionless_specimen(recipe).state, recipe);
-  for (const packing::Contact& c : dem::contact_network(opened, recipe.material).contacts)
-    CHECK(c.overlap < 1e-6 * recipe.radius);
 }
 
 TEST_CASE("the same recipe gives the same bits, another seed another packing, and a path can be taken up") {
@@ -128,25 +118,24 @@ TEST_CASE("grains of widely different sizes come to rest without friction") {
 
 TEST_CASE("impossible recipes are refused by name") {
   SpecimenRecipe recipe = small_recipe();
-  const auto refused = [&](auto change) {
-    SpecimenRecipe bad = recipe;
-    change(bad);
-    CHECK_THROWS_AS((void)frictionless_specimen(bad), InvalidArgument);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [&](double SpecimenRecipe::*what, std::initializer_list<double> values) {
+    for (const double value : values) {
+      SpecimenRecipe bad = recipe;
+      bad.*what = value;
+      CHECK_THROWS_AS((void)frictionless_specimen(bad), InvalidArgument);
+    }
   };
-  refused([](SpecimenRecipe& r) { r.grains = 0; });
-  refused([](SpecimenRecipe& r) { r.grains = 1; });
-  refused([](SpecimenRecipe& r) { r.radius = -1; });
-  refused([](SpecimenRecipe& r) { r.radius = 1e300; });
-  refused([](SpecimenRecipe& r) { r.radius = 1e-300; });
-  refused([](SpecimenRecipe& r) {
-    r.sizes = sizes::parse_distribution("bidisperse:20:0.5");
-    r.grains = least_grains(r.sizes) - 1;
-  });
-  refused([](SpecimenRecipe& r) { r.first_pressure = 0; });
-  refused([](SpecimenRecipe& r) { r.first_pressure = std::numeric_limits<double>::quiet_NaN(); });
-  refused([](SpecimenRecipe& r) { r.expansion_void_ratio = -0.1; });
-  refused([](SpecimenRecipe& r) { r.unjamming_strain = 0; });
-  refused([](SpecimenRecipe& r) { r.agitation = 2; });
+  refused(&SpecimenRecipe::radius, {-1, 1e300, 1e-300});
+  refused(&SpecimenRecipe::first_pressure, {0, nan});
+  refused(&SpecimenRecipe::expansion_void_ratio, {-0.1});
+  refused(&SpecimenRecipe::unjamming_strain, {0});
+  refused(&SpecimenRecipe::agitation, {2});
+  for (const char* sizes : {"equal", "bidisperse:20:0.5"}) {
+    recipe.sizes = sizes::parse_distribution(sizes);
+    recipe.grains = least_grains(recipe.sizes) - 1;
+    CHECK_THROWS_AS((void)frictionless_specimen(recipe), InvalidArgument);
+  }
 }
 
 TEST_CASE("preparation ends at the step at which it is asked to, in each of its stages") {

@@ -29,13 +29,7 @@ SpecimenRecipe recipe(Density density) {
 }
 
 dem::Specimen made(Density density) {
-  dem::Specimen state =
-      start_of_compression(frictionless_specimen(recipe(density)).state, density, recipe(density));
-  REQUIRE(isotropic_path(state, material, {pressure}, compression_options(), [&](const Snapshot& snapshot) {
-    state = snapshot.state;
-    return true;
-  }));
-  return freeze_in_place(state, material).state();
+  return freeze_in_place(test::compressed(recipe(density), density, {pressure}), material).state();
 }
 
 /// Specimens between smooth walls, frozen, each made once and when it is asked for.

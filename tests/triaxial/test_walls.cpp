@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/dem/specimen.hpp>
-#include <granum/network/linear_response.hpp>
 #include <granum/packing/forces.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/shear_test.hpp>
@@ -19,26 +18,13 @@ using test::material;
 using test::pressure;
 using test::radius;
 
-SpecimenRecipe boxed() {
-  SpecimenRecipe recipe{.material = material, .radius = radius};
-  recipe.grains = 400;
-  recipe.seed = 2;
-  recipe.wall_friction = 0;
-  return recipe;
-}
-
-dem::Specimen compressed(const SpecimenRecipe& recipe, Density density) {
-  dem::Specimen state = start_of_compression(frictionless_specimen(recipe).state, density, recipe);
-  REQUIRE(isotropic_path(state, material, {pressure}, compression_options(), [&](const Snapshot& snapshot) {
-    state = snapshot.state;
-    return true;
-  }));
-  return state;
-}
-
 /// A dense specimen between smooth walls, made once.
 const dem::Specimen& specimen() {
-  static const dem::Specimen made = compressed(boxed(), Density::dense);
+  static const dem::Specimen made = [] {
+    SpecimenRecipe recipe{.material = material, .radius = radius, .grains = 400, .seed = 2};
+    recipe.wall_friction = 0;
+    return test::compressed(recipe, Density::dense, {pressure});
+  }();
   return made;
 }
 
@@ -51,6 +37,8 @@ TEST_CASE("a specimen between walls: the walls carry the pressure, and so does i
     // At rest an identity; residual forces are 1e-5 of the mean one.
     CHECK(engine.figures().stress(axis, axis) == relative(pressure, 1e-3));
   }
+  for (const double nothing : {10 * radius, -radius})
+    CHECK_THROWS_AS((void)test::measured(specimen(), material, {.interior_layer = nothing}), InvalidArgument);
   const analysis::InteriorMeasures interior =
       test::measured(specimen(), material, {.interior_layer = 3 * radius}).interior.value();
   CHECK(interior.grains > 60);
@@ -102,36 +90,4 @@ TEST_CASE("between walls a stress path is followed by the wall stress, to its pe
   const dem::StepFigures& figures = test.engine().figures();
   // In motion the grains' own forces are out of balance by less than 1 %.
   CHECK(figures.stress(2, 2) == relative(figures.boundary_stress.z, 0.02));
-}
-
-TEST_CASE("tilting pairs of walls shears a specimen in all three modes, rough walls more fully than smooth") {
-  const auto moduli = [](double wall_friction) {
-    dem::Specimen state = specimen();
-    state.walls->friction_coefficient = wall_friction;
-    const FrozenState frozen = freeze_in_place(state, material, 1e-7);
-    std::array<double, 3> G{};
-    for (const ShearMode mode : {ShearMode::hh, ShearMode::hv, ShearMode::vh}) {
-      const ProbeResult result = probe(frozen.state(), material, mode, {.force_tolerance = 1e-7});
-      CHECK(result.unbalanced_force_ratio < 1e-6);
-      CHECK(result.opening() < 0.05);
-      G[static_cast<std::size_t>(mode)] = result.shear_modulus();
-    }
-    return G;
-  };
-  const std::array<double, 3> smooth = moduli(0), rough = moduli(1e3);
-  // Uniform strain is an upper bound; rough walls that are plates add what their grains' slip bears.
-  const double bound =
-      network::linear_response(dem::contact_network(specimen(), material)).affine().matrix(3, 3);
-  for (std::size_t k = 0; k < 3; ++k) {
-    CHECK(smooth[k] > 0.1 * bound);
-    // Smooth walls push only where they tilt.
-    CHECK(rough[k] > 1.2 * smooth[k]);
-    CHECK(rough[k] < 1.2 * bound);
-  }
-}
-
-TEST_CASE("a layer that leaves nothing is refused") {
-  CHECK_THROWS_AS((void)test::measured(specimen(), material, {.interior_layer = 10 * radius}),
-                  InvalidArgument);
-  CHECK_THROWS_AS((void)test::measured(specimen(), material, {.interior_layer = -radius}), InvalidArgument);
 }
