@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "../relaxation/factor_errors.hpp"
+#include "../errors.hpp"
 #include "../relaxation/least_squares.hpp"
 #include "../relaxation/reading.hpp"
 #include "effective/contact_prior_kernel.hpp"
@@ -98,11 +99,14 @@ inline std::vector<Step> ways_of(const std::vector<Packing>& packings) {
   return ways;
 }
 
+inline double carrying_error(const Step& way, const Numbers<double, size>& c) {
+  return by_carrying(*way.first, *way.later, c) - way.later->mechanical_coordination;
+}
 inline double root_of(const Step& way) {
   return kernel::root_of_way(way.first->relative_overlap, way.later->relative_overlap);
 }
 
-/// Everything that contact_prior_coefficients.hpp holds.
+/// What contact_prior_coefficients.hpp holds, but for packings above a densest one.
 struct Result {
   Fit<size> contacts;
   Fit<rattlers_n> rattlers;
@@ -137,55 +141,51 @@ inline Fit<rattlers_n> fit_rattlers(const std::vector<Packing>& packings) {
   using D = Dual<rattlers_n>;
   std::vector<Observation<rattlers_n>> rows;
   for (const Packing& p : packings)
-    rows.push_back(
-        {[&p](const kernel::RattlerCoefficients<D>& c) {
-           return D(sqrt(kernel::rattlers_of_contacts<D>(p.mechanical_coordination, p.relative_overlap, c)));
-         },
-         std::sqrt(p.rattler_fraction), 1, p.specimen});
+    rows.push_back({[&p](const kernel::RattlerCoefficients<D>& c) {
+                      return sqrt(
+                          kernel::rattlers_of_contacts<D>(p.mechanical_coordination, p.relative_overlap, c));
+                    },
+                    std::sqrt(p.rattler_fraction), 1, p.specimen});
   return relaxation::least_squares<rattlers_n>(std::move(rows), {0.15, 1.2, 10});
 }
 
-inline double rattlers_of(const Packing& p, const Numbers<double, rattlers_n>& c) {
-  return kernel::rattlers_of_contacts<double>(p.mechanical_coordination, p.relative_overlap, c);
-}
+using Label = std::function<std::string(const Packing&)>;
+inline std::string preparation_of(const Packing& p) { return p.preparation; }
 
-/// Errors of packings of which the fit has seen no other of the same preparation: what the prior states.
-struct LeftOut {
-  Errors line, friction;
-  Errors carried;                                       ///< over root_of_way
-  std::map<std::string, Numbers<double, size>> without; ///< the fits
-};
-inline LeftOut errors_of_left_out(const std::vector<Packing>& packings) {
-  std::set<std::string> preparations;
+/// Takes each value of a label, the packings that have it, and the coefficients fitted to all others.
+template <class Take>
+void each_left_out(const std::vector<Packing>& packings, const Label& label, const Take& take) {
+  std::set<std::string> values;
   for (const Packing& p : packings)
-    preparations.insert(p.preparation);
-  LeftOut errors;
-  for (const std::string& preparation : preparations) {
+    values.insert(label(p));
+  for (const std::string& value : values) {
     std::vector<Packing> kept, left;
     for (const Packing& p : packings)
-      (p.preparation == preparation ? left : kept).push_back(p);
-    const auto c = fit_contacts(kept).coefficients;
-    errors.without.emplace(preparation, c);
-    for (const Packing& p : left)
-      (on_densest_line(p) ? errors.line : errors.friction).add(by_recipe(p, c) - p.mechanical_coordination);
-    for (const Step& way : ways_of(left))
-      errors.carried.add((by_carrying(*way.first, *way.later, c) - way.later->mechanical_coordination) /
-                         root_of(way));
+      (label(p) == value ? left : kept).push_back(p);
+    take(value, left, fit_contacts(kept).coefficients);
   }
-  return errors;
 }
 
+/// Scatters are errors of packings of which the fit has seen no other of the same preparation.
 inline Result fit_everything(const std::vector<Packing>& packings) {
   Result result{.contacts = fit_contacts(packings), .rattlers = fit_rattlers(packings)};
-  const LeftOut errors = errors_of_left_out(packings);
-  result.line_scatter = errors.line.rms();
-  result.friction_scatter = errors.friction.rms();
-  result.carried_scatter = errors.carried.rms();
-  result.without = errors.without;
-  Errors rattlers;
+  Errors line, friction, carried, rattlers;
+  each_left_out(packings, preparation_of,
+                [&](const std::string& preparation, const auto& left, const auto& c) {
+                  result.without.emplace(preparation, c);
+                  for (const Packing& p : left)
+                    (on_densest_line(p) ? line : friction).add(by_recipe(p, c) - p.mechanical_coordination);
+                  for (const Step& way : ways_of(left))
+                    carried.add(carrying_error(way, c) / root_of(way));
+                });
   for (const Packing& p : packings)
     if (p.rattler_fraction > countable_rattlers)
-      rattlers.add(std::log(rattlers_of(p, result.rattlers.coefficients) / p.rattler_fraction));
+      rattlers.add(std::log(kernel::rattlers_of_contacts<double>(
+                                p.mechanical_coordination, p.relative_overlap, result.rattlers.coefficients) /
+                            p.rattler_fraction));
+  result.line_scatter = line.rms();
+  result.friction_scatter = friction.rms();
+  result.carried_scatter = carried.rms();
   result.rattler_scatter = rattlers.rms();
   return result;
 }

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Packings with friction whose grains were also packed without: z* by the void ratio above that of their
-// densest packing. What is fitted to them.
+// densest packing. What is fitted to them, and whether what is stated of z* holds for others.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <granum/effective/contact_prior.hpp>
+#include <gsl/gsl_statistics_double.h>
+
+#include "../claims.hpp"
 #include "calibration.hpp"
 
 namespace contact_prior::densest {
@@ -75,8 +82,6 @@ inline double left_by_friction(const Packing& a, const Numbers<double, size>& c)
 }
 
 inline double variance_of(const Packing& a) { return kernel::branch_variance(a.packing.state.contacts); }
-inline bool opened(const Packing& a) { return !from_gas(a.packing); }
-
 /// What the library knows of packings above their densest one.
 struct Result {
   Fit<2> shape; ///< of opened packings of equal grains: constant, and over b
@@ -88,8 +93,12 @@ struct Result {
   }
 };
 
-inline double shift_of(const Packing& a, const std::array<double, 3>& shift) {
-  return kernel::shift_by_grains(a.packing.exponent(), variance_of(a), shift);
+/// What is left beyond the shift of those fits.
+inline double left_after(const Packing& a, const Numbers<double, size>& c, const Fit<2>& shape,
+                         double by_sizes = 0) {
+  return left_by_friction(a, c) -
+         kernel::shift_by_grains(a.packing.exponent(), variance_of(a),
+                                 {shape.coefficients[0], shape.coefficients[1], by_sizes});
 }
 
 /// \param    left   a preparation that is left out, or none
@@ -97,9 +106,9 @@ inline Fit<2> fit_shape(const std::vector<Packing>& equal, const Numbers<double,
                         const std::string& left = "") {
   std::vector<Observation<2>> rows;
   for (const Packing& a : equal)
-    if (opened(a) && a.packing.preparation != left)
-      rows.push_back({[b = a.packing.exponent()](const Numbers<Dual<2>, 2>& s) {
-                        return Dual<2>(s[0] + s[1] * kernel::up_to_half(b));
+    if (!from_gas(a.packing) && a.packing.preparation != left)
+      rows.push_back({[b = kernel::up_to_half(a.packing.exponent())](const Numbers<Dual<2>, 2>& s) {
+                        return s[0] + s[1] * b;
                       },
                       left_by_friction(a, c), 1, a.packing.specimen});
   return relaxation::least_squares<2>(std::move(rows), {0, 0});
@@ -112,9 +121,8 @@ inline Fit<1> fit_sizes(const std::vector<Packing>& unequal, const Fit<2>& shape
   for (const Packing& a : unequal)
     if (a.packing.sizes != left)
       rows.push_back(
-          {[root = std::sqrt(variance_of(a))](const Numbers<Dual<1>, 1>& s) { return Dual<1>(s[0] * root); },
-           left_by_friction(a, c) - shift_of(a, {shape.coefficients[0], shape.coefficients[1], 0}), 1,
-           a.packing.sizes});
+          {[root = std::sqrt(variance_of(a))](const Numbers<Dual<1>, 1>& s) { return s[0] * root; },
+           left_after(a, c, shape), 1, a.packing.sizes});
   return relaxation::least_squares<1>(std::move(rows), {0});
 }
 
@@ -130,27 +138,21 @@ inline Result fit(const std::vector<Packing>& equal, const std::vector<Packing>&
     const Fit<2> shape = fit_shape(equal, without, preparation);
     for (const Packing& a : equal)
       if (a.packing.preparation == preparation)
-        recipes.add(left_by_friction(a, without) -
-                    shift_of(a, {shape.coefficients[0], shape.coefficients[1], 0}));
+        recipes.add(left_after(a, without, shape));
   }
   result.recipe_scatter = recipes.rms();
-  const double of_recipes = recipes.rms() * recipes.rms();
   result.sizes = fit_sizes(unequal, result.shape, c);
   double squares = 0, variances = 0;
   for (const Packing& a : unequal) {
-    const Fit<1> others = fit_sizes(unequal, result.shape, c, a.packing.sizes);
-    const double left =
-        left_by_friction(a, c) -
-        shift_of(a, {result.shape.coefficients[0], result.shape.coefficients[1], others.coefficients[0]});
-    squares += left * left - of_recipes;
+    const double by_sizes = fit_sizes(unequal, result.shape, c, a.packing.sizes).coefficients[0];
+    squares += std::pow(left_after(a, c, result.shape, by_sizes), 2) - std::pow(result.recipe_scatter, 2);
     variances += variance_of(a);
   }
   result.size_scatter = std::sqrt(std::max(squares / variances, 0.0));
   squares = 0;
-  for (const Packing& a : codes) {
-    const double left = left_by_friction(a, c) - shift_of(a, result.shift());
-    squares += left * left - of_recipes - result.size_scatter * result.size_scatter * variance_of(a);
-  }
+  for (const Packing& a : codes)
+    squares += std::pow(left_after(a, c, result.shape, result.sizes.coefficients[0]), 2) -
+               std::pow(result.recipe_scatter, 2) - std::pow(result.size_scatter, 2) * variance_of(a);
   result.code_scatter = std::sqrt(std::max(squares / static_cast<double>(codes.size()), 0.0));
   return result;
 }
@@ -174,6 +176,108 @@ inline Files read(const std::vector<relaxation::Packing>& equal, const std::stri
   for (const Packing& a : above_densest(relaxation::read_packings(codes_path), spheres))
     (a.packing.seed == 1 ? files.codes : files.codes_left).push_back(a);
   return files;
+}
+
+// ---- on packings that were not fitted ----
+
+/// Errors of z* with the densest packing known, and without.
+struct Judged {
+  Errors z, without;
+};
+
+inline Judged judge(const std::vector<Packing>& all,
+                    const std::function<bool(const relaxation::Packing&)>& chosen) {
+  Judged judged;
+  for (const Packing& a : all) {
+    if (!chosen(a.packing))
+      continue;
+    granum::effective::State state = a.packing.state;
+    state.coordination_number.reset();
+    granum::effective::Preparation preparation{.kind = granum::effective::Preparation::Kind::friction,
+                                               .friction_coefficient = a.packing.friction_coefficient};
+    const auto add = [&](double e, double d, Errors& errors) { // d is felt as an uncertain input is
+      const auto z_at = [&](double densest_void_ratio) {
+        preparation.densest_void_ratio = densest_void_ratio;
+        return granum::effective::contact_prior(state, preparation);
+      };
+      const auto prior = z_at(e);
+      const double felt = (z_at(e + d).middle.mechanical_coordination_number -
+                           z_at(e - d).middle.mechanical_coordination_number) /
+                          2;
+      errors.add(prior.middle.mechanical_coordination_number - a.packing.mechanical_coordination,
+                 std::hypot(prior.coordination_error, felt));
+    };
+    add(0, 0, judged.without);
+    preparation.pressure = std::min(a.densest.state.mean_stress(), state.mean_stress());
+    add(a.densest.state.void_ratio, a.densest_deviation, judged.z);
+  }
+  return judged;
+}
+
+/// A line for each kind, and one for all.
+inline std::map<std::string, Judged>
+judge_each(const std::string& what, const std::vector<Packing>& all,
+           const std::function<std::string(const relaxation::Packing&)>& kind_of) {
+  std::map<std::string, Judged> kinds;
+  for (const Packing& a : all)
+    kinds[kind_of(a.packing)];
+  for (auto& [kind, judged] : kinds)
+    judged = judge(all, [&, name = kind](const relaxation::Packing& p) { return kind_of(p) == name; });
+  kinds["together"] = judge(all, [](const relaxation::Packing&) { return true; });
+  for (const auto& [kind, j] : kinds)
+    print_errors("  " + what + ", " + kind, {{"z*", &j.z}, {"by e alone", &j.without}}, 1);
+  return kinds;
+}
+
+/// Loose packings of verify with the mean void ratio of the densest ones of their shape, as if their own were
+/// not known, and how far those differ.
+inline std::vector<Packing> above_mean(const std::vector<relaxation::Packing>& packings) {
+  std::map<std::string, std::vector<const relaxation::Packing*>> densest;
+  for (const relaxation::Packing& p : packings)
+    if (without_friction(p) && p.pressure == 10e3)
+      densest[p.contact].push_back(&p);
+  std::vector<Packing> all;
+  for (const relaxation::Packing& p : packings) {
+    if (without_friction(p) || !usable(p))
+      continue;
+    const auto& of_shape = densest.at(p.contact);
+    std::vector<double> e;
+    for (const relaxation::Packing* d : of_shape)
+      e.push_back(d->state.void_ratio);
+    const double deviation = gsl_stats_sd(e.data(), 1, e.size());
+    all.push_back({.packing = p, .densest = *of_shape.front(), .densest_deviation = deviation});
+    all.back().densest.state.void_ratio = gsl_stats_mean(e.data(), 1, e.size());
+  }
+  return all;
+}
+
+/// \param    others   third_seed.csv, gradations.csv, and states of verify
+inline void check(const Files& files, const std::vector<std::string>& others, Claims& claims) {
+  const auto shape = [](const relaxation::Packing& p) {
+    return p.contact + (from_gas(p) ? ", from a gas" : ", opened");
+  };
+  const auto sizes = [](const relaxation::Packing& p) { return p.sizes; };
+  const auto code = [](const relaxation::Packing& p) { return code_of(p) + " " + p.sizes; };
+  std::printf("above the densest packing of the same grains: fitted ones\n");
+  judge_each("states", files.equal, shape);
+  judge_each("unequal", files.unequal, sizes);
+  judge_each("codes", files.codes, code);
+  std::printf("ones that were not fitted\n");
+  judge_each("second seed", files.codes_left, code);
+  claims.require_covered(
+      judge_each("third seed", above_densest(relaxation::read_packings(others[0])), shape).at("together").z,
+      "third seed, above the densest packing");
+  claims.require_covered(
+      judge_each("gradations", above_densest(relaxation::read_gradations(others[1])), sizes).at("together").z,
+      "gradations, above the densest packing");
+  for (std::size_t k = 2; k < others.size(); ++k) {
+    const std::vector<relaxation::Packing> packings = relaxation::read_verify_states(others[k]);
+    for (const auto& [what, all] : {std::pair{"verify", above_densest(packings)},
+                                    std::pair{"verify, mean densest", above_mean(packings)}})
+      for (const auto& [kind, j] :
+           judge_each(what, all, [](const relaxation::Packing& p) { return p.contact; }))
+        claims.require_covered(j.z, what + (", " + kind), 0.5, 0.88);
+  }
 }
 
 } // namespace contact_prior::densest

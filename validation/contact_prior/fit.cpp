@@ -10,19 +10,15 @@
 //     contact_prior_fit picture states.csv
 //                                      SVG: z* over the void ratio, and of packings beside the prior
 #include <cstdio>
-#include <exception>
-#include <functional>
-#include <set>
-#include <string_view>
 
 #include <granum/contact/power_law.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/contact_prior.hpp>
-#include <granum/io/csv/table.hpp>
 
 #include "../claims.hpp"
-#include "../relaxation/coverage.hpp"
+#include "../constants.hpp"
 #include "calibration.hpp"
-#include "densest_judged.hpp"
+#include "densest.hpp"
 #include "effective/contact_prior_coefficients.hpp"
 #include "picture.hpp"
 #include "unfitted.hpp"
@@ -35,122 +31,123 @@ using granum::effective::Preparation;
 using granum::effective::State;
 using Coefficients = Numbers<double, size>;
 
-std::string number(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
+// ---- coefficients ----
+
+constexpr const char* header_intro =
+    R"(// Written by `contact_prior_fit coefficients states.csv unequal.csv codes.csv` from validation/relaxation;
+// the test "validation: contact_prior" fits them again and compares. Not to be edited by hand.
+// clang-format off
+#pragma once
+
+#include <array>
+
+namespace granum::effective::kernel {
+
+)";
+
+/// Standard errors of the first so many numbers of a fit.
+template <int n>
+std::string errors_text(const Fit<n>& fit) {
+  std::string text;
+  for (std::size_t k = 0; k < fit.coefficients.size(); ++k)
+    text += (k > 0 ? ", " : "") + granum::short_text(fit.error(k), 2);
   return text;
 }
 
-// ---- coefficients ----
-
-template <int n>
-void print_fit(const char* what, const char* name, const Fit<n>& fit) {
-  std::printf("/// %s\n/// Standard errors:", what);
-  for (int k = 0; k < n; ++k)
-    std::printf("%s %s", k > 0 ? "," : "", number(std::sqrt(fit.covariance(k, k)), 2).c_str());
-  std::printf(".\ninline constexpr std::array<double, %d> %s_coefficients{\n    ", n, name);
-  for (int k = 0; k < n; ++k)
-    std::printf("%s%s", number(fit.coefficients[static_cast<std::size_t>(k)], 8).c_str(),
-                k + 1 == n ? "};\n"
-                : k == 4   ? ",\n    "
-                           : ", ");
-}
-
-void print_coefficients(const Result& r, const densest::Result& d) {
-  std::printf(
-      "// SPDX-License-Identifier: GPL-3.0-or-later\n"
-      "// Written by `contact_prior_fit coefficients states.csv unequal.csv codes.csv` from "
-      "validation/relaxation;\n"
-      "// the test \"validation: contact_prior\" fits them again and compares. Not to be edited by hand.\n"
-      "// clang-format off\n#pragma once\n\n#include <array>\n\nnamespace granum::effective::kernel {\n\n");
-  print_fit("e_d, e_l, bend, squeeze, growth, further growth, mu_0, its power, closing, opening.", "contact",
-            r.contacts);
-  print_fit("c, k, w_r.", "rattler", r.rattlers);
-  std::printf(
-      "/// Standard deviations of z* of preparations left out of the fit: of those of the densest line, of\n"
-      "/// those with a friction, of carrying z* to another pressure, over root_of_way; and that of ln "
-      "x_0.\n"
-      "inline constexpr double line_scatter = %.5g;\ninline constexpr double friction_scatter = %.5g;\n"
-      "inline constexpr double carried_scatter = %.5g;\ninline constexpr double rattler_scatter = %.5g;\n",
-      r.line_scatter, r.friction_scatter, r.carried_scatter, r.rattler_scatter);
-  const std::array<double, 3> shift = d.shift();
-  std::printf(
-      "/// What shift_by_grains takes, and of packings above the densest one of the same grains the "
-      "standard\n"
-      "/// deviations of z*: of preparations left out; of sizes left out, over the root of the variance of\n"
-      "/// branches; between codes. Standard errors of the shift: %s, %s, %s.\n"
-      "inline constexpr std::array<double, 3> grain_shift{%.5g, %.5g, %.5g};\n"
-      "inline constexpr double above_densest_scatter = %.5g;\n"
-      "inline constexpr double above_densest_size_scatter = %.5g;\n"
-      "inline constexpr double above_densest_code_scatter = %.5g;\n"
-      "\n} // namespace granum::effective::kernel\n",
-      number(std::sqrt(d.shape.covariance(0, 0)), 2).c_str(),
-      number(std::sqrt(d.shape.covariance(1, 1)), 2).c_str(),
-      number(std::sqrt(d.sizes.covariance(0, 0)), 2).c_str(), shift[0], shift[1], shift[2], d.recipe_scatter,
-      d.size_scatter, d.code_scatter);
+std::vector<Constant> constants_of(const Result& r, const densest::Result& d) {
+  const auto &c = r.contacts.coefficients, &recorded = kernel::contact_coefficients;
+  std::vector<Constant> all{
+      {R"(/// e_d, e_l, bend, squeeze, growth, further growth, mu_0, its power, closing, opening.
+/// Standard errors: )" +
+           errors_text(r.contacts) + ".\ninline constexpr std::array<double, 10> contact_coefficients{\n    ",
+       {c.begin(), c.begin() + 5},
+       {recorded.begin(), recorded.begin() + 5},
+       ",\n    ",
+       8},
+      {"", {c.begin() + 5, c.end()}, {recorded.begin() + 5, recorded.end()}, "};\n", 8},
+      {"/// c, k, w_r.\n/// Standard errors: " + errors_text(r.rattlers) +
+           ".\ninline constexpr std::array<double, 3> rattler_coefficients{\n    ",
+       joined(r.rattlers.coefficients), joined(kernel::rattler_coefficients), "};\n", 8}};
+  const auto number = [&](const std::string& before, double fitted, double of_library) {
+    all.push_back({before + " = ", {fitted}, {of_library}, ";\n", 5});
+  };
+  number(
+      R"(/// Standard deviations of z* of preparations left out of the fit: of those of the densest line, of
+/// those with a friction, of carrying z* to another pressure, over root_of_way; and that of ln x_0.
+inline constexpr double line_scatter)",
+      r.line_scatter, kernel::line_scatter);
+  number("inline constexpr double friction_scatter", r.friction_scatter, kernel::friction_scatter);
+  number("inline constexpr double carried_scatter", r.carried_scatter, kernel::carried_scatter);
+  number("inline constexpr double rattler_scatter", r.rattler_scatter, kernel::rattler_scatter);
+  all.push_back(
+      {R"(/// What shift_by_grains takes, and of packings above the densest one of the same grains the standard
+/// deviations of z*: of preparations left out; of sizes left out, over the root of the variance of
+/// branches; between codes. Standard errors of the shift: )" +
+           errors_text(d.shape) + ", " + errors_text(d.sizes) +
+           ".\ninline constexpr std::array<double, 3> grain_shift{",
+       joined(d.shape.coefficients, d.sizes.coefficients), joined(kernel::grain_shift), "};\n", 5});
+  number("inline constexpr double above_densest_scatter", d.recipe_scatter, kernel::above_densest_scatter);
+  number("inline constexpr double above_densest_size_scatter", d.size_scatter,
+         kernel::above_densest_size_scatter);
+  number("inline constexpr double above_densest_code_scatter", d.code_scatter,
+         kernel::above_densest_code_scatter);
+  return all;
 }
 
 // ---- errors ----
 
-using Label = std::function<std::string(const Packing&)>;
-std::string preparation_of(const Packing& p) { return p.preparation; }
-std::string contact_of(const Packing& p) { return p.contact; }
-std::string seed_of(const Packing& p) { return std::to_string(p.seed % 100); }
-
 /// How far z* is missed, and how often by more than is stated.
 struct Misses {
   Errors by_recipe;
-  Errors carried_to_next; ///< pressure of the specimen
-  Coverage of_recipes;
-  Coverage of_ways; ///< carried to all larger pressures
+  Errors to_next;  ///< carried to the next pressure of the specimen
+  Errors anywhere; ///< carried to all larger ones
 };
-
-void print(const std::string& what, const Misses& m) {
-  std::printf(
-      "  %-28s %4d | z* rms %.3f mean %+.3f worst %.2f | within one %3.0f %% two %3.0f %% | carried rms "
-      "%.3f worst %.2f | %4d carried anywhere, within one %3.0f %% two %3.0f %%\n",
-      what.c_str(), m.by_recipe.count(), m.by_recipe.rms(), m.by_recipe.mean(), m.by_recipe.worst(),
-      100 * m.of_recipes.one(), 100 * m.of_recipes.two(), m.carried_to_next.rms(), m.carried_to_next.worst(),
-      m.of_ways.count, 100 * m.of_ways.one(), 100 * m.of_ways.two());
-}
-
-double carrying_error(const Step& way, const Coefficients& c) {
-  return by_carrying(*way.first, *way.later, c) - way.later->mechanical_coordination;
-}
 
 /// \param    stated   whose scatters are held against the errors of the coefficients
 void judge(const std::vector<Packing>& packings, const Coefficients& c, const Result& stated,
            Misses& misses) {
-  for (const Packing& p : packings) {
-    const double error = by_recipe(p, c) - p.mechanical_coordination;
-    misses.by_recipe.add(error);
-    misses.of_recipes.add(error, on_densest_line(p) ? stated.line_scatter : stated.friction_scatter);
-  }
+  for (const Packing& p : packings)
+    misses.by_recipe.add(by_recipe(p, c) - p.mechanical_coordination,
+                         on_densest_line(p) ? stated.line_scatter : stated.friction_scatter);
   for (const Step& step : steps_of(packings))
-    misses.carried_to_next.add(carrying_error(step, c));
+    misses.to_next.add(carrying_error(step, c));
   for (const Step& way : ways_of(packings))
-    misses.of_ways.add(carrying_error(way, c), stated.carried_scatter * root_of(way));
+    misses.anywhere.add(carrying_error(way, c), stated.carried_scatter * root_of(way));
 }
 
-/// Everything of one label left out of the fit in turn.
-Misses left_out(const std::vector<Packing>& packings, const Result& stated, const std::string& title,
-                const Label& label) {
-  std::set<std::string> values;
-  for (const Packing& p : packings)
-    values.insert(label(p));
-  Misses all;
-  for (const std::string& value : values) {
-    std::vector<Packing> kept, left;
-    for (const Packing& p : packings)
-      (label(p) == value ? left : kept).push_back(p);
-    const Coefficients c = fit_contacts(kept).coefficients;
-    Misses here;
-    judge(left, c, stated, here);
-    print("without " + value, here);
-    judge(left, c, stated, all);
+void print(const std::string& what, const Misses& m) {
+  print_errors("  " + what,
+               {{"z*", &m.by_recipe}, {"carried to the next", &m.to_next}, {"carried anywhere", &m.anywhere}},
+               1);
+}
+
+/// Packings of a fit: errors printed.
+Misses judged(const std::string& what, const std::vector<Packing>& packings, const Result& result) {
+  Misses misses;
+  judge(packings, result.contacts.coefficients, result, misses);
+  print(what, misses);
+  return misses;
+}
+
+void check_left_out(const std::vector<Packing>& packings, const Result& stated, Claims& claims) {
+  const std::pair<const char*, Label> labels[] = {
+      {"preparation", preparation_of},
+      {"contact", [](const Packing& p) { return p.contact; }},
+      {"seed", [](const Packing& p) { return std::to_string(p.seed % 100); }}};
+  for (const auto& [title, label] : labels) {
+    Misses all;
+    each_left_out(packings, label, [&](const std::string& value, const auto& left, const auto& c) {
+      Misses here;
+      judge(left, c, stated, here);
+      print("without " + value, here);
+      judge(left, c, stated, all);
+    });
+    print(std::string("left out by ") + title, all);
+    claims.require_covered(all.by_recipe, "packings left out");
+    claims.require_covered(all.anywhere, "carried z* of packings left out");
+    claims.require(all.to_next.count() > 0 && all.to_next.rms() < 0.08,
+                   "z* carried to the next pressure: 0.08 rms");
   }
-  print("left out by " + title, all);
-  return all;
 }
 
 // ---- the library ----
@@ -178,20 +175,17 @@ double share_in_range(const std::vector<Packing>& packings) {
 }
 
 /// Rounding aside, the library is the kernel: z* of a recipe at the measured state.
-double worst_difference_of_library(const std::vector<Packing>& packings) {
-  double worst = 0;
+Errors differences_of_library(const std::vector<Packing>& packings) {
+  Errors differences;
   for (const Packing& p : packings) {
-    const Preparation preparation = on_densest_line(p)
-                                        ? Preparation{.kind = Preparation::Kind::dense}
-                                        : Preparation{.kind = Preparation::Kind::friction,
-                                                      .friction_coefficient = p.friction_coefficient};
-    const ContactPrior prior = granum::effective::contact_prior(p.state, preparation);
+    const ContactPrior prior = granum::effective::contact_prior(
+        p.state, unfitted::preparation(on_densest_line(p), p.friction_coefficient));
     Packing at_prior = p;
     at_prior.relative_overlap = prior.relative_overlap;
-    worst = std::max(worst, std::abs(prior.middle.mechanical_coordination_number -
-                                     by_recipe<double>(at_prior, kernel::contact_coefficients)));
+    differences.add(prior.middle.mechanical_coordination_number -
+                    by_recipe<double>(at_prior, kernel::contact_coefficients));
   }
-  return worst;
+  return differences;
 }
 
 /// Loading to 3 MPa and unloading, carried from the first state on.
@@ -202,54 +196,35 @@ Errors cycles(const std::vector<Packing>& packings) {
     if (p.preparation == "cycle") {
       const auto [start, fresh] = first.try_emplace(p.specimen, &p);
       if (!fresh)
-        errors.add(by_carrying<double>(*start->second, p, kernel::contact_coefficients) -
-                   p.mechanical_coordination);
+        errors.add(carrying_error({start->second, &p}, kernel::contact_coefficients));
     }
   return errors;
 }
 
-// ---- packings of others ----
-
-struct Published {
-  std::string state;
-  double void_ratio = 0, coordination = 0, pressure = 0;
-  std::string preparation;
-};
-
-std::vector<Published> read_published(const std::string& path) {
-  const granum::io::CsvTable table = granum::io::read_csv(path);
-  std::vector<Published> states;
-  for (std::size_t k = 0; k < table.row_count(); ++k) {
-    const std::vector<std::string>& f = table.fields(k);
-    states.push_back({f.at(0), std::stod(f.at(1)), std::stod(f.at(2)), std::stod(f.at(3)), f.at(4)});
-  }
-  return states;
-}
-
-/// Whether each lies in the range of its void ratio, and, where its recipe is told, by how much z* is missed.
-bool compare_published(const std::vector<Published>& states) {
+/// Whether each published state lies in the range of its void ratio, and, where its recipe is known, by how
+/// much z* is missed.
+bool compare_published(const std::string& path) {
   bool all_inside = true;
   std::printf("states of others: z*, the range of the void ratio, and by the recipe\n");
-  for (const Published& s : states) {
+  for (const Entry& s : read_record(path)) {
     const State state{
         .law = granum::contact::PowerLaw::sphere({.shear_modulus = 30e9, .poisson_ratio = 0.3}, 0.5e-3),
         .radius = 0.5e-3,
-        .void_ratio = s.void_ratio,
-        .stress_v = s.pressure,
-        .stress_h = s.pressure};
+        .void_ratio = s("void_ratio"),
+        .stress_v = s("pressure_Pa"),
+        .stress_h = s("pressure_Pa")};
     const ContactPrior range = granum::effective::contact_prior(state);
     const double error = 2 * range.coordination_error;
     const double low = range.loosest.mechanical_coordination_number - error;
     const double high = range.densest.mechanical_coordination_number + error;
-    const bool inside = s.coordination > low && s.coordination < high;
+    const bool inside = s("z_star") > low && s("z_star") < high;
     all_inside &= inside;
-    std::printf("  %-40s e %.3f z* %.2f | %.2f to %.2f %s", s.state.c_str(), s.void_ratio, s.coordination,
-                low, high, inside ? "inside" : "OUTSIDE");
-    if (!s.preparation.empty()) {
-      const double z =
-          granum::effective::contact_prior(state, granum::effective::preparation_of(s.preparation))
-              .middle.mechanical_coordination_number;
-      std::printf(" | %s %.2f (%+.2f)", s.preparation.c_str(), z, z - s.coordination);
+    std::printf("  %-40s e %.3f z* %.2f | %.2f to %.2f %s", s.text("state").c_str(), s("void_ratio"),
+                s("z_star"), low, high, inside ? "inside" : "OUTSIDE");
+    if (const std::string& preparation = s.text("preparation"); !preparation.empty()) {
+      const double z = granum::effective::contact_prior(state, granum::effective::preparation_of(preparation))
+                           .middle.mechanical_coordination_number;
+      std::printf(" | %s %.2f (%+.2f)", preparation.c_str(), z, z - s("z_star"));
     }
     std::printf("\n");
   }
@@ -258,103 +233,68 @@ bool compare_published(const std::vector<Published>& states) {
 
 // ---- check ----
 
-template <std::size_t n>
-bool same(const std::array<double, n>& fitted, const std::array<double, n>& recorded) {
-  for (std::size_t k = 0; k < n; ++k)
-    if (!(std::abs(fitted[k] - recorded[k]) <= 1e-4 * std::abs(recorded[k])))
-      return false;
-  return true;
-}
-bool same(double fitted, double recorded) { return std::abs(fitted / recorded - 1) < 1e-4; }
-
+/// \param    files   published.csv rough.csv infer/states.csv verify_default/states.csv third_seed.csv
+///                   gradations.csv verify.csv
 int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
           const std::vector<Packing>& other_shape, const Result& result, const densest::Files& above,
-          const densest::Result& of_densest, char** files) {
-  Misses fitted;
-  judge(packings, result.contacts.coefficients, result, fitted);
-  print("all, fitted", fitted);
+          const densest::Result& of_densest, const std::vector<std::string>& files) {
+  Claims claims;
+  const std::string other = first_other(constants_of(result, of_densest), 1e-4);
+  claims.require(other.empty(), "the numbers of the library are those of these data" +
+                                    (other.empty() ? "" : ", but not those after: " + other));
+  judged("all, fitted", packings, result);
   std::printf("  scatter: line %.3f, friction %.3f, carried %.3f, ln of rattlers %.2f\n", result.line_scatter,
               result.friction_scatter, result.carried_scatter, result.rattler_scatter);
-  const Misses by_preparation = left_out(packings, result, "preparation", preparation_of);
-  const Misses by_contact = left_out(packings, result, "contact", contact_of);
-  const Misses by_seed = left_out(packings, result, "seed", seed_of);
-  Misses by_other_shape;
-  judge(other_shape, result.contacts.coefficients, result, by_other_shape);
-  print("a shape that no fit has seen", by_other_shape);
+  check_left_out(packings, result, claims);
+  const Misses by_other_shape = judged("a shape that no fit has seen", other_shape, result);
   const Errors unloaded = cycles(all);
-  std::printf("  cycles to 3 MPa and back: rms %.3f worst %.2f\n", unloaded.rms(), unloaded.worst());
+  print_errors("  cycles to 3 MPa and back", {{"z*", &unloaded}}, 1);
   const double in_range = share_in_range(packings);
-  const bool published_inside = compare_published(read_published(files[0]));
-
-  Claims claims;
-  claims.require(same(result.contacts.coefficients, kernel::contact_coefficients) &&
-                     same(result.rattlers.coefficients, kernel::rattler_coefficients) &&
-                     same(result.line_scatter, kernel::line_scatter) &&
-                     same(result.friction_scatter, kernel::friction_scatter) &&
-                     same(result.carried_scatter, kernel::carried_scatter) &&
-                     same(result.rattler_scatter, kernel::rattler_scatter) &&
-                     same(of_densest.shift(), kernel::grain_shift) &&
-                     same(of_densest.recipe_scatter, kernel::above_densest_scatter) &&
-                     same(of_densest.size_scatter, kernel::above_densest_size_scatter) &&
-                     same(of_densest.code_scatter, kernel::above_densest_code_scatter),
-                 "the numbers of the library are those of these data");
-  claims.require(worst_difference_of_library(packings) < 0.01,
+  claims.require(differences_of_library(packings).worst() < 0.01,
                  "the library finds the measured overlaps, and so z* of the recipes, within 0.01");
-  for (const Misses* m : {&by_preparation, &by_contact, &by_seed}) {
-    for (const Coverage* c : {&m->of_recipes, &m->of_ways}) {
-      const std::string what = c == &m->of_ways ? "carried z* of packings" : "packings";
-      claims.require(c->one() >= 0.55, "at least 55 % of " + what + " left out within one stated error");
-      claims.require(c->two() >= 0.90, "at least 90 % within two");
-    }
-    claims.require(m->carried_to_next.rms() < 0.08, "z* carried to the next pressure: 0.08 rms");
-  }
   claims.require(by_other_shape.by_recipe.rms() < 2 * result.friction_scatter,
                  "alpha = 4 within two errors, rms");
   claims.require(unloaded.rms() < 0.15, "cycles retrace within 0.15 rms");
   claims.require(in_range >= 0.95,
-                 "95 % of packings of friction up to 0.5 in the range of their void ratio (" +
-                     number(100 * in_range, 3) + " %)");
-  claims.require(published_inside, "so are those of others");
+                 granum::detail::formatted("95 %% of packings of friction up to 0.5 in the range "
+                                           "of their void ratio (%.1f %%)",
+                                           100 * in_range));
+  claims.require(compare_published(files[0]), "states of others lie in the range of their void ratio");
   unfitted::check_rough(files[1], files[2], claims);
   unfitted::check_verify(files[3], claims);
-  densest::check(above, {.third_seed = files[4], .gradations = files[5], .verify = {files[3], files[6]}},
-                 claims);
-  return claims.failed() == 0 ? 0 : 1;
+  densest::check(above, {files[4], files[5], files[3], files[6]}, claims);
+  return claims.exit_code();
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  const std::string_view command = argc > 1 ? argv[1] : "";
-  if (!(command == "picture" && argc == 3) && !(command == "coefficients" && argc == 5) &&
-      !(command == "check" && argc == 12)) {
-    std::fprintf(stderr,
-                 "usage: %s picture states.csv, or coefficients states.csv unequal.csv codes.csv, or check "
-                 "states.csv unequal.csv codes.csv published.csv rough.csv ../infer/states.csv "
-                 "../verify_default/states.csv third_seed.csv gradations.csv verify.csv\n",
-                 argv[0]);
-    return 2;
-  }
-  try {
-    const std::vector<Packing> all = relaxation::read_packings(argv[2]);
-    std::vector<Packing> packings, other_shape;
-    for (const Packing& p : all)
-      if (usable(p))
-        (p.contact == relaxation::unfitted_contact ? other_shape : packings).push_back(p);
-    if (command == "picture") {
-      std::fputs(picture(packings).c_str(), stdout);
-      return 0;
-    }
-    const densest::Files above = densest::read(packings, argv[3], argv[4]);
-    const Result result = fit_everything(packings);
-    const densest::Result of_densest = densest::fit(above.equal, above.unequal, above.codes, result);
-    if (command == "coefficients")
-      print_coefficients(result, of_densest);
-    else
-      return check(all, packings, other_shape, result, above, of_densest, argv + 5);
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return program(
+      argc, argv,
+      "picture states.csv, or coefficients states.csv unequal.csv codes.csv, or check states.csv unequal.csv "
+      "codes.csv published.csv rough.csv ../infer/states.csv ../verify_default/states.csv third_seed.csv "
+      "gradations.csv verify.csv",
+      [](const std::vector<std::string>& arguments) -> std::optional<int> {
+        const std::map<std::string, std::size_t> counts{{"picture", 2}, {"coefficients", 4}, {"check", 11}};
+        const auto asked = arguments.empty() ? counts.end() : counts.find(arguments[0]);
+        if (asked == counts.end() || arguments.size() != asked->second)
+          return {};
+        const std::vector<Packing> all = relaxation::read_packings(arguments[1]);
+        std::vector<Packing> packings, other_shape;
+        for (const Packing& p : all)
+          if (usable(p))
+            (p.contact == relaxation::unfitted_contact ? other_shape : packings).push_back(p);
+        if (asked->first == "picture") {
+          std::fputs(picture(packings).c_str(), stdout);
+          return 0;
+        }
+        const densest::Files above = densest::read(packings, arguments[2], arguments[3]);
+        const Result result = fit_everything(packings);
+        const densest::Result of_densest = densest::fit(above.equal, above.unequal, above.codes, result);
+        if (asked->first == "check")
+          return check(all, packings, other_shape, result, above, of_densest,
+                       {arguments.begin() + 4, arguments.end()});
+        print_header(header_intro, constants_of(result, of_densest));
+        return 0;
+      });
 }

@@ -22,7 +22,7 @@ using granum::plot::Tone;
 
 /// The range of the prior for spheres at one pressure, against the void ratio without pressure.
 inline std::array<Series, 2> range_lines(double pressure, const std::string& name, Colour colour) {
-  Series densest{.name = name, .mark = Mark::line, .x = {}, .y = {}, .style = 0, .colour = colour};
+  Series densest{.name = name, .mark = Mark::line, .style = 0, .colour = colour};
   Series loosest = densest;
   loosest.name.clear();
   for (double e = 0.55; e < 0.9; e += 0.005) {
@@ -35,10 +35,8 @@ inline std::array<Series, 2> range_lines(double pressure, const std::string& nam
     const double overlap = granum::effective::contact_prior(state).relative_overlap;
     state.void_ratio = (1 + e) / (1 + overlap * kernel::contact_coefficients[3]) - 1;
     const granum::effective::ContactPrior prior = granum::effective::contact_prior(state);
-    for (Series* line : {&densest, &loosest})
-      line->x.push_back(e);
-    densest.y.push_back(prior.densest.mechanical_coordination_number);
-    loosest.y.push_back(prior.loosest.mechanical_coordination_number);
+    densest.add(e, prior.densest.mechanical_coordination_number);
+    loosest.add(e, prior.loosest.mechanical_coordination_number);
   }
   return {densest, loosest};
 }
@@ -49,8 +47,6 @@ inline Series recorded(const std::vector<Packing>& packings, double pressure, bo
                        const std::string& name, Colour colour) {
   Series series{.name = name,
                 .mark = Mark::marker,
-                .x = {},
-                .y = {},
                 .style = opened ? 2 : 1,
                 .tone = opened ? Tone::hollow : Tone::full,
                 .colour = colour};
@@ -58,8 +54,7 @@ inline Series recorded(const std::vector<Packing>& packings, double pressure, bo
     const bool from_gas = p.preparation.starts_with("gas") || p.preparation == "dense";
     if (p.contact != "sphere" || p.pressure != pressure || from_gas == opened)
       continue;
-    series.x.push_back(rigid<double>(p, kernel::contact_coefficients));
-    series.y.push_back(p.mechanical_coordination);
+    series.add(rigid<double>(p, kernel::contact_coefficients), p.mechanical_coordination);
   }
   return series;
 }
@@ -69,12 +64,10 @@ inline std::string picture(const std::vector<Packing>& packings) {
   std::array<granum::plot::Chart, 2> charts{{{.title = "Spheres: range of the prior (lines) and packings",
                                               .x = {.title = "void ratio e without pressure"},
                                               .y = {.title = "mechanical coordination number z*"},
-                                              .series = {},
                                               .legend_below = true},
                                              {.title = "z* with the recipe known",
                                               .x = {.title = "z* by the prior"},
                                               .y = {.title = "z* of the packing"},
-                                              .series = {},
                                               .legend_below = true}}};
   for (const auto& [pressure, name, colour] :
        {std::tuple{10e3, "10 kPa", Colour::sphere}, std::tuple{1e6, "1 MPa", Colour::cone}}) {
@@ -90,13 +83,10 @@ inline std::string picture(const std::vector<Packing>& packings) {
   for (const auto& [contact, colour] :
        {std::pair{"cone", Colour::cone}, std::pair{"sphere", Colour::sphere}, std::pair{"flat", Colour::flat},
         std::pair{"alpha1.5", Colour::power_law}}) {
-    Series series{
-        .name = contact, .mark = Mark::marker, .x = {}, .y = {}, .tone = Tone::faint, .colour = colour};
+    Series series{.name = contact, .mark = Mark::marker, .tone = Tone::faint, .colour = colour};
     for (const Packing& p : packings)
-      if (p.contact == contact) {
-        series.x.push_back(by_recipe<double>(p, kernel::contact_coefficients));
-        series.y.push_back(p.mechanical_coordination);
-      }
+      if (p.contact == contact)
+        series.add(by_recipe<double>(p, kernel::contact_coefficients), p.mechanical_coordination);
     charts[1].series.push_back(std::move(series));
   }
   return granum::plot::svg(charts);

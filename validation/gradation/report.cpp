@@ -8,18 +8,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <granum/plot/chart.hpp>
 #include <granum/sands/known_sands.hpp>
+#include <gsl/gsl_statistics_double.h>
 
 #include "../claims.hpp"
-#include "curves.hpp"
-#include "errors.hpp"
+#include "states.hpp"
 
 namespace {
 
@@ -124,13 +124,12 @@ void print_restated(const io::CsvTable& table, const std::vector<State>& states)
   const std::vector<std::string>& headings = table.headings();
   std::printf("%s", io::csv_line({headings.begin(), headings.end()}).c_str());
   for (std::size_t k = 0; k < states.size(); ++k) {
-    const gradation::ClosedForms now = gradation::closed_forms(states[k]);
+    const gradation::ClosedForms& now = states[k].now;
     const std::map<std::string, double> numbers{{"G_closed_Pa", now.relaxed},
                                                 {"G_closed_stated", now.stated_error},
                                                 {"G_closed_sizes_Pa", now.relaxed_from_sizes},
                                                 {"G_uniform_strain_Pa", now.uniform_strain}};
-    const std::vector<std::string>& fields = table.fields(k);
-    std::vector<io::CsvCell> cells(fields.begin(), fields.end());
+    std::vector<io::CsvCell> cells(table.fields(k).begin(), table.fields(k).end());
     for (std::size_t column = 0; column < headings.size(); ++column)
       if (const auto number = numbers.find(headings[column]); number != numbers.end())
         cells[column] = short_text(number->second, 7);
@@ -138,69 +137,119 @@ void print_restated(const io::CsvTable& table, const std::vector<State>& states)
   }
 }
 
+// ---- errors of rung 3 ----
+
+/// C_u as the tables print it: seeds of one gradation differ in the next digit.
+double printed_uniformity(const State& s) { return std::round(10 * s.uniformity) / 10; }
+
+using Choice = std::function<bool(const State&)>;
+
+/// Of those states that are chosen and have grains of the usual size.
+ErrorsOfBoth errors_of(const std::vector<State>& states, const Choice& chosen) {
+  ErrorsOfBoth errors;
+  for (const State& s : states)
+    if (s.usual() && chosen(s)) {
+      errors.G.add(s.now.relaxed / s.network - 1, s.now.stated_error);
+      errors.K.add(s.now.bulk_modulus / s.network_bulk_modulus - 1, s.now.stated_bulk_error);
+    }
+  return errors;
+}
+
+std::string text_of(const Errors& e) {
+  return percent_text(e.rms()) + " | " + percent_text(e.lowest()) + " to " + percent_text(e.highest()) +
+         " | " + percent_text(e.one()) + " | " + std::to_string(e.beyond_two()) + " | " +
+         short_text(e.worst_in_stated(), 2);
+}
+
+void print_errors_of_kinds(const std::vector<State>& states) {
+  constexpr double lowest_claimed = 4.1; // z*
+  const auto kind = [](bool dense, double from, double to) {
+    return [=](const State& s) {
+      return s.dense() == dense && (dense || s.z_star >= lowest_claimed) && printed_uniformity(s) >= from &&
+             printed_uniformity(s) <= to;
+    };
+  };
+  const std::pair<const char*, Choice> kinds[] = {
+      {"with friction, z* from 4.1", kind(false, 1, 4)},
+      {"- C_u up to 2", kind(false, 1, 2)},
+      {"- C_u up to 2, friction 0.03 to 0.3",
+       [&](const State& s) { return kind(false, 1, 2)(s) && !s.preparation.ends_with("mu0.5"); }},
+      {"- C_u beyond 2", kind(false, 2.5, 4)},
+      {"with friction, z* below 4.1", [](const State& s) { return !s.dense() && s.z_star < lowest_claimed; }},
+      {"dense", kind(true, 1, 4)},
+      {"- C_u = 1", kind(true, 1, 1)},
+      {"- C_u from 2 to 3", kind(true, 2, 3)},
+      {"- C_u = 4", kind(true, 4, 4)}};
+  std::printf("| packings | number | G rms | from, to | within one stated error | beyond two | worst, in "
+              "stated errors | K rms | from, to | within one | beyond two | worst |\n"
+              "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const auto& [what, chosen] : kinds) {
+    const ErrorsOfBoth errors = errors_of(states, chosen);
+    std::printf("| %s | %d | %s | %s |\n", what, errors.G.count(), text_of(errors.G).c_str(),
+                text_of(errors.K).c_str());
+  }
+}
+
+/// Standard deviation of G of the network among the seeds of each gradation and preparation, over their mean.
+void print_scatter_of_seeds(const std::vector<State>& states) {
+  std::map<std::pair<double, std::string>, std::vector<double>> moduli;
+  for (const State& s : states)
+    if (s.usual())
+      moduli[{printed_uniformity(s), s.preparation}].push_back(s.network);
+  std::printf("| seeds of one state | G scatters by |\n| --- | --- |\n");
+  for (const bool dense : {true, false}) {
+    Errors scatter;
+    for (const auto& [recipe, G] : moduli)
+      if ((recipe.second == "dense") == dense && G.size() >= 3)
+        scatter.add(gsl_stats_sd(G.data(), 1, G.size()) / gsl_stats_mean(G.data(), 1, G.size()));
+    std::printf("| %s | %s to %s |\n", dense ? "dense" : "with friction",
+                percent_text(scatter.lowest()).c_str(), percent_text(scatter.highest()).c_str());
+  }
+}
+
 // ---- the questions ----
 
 void check_library(Claims& claims, const std::vector<State>& states) {
   constexpr double recorded_digits = 1e-5; // seven digits, and the slopes of what they are put into
-  const auto same = [](double now, double then) { return std::abs(now / then - 1) < recorded_digits; };
+  using gradation::ClosedForms;
   std::string other;
-  for (const State& s : states) {
-    const gradation::ClosedForms now = gradation::closed_forms(s);
-    if (!same(now.relaxed, s.recorded.relaxed) || !same(now.stated_error, s.recorded.stated_error) ||
-        !same(now.relaxed_from_sizes, s.recorded.relaxed_from_sizes) ||
-        !same(now.uniform_strain, s.recorded.uniform_strain))
-      other = s.name();
-  }
+  for (const State& s : states)
+    for (const auto of : {&ClosedForms::relaxed, &ClosedForms::stated_error, &ClosedForms::relaxed_from_sizes,
+                          &ClosedForms::uniform_strain})
+      if (!(std::abs(s.now.*of / (s.recorded.*of) - 1) < recorded_digits))
+        other = s.name();
   claims.require(other.empty(), "the library says of each packing what was recorded" +
                                     (other.empty() ? "" : "; not of " + other));
 }
 
-void check_probes(Claims& claims, const std::vector<State>& states) {
-  const struct {
-    std::string name;
-    std::function<bool(const State&)> holds;
-    double limit;
-  } kinds[] = {{"dense", [](const State& s) { return s.dense(); }, 0.005},
-               {"compressed with friction", [](const State& s) { return !s.dense(); }, 0.02}};
-  claims.require(3 * std::count_if(states.begin(), states.end(), [](const State& s) { return s.probed(); }) >
-                     2 * std::ssize(states),
-                 "the probes of most packings settled");
-  for (const auto& kind : kinds) {
-    double worst = 0;
-    int compared = 0, unsettled = 0;
-    for (const State& s : states)
-      if (kind.holds(s))
-        for (const gradation::Probe& probe : s.probes) {
-          unsettled += !probe.converged;
-          compared += probe.converged;
-          if (probe.converged)
-            worst = std::max(worst, std::abs(probe.modulus / probe.network - 1));
-        }
-    if (compared == 0)
-      continue;
-    claims.require(worst <= kind.limit, kind.name + ": " + std::to_string(compared) + " probes within " +
-                                            percent_text(worst) + " of the network; " +
-                                            std::to_string(unsettled) + " did not settle");
-  }
-}
-
-void check_coverage(Claims& claims, const std::string& what, const gradation::ModulusErrors& errors) {
-  constexpr double share = 0.1; // may lie beyond two stated errors
-  claims.require(errors.count() > 0 && errors.beyond_two() <= share * errors.count(),
-                 "rung 3, " + what + ": " + std::to_string(errors.beyond_two()) + " of " +
-                     std::to_string(errors.count()) + " packings beyond 2 stated errors, the worst at " +
-                     short_text(errors.worst_in_stated(), 2));
-}
-
 /// Dense packings and those compressed with friction apart: a share of all would go with how many of them
 /// happen to be dense.
-void check_closed_forms(Claims& claims, const std::vector<State>& states) {
-  for (const bool dense : {false, true}) {
+void check_each_kind(Claims& claims, const std::vector<State>& states) {
+  constexpr double share = 0.1; // may lie beyond two stated errors
+  claims.require(3 * std::ranges::count_if(states, &State::probed) > 2 * std::ssize(states),
+                 "the probes of most packings settled");
+  for (const bool dense : {true, false}) {
     const std::string kind = dense ? "dense" : "compressed with friction";
-    const gradation::ErrorsOfBoth errors =
-        gradation::errors_of(states, [dense](const State& s) { return s.dense() == dense; });
-    check_coverage(claims, "G, " + kind, errors.shear);
-    check_coverage(claims, "K, " + kind, errors.bulk);
+    Errors probes;
+    int unsettled = 0;
+    for (const State& s : states)
+      for (const gradation::Probe& probe : s.probes) {
+        if (s.dense() != dense)
+          continue;
+        unsettled += !probe.converged;
+        if (probe.converged)
+          probes.add(probe.modulus / probe.network - 1);
+      }
+    claims.require(probes.worst() <= (dense ? 0.005 : 0.02),
+                   kind + ": " + std::to_string(probes.count()) + " probes within " +
+                       percent_text(probes.worst()) + " of the network; " + std::to_string(unsettled) +
+                       " did not settle");
+    const ErrorsOfBoth errors = errors_of(states, [dense](const State& s) { return s.dense() == dense; });
+    for (const auto& [modulus, e] : {std::pair{"G, ", &errors.G}, std::pair{"K, ", &errors.K}})
+      claims.require(e->count() > 0 && e->beyond_two() <= share * e->count(),
+                     "rung 3, " + (modulus + kind) + ": " + std::to_string(e->beyond_two()) + " of " +
+                         std::to_string(e->count()) + " packings beyond 2 stated errors, the worst at " +
+                         short_text(e->worst_in_stated(), 2));
   }
 }
 
@@ -229,7 +278,7 @@ void check_fall(Claims& claims, const std::vector<Curve>& all) {
 void check_size(Claims& claims, const std::vector<State>& states) {
   int compared = 0;
   for (const State& large : states) {
-    if (large.mean_radius == gradation::usual_radius)
+    if (large.usual())
       continue;
     ++compared;
     const double factor = large.mean_radius / gradation::usual_radius;
@@ -238,8 +287,7 @@ void check_size(Claims& claims, const std::vector<State>& states) {
     std::vector<double> usual;
     double same_seed = 0;
     for (const State& s : states)
-      if (s.sizes == large.sizes && s.preparation == large.preparation &&
-          s.mean_radius == gradation::usual_radius) {
+      if (s.sizes == large.sizes && s.preparation == large.preparation && s.usual()) {
         usual.push_back(s.network);
         same_seed = s.seed == large.seed ? s.network : same_seed;
       }
@@ -259,136 +307,116 @@ void check_size(Claims& claims, const std::vector<State>& states) {
 
 // ---- the picture ----
 
-plot::Chart panel(const std::string& title, const std::string& x) {
-  return {.title = title,
-          .x = {x},
-          .y = {"G at 100 kPa [MPa]", plot::Scale::linear, 1e6},
-          .series = {},
-          .width = 330,
-          .height = 340,
-          .legend_below = true};
-}
-
-/// A network's markers and what is set beside it: named where the chart has not named it yet.
-struct Family {
-  plot::Series network, closed, sands;
-
-  Family(const plot::Chart& picture, std::size_t style, const std::string& name)
-      : network{.name = name, .x = {}, .y = {}, .style = style, .colour = plot::Colour::measured},
-        closed{.name = picture.series.empty() ? "closed form" : "",
-               .mark = plot::Mark::line,
-               .x = {},
-               .y = {},
-               .style = style,
-               .colour = plot::Colour::closed_form},
-        sands{.name = picture.series.empty() ? "measured sands" : "",
-              .mark = plot::Mark::line,
-              .x = {},
-              .y = {},
-              .style = style,
-              .tone = plot::Tone::grey} {}
-  void add(double x, const Point& point, double uniformity) {
-    for (plot::Series* series : {&network, &closed, &sands})
-      series->x.push_back(x);
-    network.y.push_back(point.network);
-    closed.y.push_back(point.closed);
-    sands.y.push_back(of_sands(point.void_ratio, uniformity).shear_modulus);
+/// G over x of groups of points, each a style of its own.
+class Panel {
+ public:
+  Panel(const std::string& title, const std::string& x, const std::string& finding)
+      : chart_{.title = title,
+               .x = {x},
+               .y = {"G at 100 kPa [MPa]", plot::Scale::linear, 1e6},
+               .width = 330,
+               .height = 340,
+               .legend_below = true,
+               .finding = finding} {}
+  /// A network's markers and what is set beside it: named where the chart has not named it yet.
+  void begin(const std::string& name, plot::Mark mark, bool sands) {
+    const bool first = chart_.series.empty();
+    sands_ = sands;
+    chart_.series.push_back({.name = name, .mark = mark, .style = style_, .colour = plot::Colour::measured});
+    chart_.series.push_back({.name = first ? "closed form" : "",
+                             .mark = plot::Mark::line,
+                             .style = style_,
+                             .colour = plot::Colour::closed_form});
+    if (sands)
+      chart_.series.push_back({.name = first ? "measured sands" : "",
+                               .mark = plot::Mark::line,
+                               .style = style_,
+                               .tone = plot::Tone::grey});
+    ++style_;
   }
+  void add(double x, const Point& point, double uniformity) {
+    const auto last = chart_.series.end();
+    (last - (sands_ ? 3 : 2))->add(x, point.network);
+    (last - (sands_ ? 2 : 1))->add(x, point.closed);
+    if (sands_)
+      (last - 1)->add(x, of_sands(point.void_ratio, uniformity).shear_modulus);
+  }
+  [[nodiscard]] const plot::Chart& chart() const { return chart_; }
+
+ private:
+  plot::Chart chart_;
+  std::size_t style_ = 0;
+  bool sands_ = false;
 };
 
-plot::Chart over_void_ratio(const std::vector<Curve>& all) {
-  plot::Chart picture = panel("Each gradation: densest to loosest", "void ratio e");
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    Family family(picture, k, "C_u = " + short_text(all[k].uniformity, 2));
-    family.network.mark = plot::Mark::marker;
-    for (const Point& point : all[k].points)
-      family.add(point.void_ratio, point, all[k].uniformity);
-    picture.series.insert(picture.series.end(), {family.network, family.closed});
+std::string picture(const std::vector<Curve>& all) {
+  using plot::Mark;
+  Panel each("Each gradation: densest to loosest", "void ratio e",
+             "Each gradation has a curve G(e) of its own, farther left the larger C_u is. Markers: "
+             "network; lines: closed form.");
+  for (const Curve& curve : all) {
+    each.begin("C_u = " + short_text(curve.uniformity, 2), Mark::marker, false);
+    for (const Point& point : curve.points)
+      each.add(point.void_ratio, point, curve.uniformity);
   }
-  picture.finding = "Each gradation has a curve G(e) of its own, farther left the larger C_u is. Markers: "
-                    "network; lines: closed form.";
-  return picture;
-}
-
-plot::Chart at_equal_void_ratio(const std::vector<Curve>& all) {
-  plot::Chart picture = panel("At equal void ratio", "uniformity coefficient C_u");
-  std::size_t style = 0;
-  for (const double e : void_ratios) {
-    const std::vector<Curve> some = holding(all, e);
-    if (some.size() < 2)
-      continue;
-    Family family(picture, style++, "e = " + short_text(e, 2));
-    for (const Curve& curve : some)
-      family.add(curve.uniformity, curve.at(e), curve.uniformity);
-    picture.series.insert(picture.series.end(), {family.network, family.closed, family.sands});
-  }
-  picture.finding = "At one void ratio G falls with C_u, in packings of spheres more steeply than in sands, "
-                    "whose law is grey.";
-  return picture;
-}
-
-plot::Chart at_equal_density(const std::vector<Curve>& all) {
-  plot::Chart picture = panel("At equal relative density", "uniformity coefficient C_u");
-  std::size_t style = 0;
+  Panel at_void_ratio(
+      "At equal void ratio", "uniformity coefficient C_u",
+      "At one void ratio G falls with C_u, in packings of spheres more steeply than in sands, "
+      "whose law is grey.");
+  for (const double e : void_ratios)
+    if (const std::vector<Curve> some = holding(all, e); some.size() >= 2) {
+      at_void_ratio.begin("e = " + short_text(e, 2), Mark::both, true);
+      for (const Curve& curve : some)
+        at_void_ratio.add(curve.uniformity, curve.at(e), curve.uniformity);
+    }
+  Panel at_density("At equal relative density", "uniformity coefficient C_u",
+                   "At one relative density G hardly changes with C_u; that of the densest packings grows.");
   for (const double density : relative_densities) {
-    Family family(picture, style++, "D_r = " + short_text(density, 2));
+    at_density.begin("D_r = " + short_text(density, 2), Mark::both, false);
     for (const Curve& curve : all)
-      family.add(curve.uniformity, curve.at(curve.void_ratio_of(density)), curve.uniformity);
-    picture.series.insert(picture.series.end(), {family.network, family.closed});
+      at_density.add(curve.uniformity, curve.at(curve.void_ratio_of(density)), curve.uniformity);
   }
-  picture.finding = "At one relative density G hardly changes with C_u; that of the densest packings grows.";
-  return picture;
+  const plot::Chart charts[] = {each.chart(), at_void_ratio.chart(), at_density.chart()};
+  return plot::svg(charts);
 }
 
 int check(const std::vector<State>& states) {
   Claims claims;
-  const std::vector<Curve> all = gradation::curves(states);
   check_library(claims, states);
-  check_probes(claims, states);
-  check_closed_forms(claims, states);
-  check_fall(claims, all);
+  check_each_kind(claims, states);
+  check_fall(claims, gradation::curves(states));
   check_size(claims, states);
-  return claims.failed() == 0 ? 0 : 1;
-}
-
-int run(int argc, char** argv) {
-  const std::string what = argc == 3 ? argv[1] : "";
-  if (what != "table" && what != "check" && what != "picture" && what != "restate") {
-    std::fprintf(stderr, "usage: %s table|check|picture|restate states.csv\n", argv[0]);
-    return 2;
-  }
-  const std::vector<State> states = gradation::read_states(argv[2]);
-  if (what == "check")
-    return check(states);
-  if (what == "restate") {
-    print_restated(io::read_csv(argv[2]), states);
-    return 0;
-  }
-  const std::vector<Curve> all = gradation::curves(states);
-  if (what == "picture") {
-    const plot::Chart charts[] = {over_void_ratio(all), at_equal_void_ratio(all), at_equal_density(all)};
-    std::printf("%s", plot::svg(charts).c_str());
-    return 0;
-  }
-  print_equal_void_ratio(all);
-  std::printf("\n");
-  print_equal_density(all);
-  std::printf("\n");
-  print_packings(all);
-  std::printf("\n");
-  gradation::print_errors(states);
-  std::printf("\n");
-  gradation::print_scatter_of_seeds(states);
-  return 0;
+  return claims.exit_code();
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return program(argc, argv, "table|check|picture|restate states.csv",
+                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
+                   if (arguments.size() != 2)
+                     return {};
+                   const std::string& what = arguments[0];
+                   const std::vector<State> states = gradation::read_states(arguments[1]);
+                   const std::vector<Curve> all = gradation::curves(states);
+                   if (what == "check")
+                     return check(states);
+                   if (what == "restate")
+                     print_restated(io::read_csv(arguments[1]), states);
+                   else if (what == "picture")
+                     std::printf("%s", picture(all).c_str());
+                   else if (what == "table") {
+                     print_equal_void_ratio(all);
+                     std::printf("\n");
+                     print_equal_density(all);
+                     std::printf("\n");
+                     print_packings(all);
+                     std::printf("\n");
+                     print_errors_of_kinds(states);
+                     std::printf("\n");
+                     print_scatter_of_seeds(states);
+                   } else
+                     return {};
+                   return 0;
+                 });
 }

@@ -17,13 +17,6 @@
 
 namespace relaxation {
 
-inline granum::effective::MeasuredPacking measured(const Packing& p) {
-  return {.pressure = p.pressure,
-          .coordination_number = *p.state.coordination_number,
-          .mechanical_coordination_number = p.mechanical_coordination,
-          .void_ratio = p.state.void_ratio};
-}
-
 inline double own_shear_modulus(const Packing& p) {
   for (const Network& n : p.networks)
     if (n.ratio == p.state.tangential_ratio)
@@ -31,42 +24,35 @@ inline double own_shear_modulus(const Packing& p) {
   throw std::runtime_error("no network of the specimen's own stiffness");
 }
 
-/// Pressure at which friction came on in the specimens [Pa].
-inline constexpr double first_pressure = 10e3;
-
-/// The state with the forces that the preparation left, if it is dense.
-inline State remembering(State state, const Packing& p) {
-  if (p.preparation == "dense")
-    state.unevenness = granum::effective::dense_unevenness(state, first_pressure);
-  return state;
-}
-
-/// s from 10 to 100 kPa at the middle of the path, the growth of C_n and z* given by its two ends.
-inline double exponent_by_growth(const Packing& first, const Packing& last) {
+/// s at the middle of a path from 10 kPa, where friction came on, to 100 kPa: the growth of C_n and z* given by
+/// its two ends, or by a closing-gap law alone. Dense packings have the forces that the preparation left.
+inline double predicted_exponent(const Packing& first, const Packing& last,
+                                 const granum::effective::ClosingGapLaw* law = nullptr) {
+  namespace effective = granum::effective;
   State state = last.state;
-  state.stress_v = state.stress_h = std::sqrt(first.pressure * last.pressure);
-  state.coordination_number = std::sqrt(*first.state.coordination_number * *last.state.coordination_number);
-  state.void_ratio = (first.state.void_ratio + last.state.void_ratio) / 2;
-  state.fabric_anisotropy = 0;
-  const double z = (first.mechanical_coordination + last.mechanical_coordination) / 2;
-  return granum::effective::relaxed_exponents(
-             remembering(state, last), z, granum::effective::growth_between(measured(first), measured(last)),
-             granum::effective::Modulus::G_vh)
-      .sum();
-}
-
-/// The same from a closing-gap law alone.
-inline double exponent_by_law(const Packing& last, const granum::effective::ClosingGapLaw& law) {
-  State state = last.state;
-  const double middle = std::sqrt(10e3 * 100e3);
+  const double middle = std::sqrt(first.pressure * last.pressure);
   state.stress_v = state.stress_h = middle;
   state.fabric_anisotropy = 0;
-  const auto packing = granum::effective::predict_packing(law, state, middle);
-  state.coordination_number = packing.coordination_number;
-  return granum::effective::relaxed_exponents(remembering(state, last),
-                                              packing.mechanical_coordination_number, packing.growth,
-                                              granum::effective::Modulus::G_vh)
-      .sum();
+  const auto s_of = [&](double z, const effective::Growth& growth) {
+    if (last.preparation == "dense")
+      state.unevenness = effective::dense_unevenness(state, first.pressure);
+    return effective::relaxed_exponents(state, z, growth, effective::Modulus::G_vh).sum();
+  };
+  if (law != nullptr) {
+    const auto packing = effective::predict_packing(*law, state, middle);
+    state.coordination_number = packing.coordination_number;
+    return s_of(packing.mechanical_coordination_number, packing.growth);
+  }
+  const auto measured = [](const Packing& p) -> effective::MeasuredPacking {
+    return {.pressure = p.pressure,
+            .coordination_number = *p.state.coordination_number,
+            .mechanical_coordination_number = p.mechanical_coordination,
+            .void_ratio = p.state.void_ratio};
+  };
+  state.coordination_number = std::sqrt(*first.state.coordination_number * *last.state.coordination_number);
+  state.void_ratio = (first.state.void_ratio + last.state.void_ratio) / 2;
+  return s_of((first.mechanical_coordination + last.mechanical_coordination) / 2,
+              effective::growth_between(measured(first), measured(last)));
 }
 
 /// s of a path, fitted as `granum verify` does.
@@ -82,46 +68,40 @@ inline double fitted_exponent(const std::vector<const Packing*>& path) {
       .exponent_sum.value;
 }
 
-/// Largest differences between the fitted s and the predicted one.
-struct ExponentErrors {
-  double dense = 0, loose = 0;
-};
-
 /// Prints s of every specimen with states from 10 to 100 kPa.
-inline ExponentErrors compare_exponents(const std::vector<Packing>& packings) {
+/// \return   largest difference between the fitted s and the predicted one, growth given, of dense and loose ones
+inline std::map<std::string, double> compare_exponents(const std::vector<Packing>& packings) {
+  namespace effective = granum::effective;
   std::printf("exponent s of G, 10 to 100 kPa: network by its ends, by the fit of verify; by the growth "
-              "found; by the "
-              "closing-gap law\n");
+              "found; by the closing-gap law\n");
   std::map<std::string, std::vector<const Packing*>> paths;
   for (const Packing& p : packings)
     if (p.pressure <= 100e3 && p.isotropic() && p.preparation != "cycle")
       paths[p.contact + " " + p.preparation + " #" + std::to_string(p.seed)].push_back(&p);
-  ExponentErrors errors;
+  const std::map<std::string, effective::ClosingGapLaw> laws{{"dense", effective::dense_closing_gaps()},
+                                                             {"loose", effective::loose_closing_gaps()}};
+  std::map<std::string, double> worst;
   for (auto& [name, path] : paths) {
     std::ranges::sort(path, {}, &Packing::pressure);
     const Packing &first = *path.front(), &last = *path.back();
     if (first.pressure != 10e3 || last.pressure != 100e3)
       continue;
-    const double predicted = exponent_by_growth(first, last);
+    const double by_growth = predicted_exponent(first, last);
     std::printf("  %-24s %.3f", name.c_str(),
                 std::log(own_shear_modulus(last) / own_shear_modulus(first)) / std::log(10.0));
-    if (path.size() < 3) {
-      std::printf("         %.3f\n", predicted);
-      continue;
-    }
-    const double network = fitted_exponent(path);
-    std::printf("  %.3f  %.3f", network, predicted);
-    const bool dense = first.preparation == "dense", loose = first.preparation == "loose";
-    if (dense || loose) {
-      double& worst = dense ? errors.dense : errors.loose;
-      worst = std::max(worst, std::abs(predicted - network));
-      std::printf("  %.3f", exponent_by_law(last, dense ? granum::effective::dense_closing_gaps()
-                                                        : granum::effective::loose_closing_gaps()));
+    if (path.size() >= 3)
+      std::printf("  %.3f  %.3f", fitted_exponent(path), by_growth);
+    else
+      std::printf("         %.3f", by_growth);
+    if (const auto law = laws.find(first.preparation); law != laws.end() && path.size() >= 3) {
+      double& largest = worst[first.preparation];
+      largest = std::max(largest, std::abs(by_growth - fitted_exponent(path)));
+      std::printf("  %.3f", predicted_exponent(first, last, &law->second));
     }
     std::printf("\n");
   }
-  std::printf("  largest difference, growth given: dense %.3f, loose %.3f\n", errors.dense, errors.loose);
-  return errors;
+  std::printf("  largest difference, growth given: dense %.3f, loose %.3f\n", worst["dense"], worst["loose"]);
+  return worst;
 }
 
 } // namespace relaxation

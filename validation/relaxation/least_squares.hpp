@@ -12,18 +12,58 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/LU>
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_multifit_nlinear.h>
-#include <unsupported/Eigen/AutoDiff>
 
 namespace relaxation {
 
-template <int n>
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
 template <class T, int n>
 using Numbers = std::array<T, static_cast<std::size_t>(n)>;
+
+/// A number with its derivatives by n others.
+template <int n>
+struct Dual {
+  double value = 0;
+  Numbers<double, n> slopes{};
+
+  Dual() = default;
+  Dual(double constant) : value(constant) {} // NOLINT(google-explicit-constructor): formulas mix both
+  /// The number by which the slope at that place is.
+  Dual(double at, std::size_t place) : value(at) { slopes[place] = 1; }
+
+  /// The function of this number that has that value, and that slope by it.
+  [[nodiscard]] Dual chained(double result, double slope) const {
+    Dual out(result);
+    for (std::size_t k = 0; k < slopes.size(); ++k)
+      out.slopes[k] = slopes[k] * slope;
+    return out;
+  }
+  friend Dual operator+(const Dual& a, const Dual& b) {
+    Dual out(a.value + b.value);
+    for (std::size_t k = 0; k < a.slopes.size(); ++k)
+      out.slopes[k] = a.slopes[k] + b.slopes[k];
+    return out;
+  }
+  friend Dual operator*(const Dual& a, const Dual& b) {
+    Dual out(a.value * b.value);
+    for (std::size_t k = 0; k < a.slopes.size(); ++k)
+      out.slopes[k] = a.slopes[k] * b.value + b.slopes[k] * a.value;
+    return out;
+  }
+  Dual operator-() const { return chained(-value, -1); }
+  friend Dual operator-(const Dual& a, const Dual& b) { return a + -b; }
+  friend Dual operator/(const Dual& a, const Dual& b) {
+    Dual out = a * b.chained(1 / b.value, -1 / (b.value * b.value));
+    out.value = a.value / b.value; // to the last digit
+    return out;
+  }
+  friend auto operator<=>(const Dual& a, const Dual& b) { return a.value <=> b.value; }
+  friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
+  friend Dual exp(const Dual& a) { return a.chained(std::exp(a.value), std::exp(a.value)); }
+  friend Dual log(const Dual& a) { return a.chained(std::log(a.value), 1 / a.value); }
+  friend Dual sqrt(const Dual& a) { return a.chained(std::sqrt(a.value), 0.5 / std::sqrt(a.value)); }
+};
 
 /// One measured value: residual = model - target, each times the weight.
 template <int n>
@@ -36,22 +76,29 @@ struct Observation {
 
 template <int n>
 struct Fit {
-  Numbers<double, n> coefficients;
-  Eigen::Matrix<double, n, n> covariance;
+  Numbers<double, n> coefficients{};
+  Numbers<Numbers<double, n>, n> covariance{};
+
+  [[nodiscard]] double error(std::size_t k) const { return std::sqrt(covariance[k][k]); }
+  /// The coefficients as numbers that slopes are by.
+  [[nodiscard]] Numbers<Dual<n>, n> duals() const { return duals_of(coefficients); }
+  [[nodiscard]] static Numbers<Dual<n>, n> duals_of(const Numbers<double, n>& values) {
+    Numbers<Dual<n>, n> duals;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      duals[k] = Dual<n>(values[k], k);
+    return duals;
+  }
 };
 
 namespace detail {
 
 template <int n>
-Dual<n> residual(const Observation<n>& o, const Numbers<double, n>& c) {
-  Numbers<Dual<n>, n> duals;
-  for (int k = 0; k < n; ++k)
-    duals[static_cast<std::size_t>(k)] = Dual<n>(c[static_cast<std::size_t>(k)], n, k);
-  return o.weight * (o.model(duals) - o.target);
-}
+using Observations = std::vector<Observation<n>>;
 
 template <int n>
-using Observations = std::vector<Observation<n>>;
+Dual<n> residual(const Observation<n>& o, const Numbers<double, n>& c) {
+  return o.weight * (o.model(Fit<n>::duals_of(c)) - o.target);
+}
 
 template <int n>
 int fill(const gsl_vector* x, void* data, gsl_vector* values, gsl_matrix* slopes) {
@@ -63,66 +110,39 @@ int fill(const gsl_vector* x, void* data, gsl_vector* values, gsl_matrix* slopes
     const Dual<n> f = residual<n>(rows[i], c);
     // A step that leads out of the model's domain counts as a very bad one.
     if (values != nullptr)
-      gsl_vector_set(values, i, std::isfinite(f.value()) ? f.value() : 1e3);
-    for (int k = 0; slopes != nullptr && k < n; ++k)
-      gsl_matrix_set(slopes, i, static_cast<std::size_t>(k), f.derivatives()[k]);
+      gsl_vector_set(values, i, std::isfinite(f.value) ? f.value : 1e3);
+    for (std::size_t k = 0; slopes != nullptr && k < c.size(); ++k)
+      gsl_matrix_set(slopes, i, k, f.slopes[k]);
   }
   return GSL_SUCCESS;
-}
-template <int n>
-int fill_values(const gsl_vector* x, void* data, gsl_vector* values) {
-  return fill<n>(x, data, values, nullptr);
-}
-template <int n>
-int fill_slopes(const gsl_vector* x, void* data, gsl_matrix* slopes) {
-  return fill<n>(x, data, nullptr, slopes);
-}
-
-/// Sums over the rows: J'J, and of each group its share of J'f.
-struct NormalSums {
-  Eigen::MatrixXd normal;
-  std::map<std::string, Eigen::VectorXd> shares;
-};
-
-template <int n>
-NormalSums normal_sums(const Observations<n>& rows, const Numbers<double, n>& c) {
-  NormalSums sums{.normal = Eigen::MatrixXd::Zero(n, n), .shares = {}};
-  for (const Observation<n>& o : rows) {
-    const Dual<n> f = residual<n>(o, c);
-    Eigen::VectorXd& share = sums.shares.try_emplace(o.group, Eigen::VectorXd::Zero(n)).first->second;
-    for (int k = 0; k < n; ++k) {
-      share[k] += f.value() * f.derivatives()[k];
-      for (int j = 0; j < n; ++j)
-        sums.normal(j, k) += f.derivatives()[j] * f.derivatives()[k];
-    }
-  }
-  return sums;
 }
 
 /// (J'J)^-1 (sum over groups of g g') (J'J)^-1 with g the group's share of J'f: right also when the
 /// rows of a group are correlated.                                                       [LiangZeger1986]
-inline Eigen::MatrixXd clustered_covariance(const NormalSums& sums) {
-  const Eigen::Index n = sums.normal.cols();
-  Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(n, n);
-  for (const auto& [name, share] : sums.shares)
-    scatter += share * share.transpose();
-  Eigen::MatrixXd inverse = sums.normal;
-  const auto size = static_cast<std::size_t>(n);
-  gsl_matrix_view view =
-      gsl_matrix_view_array(inverse.data(), size, size); // by GSL: Eigen's takes long to compile
-  gsl_linalg_cholesky_decomp1(&view.matrix);
-  gsl_linalg_cholesky_invert(&view.matrix);
-  const double groups = static_cast<double>(sums.shares.size());
-  return groups / (groups - 1) * inverse.lazyProduct(scatter).eval().lazyProduct(inverse);
-}
-
-/// A row that is no number would count as a bad one wherever the fit goes, which then arrives nowhere.
 template <int n>
-void require_finite(const Observations<n>& rows, const Numbers<double, n>& start) {
-  for (const Observation<n>& row : rows)
-    if (!std::isfinite(residual<n>(row, start).value()))
-      throw std::invalid_argument("the fit cannot begin: a row of " + row.group +
-                                  " is no number there, target " + std::to_string(row.target));
+void fill_covariance(const Observations<n>& rows, Fit<n>& fit) {
+  using Sums = Numbers<double, n>;
+  Numbers<Sums, n> normal{};
+  std::map<std::string, Sums> shares;
+  for (const Observation<n>& o : rows) {
+    const Dual<n> f = residual<n>(o, fit.coefficients);
+    Sums& share = shares[o.group];
+    for (std::size_t k = 0; k < share.size(); ++k) {
+      share[k] += f.value * f.slopes[k];
+      for (std::size_t j = 0; j < share.size(); ++j)
+        normal[j][k] += f.slopes[j] * f.slopes[k];
+    }
+  }
+  gsl_matrix_view matrix = gsl_matrix_view_array(normal[0].data(), n, n);
+  gsl_linalg_cholesky_decomp1(&matrix.matrix);
+  const double groups = static_cast<double>(shares.size());
+  for (auto& [name, share] : shares) {
+    gsl_vector_view view = gsl_vector_view_array(share.data(), n);
+    gsl_linalg_cholesky_svx(&matrix.matrix, &view.vector);
+    for (std::size_t k = 0; k < share.size(); ++k)
+      for (std::size_t j = 0; j < share.size(); ++j)
+        fit.covariance[j][k] += groups / (groups - 1) * share[j] * share[k];
+  }
 }
 
 /// Steps until they or the slopes are tiny, or until ten of them lower the sum of squares by no more than
@@ -145,14 +165,22 @@ inline int arrive(gsl_multifit_nlinear_workspace* work) {
 
 } // namespace detail
 
-/// \throws   std::invalid_argument if the residual of a row is not finite at the start
+/// \throws   std::invalid_argument if the residual of a row is not finite at the start: it would count as a
+///           bad one wherever the fit goes
 /// \throws   std::runtime_error if the fit does not arrive
 template <int n>
 Fit<n> least_squares(std::vector<Observation<n>> rows, const Numbers<double, n>& start) {
-  detail::require_finite<n>(rows, start);
+  for (const Observation<n>& row : rows)
+    if (!std::isfinite(detail::residual<n>(row, start).value))
+      throw std::invalid_argument("the fit cannot begin: a row of " + row.group +
+                                  " is no number there, target " + std::to_string(row.target));
   gsl_multifit_nlinear_fdf system{};
-  system.f = detail::fill_values<n>;
-  system.df = detail::fill_slopes<n>;
+  system.f = [](const gsl_vector* x, void* data, gsl_vector* f) {
+    return detail::fill<n>(x, data, f, nullptr);
+  };
+  system.df = [](const gsl_vector* x, void* data, gsl_matrix* J) {
+    return detail::fill<n>(x, data, nullptr, J);
+  };
   system.n = rows.size();
   system.p = n;
   system.params = &rows;
@@ -168,7 +196,7 @@ Fit<n> least_squares(std::vector<Observation<n>> rows, const Numbers<double, n>&
   gsl_multifit_nlinear_free(work);
   if (status != GSL_SUCCESS)
     throw std::runtime_error(std::string("the fit did not converge: ") + gsl_strerror(status));
-  fit.covariance = detail::clustered_covariance(detail::normal_sums<n>(rows, fit.coefficients));
+  detail::fill_covariance<n>(rows, fit);
   return fit;
 }
 

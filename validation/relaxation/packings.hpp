@@ -14,6 +14,10 @@ namespace relaxation {
 using granum::effective::State;
 using granum::elastic::TransverselyIsotropic;
 
+/// k_t/k_n of contacts that do not slip, of grains of Poisson's ratio 0.15, and all that networks are solved with.
+inline constexpr double no_slip_ratio = 0.918918918918919;
+inline constexpr double solved_ratios[] = {0, 0.03, 0.1, 0.3, 0.6, no_slip_ratio, 1};
+
 /// The elastic contacts of one packing at one k_t/k_n.
 struct Network {
   double ratio = 0; ///< k_t/k_n
@@ -23,11 +27,10 @@ struct Network {
 /// One row of states.csv or of unequal.csv.
 struct Packing {
   std::string sizes = "equal"; ///< of the grains, as sizes::parse_distribution reads it
-  std::string contact;
-  std::string preparation;
-  std::string
-      recipe; ///< all three, however the packing was sheared; its packings differ less than recipes do
-  std::string specimen; ///< rows of one specimen are not independent of one another
+  std::string contact = {};
+  std::string preparation = {};
+  std::string recipe = {};   ///< all three, however sheared; its packings differ less than recipes do
+  std::string specimen = {}; ///< rows of one specimen are not independent of one another
   int seed = 0;
   double pressure = 0; ///< nominal [Pa]
   double stress_ratio = 0;
@@ -35,13 +38,12 @@ struct Packing {
   State state; ///< k_t/k_n of the specimen
   double mechanical_coordination = 0;
   double rattler_fraction = 0;
-  double uniformity = 1;   ///< C_u of the grains
   double affine_share = 0; ///< uniform strain with the network's own k_n over the closed form: <f^b>/<f>^b of
                            ///< equal grains; of unequal ones what long branches and the scatter of k_n do too
   double strain_bulk_modulus = 0; ///< K of the network under uniform strain [Pa]
   double relative_overlap = 0;    ///< of the mean force, over the diameter
   double unevenness = 0;          ///< Q of the forces: ln of that K over the one of the closed form
-  std::vector<Network> networks;
+  std::vector<Network> networks = {};
 
   [[nodiscard]] double exponent() const { return state.law.constant_exponent().value(); }
   [[nodiscard]] bool isotropic() const { return stress_ratio == 0; }
@@ -49,16 +51,6 @@ struct Packing {
 
 inline double isotropic_shear_modulus(const TransverselyIsotropic& c) {
   return (2 * c.C44 + c.C66()) / 5 + (2 * c.C11 + c.C33 - c.C12 - 2 * c.C13) / 15;
-}
-
-/// What uniform strain with the network's own stiffnesses makes too much of, times what that differs from the
-/// closed form: G over that of the closed form. Of equal grains the lengths of the branches drop out.
-inline double shear_factor(const Packing& p, const Network& n) {
-  const double affine = 0.3 * p.strain_bulk_modulus * (2 + 3 * n.ratio);
-  return p.affine_share * isotropic_shear_modulus(n.stiffness) / affine;
-}
-inline double bulk_factor(const Packing& p, const Network& n) {
-  return p.affine_share * n.stiffness.bulk_modulus() / p.strain_bulk_modulus;
 }
 
 /// A shape that the fits leave out altogether, to see how they do between the others.
@@ -70,18 +62,6 @@ inline std::string unsheared(const std::string& preparation) {
     if (preparation.ends_with(path))
       return preparation.substr(0, preparation.size() - 4);
   return preparation;
-}
-
-struct PackingsByUse {
-  std::vector<Packing> fitted;
-  std::vector<Packing> unfitted; ///< of the shape that is left out
-};
-
-inline PackingsByUse split_by_use(const std::vector<Packing>& packings) {
-  PackingsByUse split;
-  for (const Packing& p : packings)
-    (p.contact == unfitted_contact ? split.unfitted : split.fitted).push_back(p);
-  return split;
 }
 
 } // namespace relaxation

@@ -9,7 +9,7 @@
 #include <granum/effective/relaxation.hpp>
 #include <granum/plot/chart.hpp>
 
-#include "packings.hpp"
+#include "factors.hpp"
 
 /// The recorded factors beside the library's, as a picture.
 namespace relaxation {
@@ -70,12 +70,12 @@ inline std::string picture(const std::vector<Packing>& packings) {
   for (const auto& [ratio, name, colour] :
        {std::tuple{mindlin, "k_t/k_n = 0.92", Colour::sphere}, std::tuple{0.1, "0.1", Colour::cone},
         std::tuple{0.0, "0", Colour::flat}})
-    add_both(charts[0], measured_factors(packings, "", ratio, shear_factor),
+    add_both(charts[0], measured_factors(packings, "", ratio, Shear::measured),
              factor_line(ratio, 1.0 / 3, &Relaxation::shear), name, colour);
   for (const auto& [contact, b, colour] :
        {std::tuple{"cone", 0.5, Colour::cone}, std::tuple{"sphere", 1.0 / 3, Colour::sphere},
         std::tuple{"flat", 0.0, Colour::flat}, std::tuple{"alpha1.5", 0.4, Colour::power_law}})
-    add_both(charts[1], measured_factors(packings, contact, mindlin, bulk_factor),
+    add_both(charts[1], measured_factors(packings, contact, mindlin, Bulk::measured),
              factor_line(mindlin, b, &Relaxation::bulk), contact, colour);
   return granum::plot::svg(charts);
 }

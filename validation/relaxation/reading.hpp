@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the recorded states of validation/relaxation; validation/gradation reads its own with parts of it.
+// Reads recorded packings: those of this folder, of validation/gradation and of `granum verify`.
 #pragma once
 
 #include <cmath>
-#include <map>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <granum/contact/power_law.hpp>
+#include <granum/core/text.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/effective/uniform_field.hpp>
-#include <granum/io/csv/table.hpp>
 
+#include "../record.hpp"
 #include "effective/relaxation_kernel.hpp"
 #include "effective/relaxed_constants.hpp"
-#include "effective/unevenness_kernel.hpp"
 #include "packings.hpp"
 
 namespace relaxation {
@@ -40,48 +38,36 @@ inline granum::contact::PowerLaw law(const std::string& contact, double radius) 
   throw std::runtime_error("unknown contact " + contact);
 }
 
-inline TransverselyIsotropic stiffness(const std::map<std::string, double>& row, const std::string& suffix) {
-  const auto constant = [&](const std::string& name) { return row.at(name + "_" + suffix + "_Pa"); };
+inline TransverselyIsotropic stiffness(const Entry& row, const std::string& suffix) {
+  const auto constant = [&](const std::string& name) { return row(name + "_" + suffix + "_Pa"); };
   return {.C11 = constant("C11"),
           .C33 = constant("C33"),
           .C12 = constant("C12"),
           .C13 = constant("C13"),
           .C44 = constant("C44")};
 }
-
-using Row = std::map<std::string, double>;
-
-/// Numbers of a row by their headings; text is left out.
-inline Row numbers(const std::vector<std::string>& headings, const std::vector<std::string>& fields) {
-  static const std::set<std::string> text{"sizes", "contact", "preparation", "density"};
-  Row row;
-  for (std::size_t k = 0; k < fields.size(); ++k)
-    if (text.count(headings[k]) == 0)
-      row[headings[k]] = fields[k].empty() ? State::unset : std::stod(fields[k]);
-  return row;
+inline TransverselyIsotropic isotropic(double K, double G) {
+  return {.C11 = K + 4 * G / 3, .C33 = K + 4 * G / 3, .C12 = K - 2 * G / 3, .C13 = K - 2 * G / 3, .C44 = G};
 }
 
-/// A file without these columns has equal grains.
-inline granum::sizes::ContactMeans contact_means(const Row& row) {
-  if (row.count("branch") == 0)
-    return {};
-  return {.branch = row.at("branch"),
-          .branch_square = row.at("branch_square"),
-          .pair_radius = row.at("pair_radius"),
-          .grain_volume = row.at("grain_volume")};
-}
-
-inline State state(const Row& row, const std::string& contact, double tangential_ratio) {
-  const double radius = row.count("R_m") > 0 ? row.at("R_m") : 0.5e-3;
-  const granum::sizes::ContactMeans contacts = contact_means(row);
+/// A record without the means over contacts has equal grains, of R = 0.5 mm.
+inline State state(const Entry& row, const std::string& contact, double tangential_ratio) {
+  const double radius = row.has("R_m") ? row("R_m") : 0.5e-3;
+  granum::sizes::ContactMeans contacts;
+  if (row.has("branch"))
+    contacts = {.branch = row("branch"),
+                .branch_square = row("branch_square"),
+                .pair_radius = row("pair_radius"),
+                .grain_volume = row("grain_volume")};
+  const bool sheared = row.has("stress_v_Pa");
   return {.law = law(contact, radius * contacts.pair_radius),
           .tangential_ratio = tangential_ratio,
           .radius = radius,
-          .void_ratio = row.at("e"),
-          .coordination_number = row.at("C_n"),
-          .fabric_anisotropy = row.at("a"),
-          .stress_v = row.at("stress_v_Pa"),
-          .stress_h = row.at("stress_h_Pa"),
+          .void_ratio = row("e"),
+          .coordination_number = row("C_n"),
+          .fabric_anisotropy = sheared ? row("a") : 0,
+          .stress_v = row(sheared ? "stress_v_Pa" : "p_contacts_Pa"),
+          .stress_h = row(sheared ? "stress_h_Pa" : "p_contacts_Pa"),
           .contacts = contacts};
 }
 
@@ -91,69 +77,100 @@ inline double relative_overlap(const State& state) {
          (2 * state.radius * state.contacts.branch);
 }
 
-/// K of uniform strain in closed form, of the branches that overlaps leave [Pa].
-inline double closed_strain_bulk_modulus(const Packing& p) {
-  return granum::effective::uniform_strain(p.state).stiffness.bulk_modulus() *
-         granum::effective::kernel::shortened_branches(p.relative_overlap, p.exponent());
+/// What the branches that overlaps leave make of a modulus of uniform strain.
+inline double shortening(const Packing& p) {
+  return granum::effective::kernel::shortened_branches(p.relative_overlap, p.exponent());
 }
 
-/// The same contacts, all of them at the mean force.
-inline State at_mean_force(State state) {
-  state.fabric_anisotropy = 0;
-  state.stress_v = state.stress_h = state.mean_stress();
-  return state;
+/// K of uniform strain in closed form, of the same contacts or of contacts all at the mean force [Pa].
+inline double closed_strain_bulk_modulus(const Packing& p, bool at_mean_force = false) {
+  State state = p.state;
+  if (at_mean_force) {
+    state.fabric_anisotropy = 0;
+    state.stress_v = state.stress_h = state.mean_stress();
+  }
+  return granum::effective::uniform_strain(state).stiffness.bulk_modulus() * shortening(p);
 }
 
-/// Q of a packing, from its recorded G under uniform strain and that of the closed form.
-inline double unevenness(const Packing& p, double G_of_contacts, double G_of_closed_form) {
-  return std::log(G_of_contacts / G_of_closed_form /
-                  granum::effective::kernel::shortened_branches(p.relative_overlap, p.exponent()));
-}
-
-inline Packing packing(const Row& row, const std::string& sizes, const std::string& contact,
-                       const std::string& preparation) {
-  static const std::map<std::string, double> ratios{
-      {"0", 0}, {"0.03", 0.03}, {"0.1", 0.1}, {"0.3", 0.3}, {"0.6", 0.6}, {"0.919", 0.918918918918919},
-      {"1", 1}};
-  const int seed = static_cast<int>(row.at("seed"));
+/// What every record has of a packing.
+inline Packing packing(const Entry& row, const std::string& contact, const std::string& preparation,
+                       double tangential_ratio) {
+  const std::string sizes = row.has("sizes") ? row.text("sizes") : "equal";
+  const std::string recipe = contact + " " + unsheared(preparation) + " " + sizes;
+  const int seed = static_cast<int>(row("seed"));
   Packing p{.sizes = sizes,
             .contact = contact,
             .preparation = preparation,
-            .recipe = contact + " " + unsheared(preparation) + " " + sizes,
-            .specimen = contact + " " + unsheared(preparation) + " " + sizes + " " + std::to_string(seed),
+            .recipe = recipe,
+            .specimen = recipe + " " + std::to_string(seed),
             .seed = seed,
-            .pressure = row.at("p_Pa"),
-            .stress_ratio = row.at("stress_ratio"),
-            .friction_coefficient = row.at("friction_coefficient"),
-            .state = state(row, contact, ratios.at("0.919")),
-            .mechanical_coordination = row.at("z_star"),
-            .rattler_fraction = row.at("rattler_fraction"),
-            .uniformity = row.count("C_u") > 0 ? row.at("C_u") : 1,
-            .affine_share = row.at("force_moment_b"),
-            .strain_bulk_modulus = stiffness(row, "affine").bulk_modulus(),
-            .networks = {}};
+            .friction_coefficient = row.has("friction_coefficient") ? row("friction_coefficient") : 0,
+            .state = state(row, contact, tangential_ratio),
+            .mechanical_coordination = row("z_star"),
+            .rattler_fraction = row("rattler_fraction")};
   p.relative_overlap = relative_overlap(p.state);
-  if (sizes != "equal")
-    p.affine_share = p.strain_bulk_modulus / closed_strain_bulk_modulus(p);
-  Packing even = p;
-  even.state = at_mean_force(p.state);
-  p.unevenness = std::log(p.strain_bulk_modulus / closed_strain_bulk_modulus(even));
-  for (const auto& [name, ratio] : ratios)
-    p.networks.push_back({ratio, stiffness(row, name)});
   return p;
+}
+
+/// Of a packing that was compressed along a path, without its networks.
+inline Packing packing_of_path(const Entry& row) {
+  Packing p = packing(row, row.text("contact"), row.text("preparation"), no_slip_ratio);
+  p.pressure = row("p_Pa");
+  p.stress_ratio = row("stress_ratio");
+  p.affine_share = row("force_moment_b");
+  p.strain_bulk_modulus = stiffness(row, "affine").bulk_modulus();
+  if (p.sizes != "equal")
+    p.affine_share = p.strain_bulk_modulus / closed_strain_bulk_modulus(p);
+  p.unevenness = std::log(p.strain_bulk_modulus / closed_strain_bulk_modulus(p, true));
+  return p;
+}
+
+/// Networks of one k_t/k_n and isotropic moduli. Q is of G under uniform strain, recorded and in closed form.
+inline void add_isotropic_network(Packing& p, const Entry& row, const char* G_of_contacts,
+                                  const char* G_of_closed_form) {
+  p.unevenness = std::log(row(G_of_contacts) / row(G_of_closed_form) / shortening(p));
+  p.networks = {{p.state.tangential_ratio, isotropic(row("K_network_Pa"), row("G_network_Pa"))}};
 }
 
 } // namespace detail
 
 inline std::vector<Packing> read_packings(const std::string& path) {
-  const granum::io::CsvTable table = granum::io::read_csv(path);
-  const std::size_t contact = table.headings().front() == "sizes" ? 1 : 0; // its column
   std::vector<Packing> packings;
-  for (std::size_t k = 0; k < table.row_count(); ++k) {
-    const std::vector<std::string>& fields = table.fields(k);
-    packings.push_back(detail::packing(detail::numbers(table.headings(), fields),
-                                       contact == 1 ? fields[0] : "equal", fields[contact],
-                                       fields[contact + 1]));
+  for (const Entry& row : read_record(path)) {
+    Packing& p = packings.emplace_back(detail::packing_of_path(row));
+    for (const double ratio : solved_ratios)
+      p.networks.push_back({ratio, detail::stiffness(row, granum::short_text(ratio, 3))});
+  }
+  return packings;
+}
+
+/// Spheres of six gradations, a record of gradation_run. Grains of another mean size are left out: those
+/// packings are the same but for their scale.
+inline std::vector<Packing> read_gradations(const std::string& path) {
+  std::vector<Packing> packings;
+  for (const Entry& row : read_record(path))
+    if (row("mean_radius_m") == 0.5e-3) {
+      Packing& p = packings.emplace_back(detail::packing(row, "sphere", row.text("preparation"),
+                                                         granum::contact::mindlin_stiffness_ratio(0.15)));
+      p.pressure = 100e3;
+      p.affine_share = 1;
+      p.strain_bulk_modulus = detail::closed_strain_bulk_modulus(p);
+      detail::add_isotropic_network(p, row, "G_affine_Pa", "G_uniform_strain_Pa");
+    }
+  return packings;
+}
+
+/// States of `granum verify`. Dense ones were made without friction, loose ones with that of Table 1 of the
+/// paper.
+inline std::vector<Packing> read_verify_states(const std::string& path) {
+  constexpr double friction_of_the_paper = 0.4986;
+  std::vector<Packing> packings;
+  for (const Entry& row : read_record(path)) {
+    Packing& p =
+        packings.emplace_back(detail::packing(row, row.text("contact"), row.text("density"), no_slip_ratio));
+    p.pressure = row("p_Pa");
+    p.friction_coefficient = p.preparation == "dense" ? 0 : friction_of_the_paper;
+    detail::add_isotropic_network(p, row, "G_uniform_strain_Pa", "G_closed_Pa");
   }
   return packings;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What validation/relaxation records of a packing at rest, and the file that it goes to, which
-// validation/gradation fills the same way.
+// validation/gradation and validation/mixtures fill the same way.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -12,10 +12,12 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <granum/analysis/measure.hpp>
 #include <granum/analysis/parts.hpp>
+#include <granum/core/text.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/network/linear_response.hpp>
@@ -23,16 +25,11 @@
 #include <granum/packing/forces.hpp>
 
 #include "contact_counts.hpp"
+#include "packings.hpp"
 
 namespace relaxation {
 
 using namespace granum;
-
-inline constexpr double solved_ratios[] = {0, 0.03, 0.1, 0.3, 0.6, 0.918918918918919, 1}; ///< k_t/k_n
-
-/// b of k_n ~ f^b, and k_t/k_n, of the networks that say what b does.
-inline constexpr double solved_exponents[] = {0, 1.0 / 3, 0.5, 2.0 / 3, 0.8, 1};
-inline constexpr double exponent_ratios[] = {0.3, 0.6, 0.918918918918919};
 
 /// A row in the making: headings and cells side by side.
 struct Row {
@@ -45,25 +42,28 @@ struct Row {
     cells += comma + cell;
   }
   void add(const std::string& heading, double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.7g", value);
-    add(heading, std::isnan(value) ? std::string() : std::string(text));
+    add(heading, std::isnan(value) ? std::string() : short_text(value, 7));
+  }
+  void add(std::initializer_list<std::pair<std::string, double>> numbers) {
+    for (const auto& [heading, value] : numbers)
+      add(heading, value);
   }
 };
 
+inline std::string short_number(double value) { return short_text(value, 3); }
+
 inline void add_stiffness(Row& row, const std::string& suffix, const elastic::VoigtStiffness& stiffness) {
   const elastic::TransverselyIsotropic c = elastic::transversely_isotropic_projection(stiffness);
-  row.add("C11_" + suffix + "_Pa", c.C11);
-  row.add("C33_" + suffix + "_Pa", c.C33);
-  row.add("C12_" + suffix + "_Pa", c.C12);
-  row.add("C13_" + suffix + "_Pa", c.C13);
-  row.add("C44_" + suffix + "_Pa", c.C44);
+  row.add({{"C11_" + suffix + "_Pa", c.C11},
+           {"C33_" + suffix + "_Pa", c.C33},
+           {"C12_" + suffix + "_Pa", c.C12},
+           {"C13_" + suffix + "_Pa", c.C13},
+           {"C44_" + suffix + "_Pa", c.C44}});
 }
 
-inline std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
+inline void set_tangential_ratio(packing::Assembly& assembly, double ratio) {
+  for (packing::Contact& contact : assembly.contacts)
+    contact.tangential_stiffness = ratio * contact.normal_stiffness;
 }
 
 /// The packing stays; only the tangential stiffness of its elastic contacts is another.
@@ -72,8 +72,7 @@ inline void add_networks(Row& row, packing::Assembly assembly, double own_ratio)
   double residual = 0;
   network::ResponseOptions options;
   for (const double ratio : solved_ratios) {
-    for (packing::Contact& contact : assembly.contacts)
-      contact.tangential_stiffness = ratio * contact.normal_stiffness;
+    set_tangential_ratio(assembly, ratio);
     // Without tangential stiffness most of the packings are floppy: no use in insisting on ten digits.
     options.iteration_limit = ratio > 0 ? 20000 : 1500;
     const network::Response response = network::linear_response(assembly, options);
@@ -87,160 +86,116 @@ inline void add_networks(Row& row, packing::Assembly assembly, double own_ratio)
       row.add("residual_0", response.report().residual);
     }
   }
-  row.add("iterations", iterations);
-  row.add("residual", residual);
+  row.add({{"iterations", iterations}, {"residual", residual}});
 
-  for (packing::Contact& contact : assembly.contacts)
-    contact.tangential_stiffness = own_ratio * contact.normal_stiffness;
-  const network::Response plain = network::linear_response(assembly);
-  add_stiffness(row, "affine", plain.affine());
+  set_tangential_ratio(assembly, own_ratio);
+  add_stiffness(row, "affine", network::linear_response(assembly).affine());
   options.prestress = true;
   const network::Response stressed = network::linear_response(assembly, options);
-  const bool definite = stressed.converged();
+  const double known = stressed.converged() ? 1 : std::numeric_limits<double>::quiet_NaN();
   const elastic::Matrix6& c = stressed.last_iterate().matrix;
-  row.add("C44_prestress_Pa", definite ? (c(3, 3) + c(4, 4)) / 2 : std::numeric_limits<double>::quiet_NaN());
-  row.add("C66_prestress_Pa", definite ? c(5, 5) : std::numeric_limits<double>::quiet_NaN());
+  row.add({{"C44_prestress_Pa", known * (c(3, 3) + c(4, 4)) / 2}, {"C66_prestress_Pa", known * c(5, 5)}});
 }
 
-inline double mean_normal_force(const packing::Assembly& assembly) {
-  double sum = 0;
-  for (const packing::Contact& contact : assembly.contacts)
-    sum += contact.normal_force;
-  return sum / static_cast<double>(assembly.contacts.size());
-}
+/// K and G of whole networks over those of uniform strain as in closed forms, which count some of the contacts
+/// and take k_n at their mean force.
+class CountedPacking {
+ public:
+  CountedPacking(const packing::Assembly& assembly, const contact::NormalLaw& law)
+      : whole_(assembly), counted_(analysis::counted_part(assembly, law)), law_(law) {
+    for (const packing::Contact& contact : counted_.contacts)
+      mean_force_ += contact.normal_force / static_cast<double>(counted_.contacts.size());
+    at_mean_ = law.stiffness_at_force(mean_force_);
+  }
+  void add_to(Row& row) const {
+    constexpr double ratios[] = {0.3, 0.6, no_slip_ratio};
+    row.add("force_moment_2", normal_force_moment(counted_, 2));
+    if (!law_.constant_exponent())
+      row.add("b", law_.exponent_at_force(mean_force_));
+    for (const double ratio : ratios)
+      if (law_.constant_exponent()) // k_n ~ f^b in place of the own law: the stiffness at the mean force stays
+        for (const double b : {0.0, 1.0 / 3, 0.5, 2.0 / 3, 0.8, 1.0})
+          add_moduli(row, short_number(b), ratio,
+                     [&](double force) { return at_mean_ * std::pow(force / mean_force_, b); });
+      else
+        add_moduli(row, "own", ratio, [&](double force) { return law_.stiffness_at_force(force); });
+  }
 
-/// An isotropic packing, and the part of it that closed forms count: they take k_n at its mean force.
-struct CountedPacking {
-  const packing::Assembly& whole;
-  packing::Assembly counted;
-  const contact::NormalLaw& law;
+ private:
+  template <class StiffnessOfForce>
+  void add_moduli(Row& row, const std::string& suffix, double ratio,
+                  const StiffnessOfForce& stiffness) const {
+    packing::Assembly alike = counted_, own = whole_;
+    for (packing::Contact& contact : alike.contacts)
+      contact.normal_stiffness = at_mean_;
+    for (packing::Contact& contact : own.contacts)
+      contact.normal_stiffness = stiffness(contact.normal_force);
+    set_tangential_ratio(alike, ratio);
+    set_tangential_ratio(own, ratio);
+    const elastic::Isotropic strained =
+        elastic::isotropic_projection(network::linear_response(alike, {.iteration_limit = 1}).affine());
+    const network::Response response = network::linear_response(own, {.iteration_limit = 20000});
+    if (!response.converged())
+      throw std::runtime_error("a network did not converge");
+    const elastic::Isotropic relaxed = elastic::isotropic_projection(response.last_iterate());
+    const std::string name = "_" + suffix + "_" + short_number(ratio);
+    row.add({{"K" + name, relaxed.bulk_modulus() / strained.bulk_modulus()},
+             {"G" + name, relaxed.shear_modulus() / strained.shear_modulus()}});
+  }
 
-  CountedPacking(const packing::Assembly& assembly, const contact::NormalLaw& own_law)
-      : whole(assembly), counted(analysis::counted_part(assembly, own_law)), law(own_law) {}
-  [[nodiscard]] double mean_force() const { return mean_normal_force(counted); }
+  const packing::Assembly& whole_;
+  packing::Assembly counted_;
+  const contact::NormalLaw& law_;
+  double mean_force_ = 0, at_mean_ = 0;
 };
 
-template <class StiffnessOfForce>
-packing::Assembly stiffened(packing::Assembly assembly, const StiffnessOfForce& stiffness, double ratio) {
-  for (packing::Contact& contact : assembly.contacts) {
-    contact.normal_stiffness = stiffness(contact.normal_force);
-    contact.tangential_stiffness = ratio * contact.normal_stiffness;
+inline analysis::Measurement measured(const packing::Assembly& assembly, const dem::Material& material) {
+  return analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio});
+}
+
+/// \param    frictionless   whether the counts of contacts without friction are added
+inline void add_counts(Row& row, const packing::Assembly& assembly, const dem::Material& material,
+                       bool frictionless) {
+  const analysis::Measurement all = measured(assembly, material);
+  const analysis::Microstructure micro = all.microstructure();
+  row.add({{"C_n", micro.coordination_number},
+           {"z_star", micro.mechanical_coordination_number},
+           {"rattler_fraction", micro.rattler_fraction}});
+  if (frictionless) {
+    const auto counts = mechanical_coordination(assembly, packing::ContactKind::frictionless);
+    row.add({{"z_star_frictionless", counts.coordination_number},
+             {"rattler_fraction_frictionless", counts.rattler_fraction}});
   }
-  return assembly;
-}
-
-/// K and G of the whole network, in which k_n of a contact follows from its force, over those of uniform
-/// strain as in closed forms: of the counted contacts, each with `at_mean`.
-/// \param    suffix   of the headings, before the ratio k_t/k_n
-template <class StiffnessOfForce>
-void add_moduli(Row& row, const CountedPacking& packing, const StiffnessOfForce& stiffness, double at_mean,
-                double ratio, const std::string& suffix) {
-  const packing::Assembly alike = stiffened(
-      packing.counted, [=](double) { return at_mean; }, ratio);
-  const elastic::Isotropic strained =
-      elastic::isotropic_projection(network::linear_response(alike, {.iteration_limit = 1}).affine());
-  const network::Response response =
-      network::linear_response(stiffened(packing.whole, stiffness, ratio), {.iteration_limit = 20000});
-  if (!response.converged())
-    throw std::runtime_error("a network did not converge");
-  const elastic::Isotropic relaxed = elastic::isotropic_projection(response.last_iterate());
-  const std::string name = "_" + suffix + "_" + short_number(ratio);
-  row.add("K" + name, relaxed.bulk_modulus() / strained.bulk_modulus());
-  row.add("G" + name, relaxed.shear_modulus() / strained.shear_modulus());
-}
-
-/// The same with k_n ~ f^b in place of the packing's own law: packing and forces stay, and so does the
-/// stiffness at the mean force.
-inline void add_exponents(Row& row, const CountedPacking& packing) {
-  const double mean = packing.mean_force(), at_mean = packing.law.stiffness_at_force(mean);
-  for (const double ratio : exponent_ratios)
-    for (const double b : solved_exponents)
-      add_moduli(
-          row, packing, [=](double force) { return at_mean * std::pow(force / mean, b); }, at_mean, ratio,
-          short_number(b));
-}
-
-/// b at the mean force, and the same with the packing's own law.
-inline void add_own_law(Row& row, const CountedPacking& packing) {
-  const double mean = packing.mean_force();
-  row.add("b", packing.law.exponent_at_force(mean));
-  for (const double ratio : exponent_ratios)
-    add_moduli(
-        row, packing, [&](double force) { return packing.law.stiffness_at_force(force); },
-        packing.law.stiffness_at_force(mean), ratio, "own");
+  const Mat3& stress = all.stress.value().symmetric;
+  row.add({{"a", micro.fabric_anisotropy},
+           {"stress_v_Pa", stress(2, 2)},
+           {"stress_h_Pa", (stress(0, 0) + stress(1, 1)) / 2}});
 }
 
 inline void add_assembly(Row& row, const packing::Assembly& assembly, const dem::Material& material) {
-  const analysis::Measurement measured =
-      analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio});
-  const analysis::Microstructure micro = measured.microstructure();
-  const packing::MechanicalCoordination frictionless =
-      mechanical_coordination(assembly, packing::ContactKind::frictionless);
-  const Mat3& stress = measured.stress.value().symmetric;
   const packing::BulkModulusBounds bounds = bulk_modulus_bounds(assembly);
   const double b = material.law.constant_exponent().value();
-  row.add("C_n", micro.coordination_number);
-  row.add("z_star", micro.mechanical_coordination_number);
-  row.add("rattler_fraction", micro.rattler_fraction);
-  row.add("z_star_frictionless", frictionless.coordination_number);
-  row.add("rattler_fraction_frictionless", frictionless.rattler_fraction);
-  row.add("a", micro.fabric_anisotropy);
-  row.add("stress_v_Pa", stress(2, 2));
-  row.add("stress_h_Pa", (stress(0, 0) + stress(1, 1)) / 2);
-  row.add("force_moment_b", normal_force_moment(assembly, b));
-  row.add("force_moment_2", normal_force_moment(assembly, 2));
-  row.add("force_moment_2_minus_b", normal_force_moment(assembly, 2 - b));
-  row.add("tangential_share", mean_tangential_share(assembly));
-  row.add("K_lower_Pa", bounds.lower);
-  row.add("K_upper_Pa", bounds.upper);
+  add_counts(row, assembly, material, true);
+  row.add({{"force_moment_b", normal_force_moment(assembly, b)},
+           {"force_moment_2", normal_force_moment(assembly, 2)},
+           {"force_moment_2_minus_b", normal_force_moment(assembly, 2 - b)},
+           {"tangential_share", mean_tangential_share(assembly)},
+           {"K_lower_Pa", bounds.lower},
+           {"K_upper_Pa", bounds.upper}});
 }
 
 /// Sizes of the grains, the means over contacts that closed forms take of them, and what sizes do to forces
 /// and contacts.
 inline void add_sizes(Row& row, const packing::Assembly& assembly, const analysis::Measurement& measured) {
   const analysis::Sizes& sizes = measured.sizes;
-  row.add("C_u", sizes.gradation.uniformity());
-  row.add("R_m", sizes.equivalent);
-  row.add("branch", sizes.contacts.branch);
-  row.add("branch_square", sizes.contacts.branch_square);
-  row.add("pair_radius", sizes.contacts.pair_radius);
-  row.add("grain_volume", sizes.contacts.grain_volume);
-  row.add("two_contact_share", two_contact_share(assembly, measured.counts.mechanical.rattler));
-  row.add("force_by_branch", force_by_branch(assembly));
-}
-
-/// What one row of exponents.csv, or of rough.csv, says of a frozen isotropic state.
-inline void describe_stiffening(Row& row, const dem::Specimen& frozen, const dem::Material& material) {
-  const packing::Assembly assembly = dem::contact_network(frozen, material);
-  const analysis::Measurement measured =
-      analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio});
-  const analysis::Microstructure micro = measured.microstructure();
-  const Mat3& stress = measured.stress.value().symmetric;
-  row.add("e", dem::void_ratio(frozen));
-  row.add("C_n", micro.coordination_number);
-  row.add("z_star", micro.mechanical_coordination_number);
-  row.add("rattler_fraction", micro.rattler_fraction);
-  row.add("a", micro.fabric_anisotropy);
-  row.add("stress_v_Pa", stress(2, 2));
-  row.add("stress_h_Pa", (stress(0, 0) + stress(1, 1)) / 2);
-  const CountedPacking packing(assembly, material.law);
-  row.add("force_moment_2", normal_force_moment(packing.counted, 2));
-  if (material.law.constant_exponent())
-    add_exponents(row, packing);
-  else
-    add_own_law(row, packing);
-}
-
-/// What one row says of a frozen state.
-inline void describe(Row& row, const dem::Specimen& frozen, const dem::Material& material, bool with_sizes) {
-  const packing::Assembly assembly = dem::contact_network(frozen, material);
-  row.add("e", dem::void_ratio(frozen));
-  add_assembly(row, assembly, material);
-  add_networks(row, assembly, material.tangential_ratio);
-  if (with_sizes)
-    add_sizes(
-        row, assembly,
-        analysis::measure(assembly, {.law = material.law, .tangential_ratio = material.tangential_ratio}));
+  row.add({{"C_u", sizes.gradation.uniformity()},
+           {"R_m", sizes.equivalent},
+           {"branch", sizes.contacts.branch},
+           {"branch_square", sizes.contacts.branch_square},
+           {"pair_radius", sizes.contacts.pair_radius},
+           {"grain_volume", sizes.contacts.grain_volume},
+           {"two_contact_share", two_contact_share(assembly, measured.counts.mechanical.rattler)},
+           {"force_by_branch", force_by_branch(assembly)}});
 }
 
 /// The output file: which states it holds, and how another is added.

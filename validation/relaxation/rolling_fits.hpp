@@ -17,7 +17,7 @@
 namespace relaxation {
 
 inline constexpr double rolling_ratios[] = {0, 0.003, 0.01, 0.03, 0.1, 0.3, 0.6, 1}; ///< k_r
-inline constexpr double rolled_tangential_ratios[] = {0.1, 0.3, 0.918918918918919};  ///< k_t/k_n
+inline constexpr double rolled_tangential_ratios[] = {0.1, 0.3, no_slip_ratio};      ///< k_t/k_n
 inline constexpr double least_judged_ratio = 0.3; ///< k_t/k_n from which on errors are stated
 
 inline std::string rolling_suffix(double tangential_ratio, double rolling_ratio) {
@@ -44,35 +44,24 @@ struct Rolled {
 };
 
 inline std::vector<Rolled> read_rolled(const std::string& path) {
-  const granum::io::CsvTable table = granum::io::read_csv(path);
   std::vector<Rolled> all;
-  for (std::size_t k = 0; k < table.row_count(); ++k) {
-    const detail::Row row = detail::numbers(table.headings(), table.fields(k));
-    Packing p{.contact = table.fields(k)[1],
-              .preparation = table.fields(k)[2],
-              .recipe = {},
-              .specimen = {},
-              .state = detail::state(row, table.fields(k)[1], 0),
-              .strain_bulk_modulus = detail::stiffness(row, "affine").bulk_modulus(),
-              .networks = {}};
-    p.relative_overlap = detail::relative_overlap(p.state);
-    p.state.mechanical_coordination_number = row.at("z_star");
-    Packing even = p;
-    even.state = detail::at_mean_force(p.state);
-    p.state.unevenness = granum::effective::Unevenness{
-        .value = std::log(p.strain_bulk_modulus / detail::closed_strain_bulk_modulus(even))};
+  for (const Entry& row : read_record(path)) {
+    Packing p = detail::packing(row, row.text("contact"), row.text("preparation"), 0);
+    const double K = detail::stiffness(row, "affine").bulk_modulus();
+    p.state.mechanical_coordination_number = p.mechanical_coordination;
+    p.state.unevenness =
+        granum::effective::Unevenness{.value = std::log(K / detail::closed_strain_bulk_modulus(p, true))};
     for (const double r : rolled_tangential_ratios)
-      for (const double k_r : rolling_ratios) {
-        Rolled one{.state = p.state,
-                   .k_r = k_r,
-                   .without = detail::stiffness(row, rolling_suffix(r, 0)),
-                   .with = detail::stiffness(row, rolling_suffix(r, k_r)),
-                   .isotropic = row.at("stress_ratio") == 0,
-                   .fitted = std::fmod(row.at("seed"), 2) == 0};
-        one.state.tangential_ratio = r;
-        if (k_r > 0)
-          all.push_back(one);
-      }
+      for (const double k_r : rolling_ratios)
+        if (k_r > 0) {
+          all.push_back({.state = p.state,
+                         .k_r = k_r,
+                         .without = detail::stiffness(row, rolling_suffix(r, 0)),
+                         .with = detail::stiffness(row, rolling_suffix(r, k_r)),
+                         .isotropic = row("stress_ratio") == 0,
+                         .fitted = p.seed % 2 == 0});
+          all.back().state.tangential_ratio = r;
+        }
   }
   return all;
 }

@@ -13,38 +13,23 @@
 // anew, to the same bits. States that do not come to rest, or whose grains have not met, are named on the
 // error stream and left out.
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
-#include <limits>
+#include <map>
 #include <string>
-#include <thread>
-#include <utility>
 #include <vector>
 
 #include <granum/contact/grains.hpp>
 #include <granum/contact/normal_law.hpp>
 #include <granum/contact/rough_sphere.hpp>
-#include <granum/triaxial/probe.hpp>
-#include <granum/triaxial/specimen.hpp>
 
-#include "recording.hpp"
-#include "specimens.hpp"
+#include "../claims.hpp"
+#include "making.hpp"
+#include "reading.hpp"
 
 namespace {
 
-using namespace granum;
-using relaxation::gas;
-using relaxation::grain;
-using relaxation::kPa;
-using relaxation::MPa;
-using relaxation::Packings;
-using relaxation::Preparation;
-using relaxation::Record;
-using relaxation::Row;
-using relaxation::Stage;
+using namespace relaxation;
 
 constexpr double radius = 0.5e-3; // R [m]
 
@@ -57,28 +42,20 @@ struct Shape {
   bool exponents = true; // whether networks with other exponents on its packings are recorded
 };
 
-/// Roughness of both surfaces together: b at the mean force falls from 0.95 at 10 kPa to 0.5 at 200 kPa with
-/// the larger one, from 0.7 to 0.4 with the smaller one.
-const std::vector<Shape>& rough_shapes() {
-  static const std::vector<Shape> all{
-      {"rough50nm", contact::RoughSphere(grain, radius, 50e-9), 100 * MPa},
-      {"rough200nm", contact::RoughSphere(grain, radius, 200e-9), 100 * MPa},
-  };
-  return all;
+std::vector<Shape> shapes(bool rough) {
+  // Roughness of both surfaces together: b at the mean force falls from 0.95 at 10 kPa to 0.5 at 200 kPa with
+  // the larger one, from 0.7 to 0.4 with the smaller one.
+  if (rough)
+    return {{"rough50nm", contact::RoughSphere(grain, radius, 50e-9), 100 * MPa},
+            {"rough200nm", contact::RoughSphere(grain, radius, 200e-9), 100 * MPa}};
+  return {{"cone", relaxation::detail::law("cone", radius), 100 * MPa},
+          {"sphere", relaxation::detail::law("sphere", radius), 100 * MPa},
+          {"flat", relaxation::detail::law("flat", radius), 30 * MPa},
+          {"alpha1.5", relaxation::detail::law("alpha1.5", radius), 100 * MPa, true, false},
+          {unfitted_contact, relaxation::detail::law(unfitted_contact, radius), 30 * MPa, false, false}};
 }
 
-const std::vector<Shape>& shapes() {
-  static const std::vector<Shape> all{
-      {"cone", contact::PowerLaw::cone(grain, 0.4), 100 * MPa},
-      {"sphere", contact::PowerLaw::sphere(grain, radius), 100 * MPa},
-      {"flat", contact::PowerLaw::flat(grain, 5.7e-6), 30 * MPa},
-      {"alpha1.5", contact::PowerLaw::general(grain, 1.5, 180), 100 * MPa, true, false},
-      {"alpha4", contact::PowerLaw::general(grain, 4, 2e12), 30 * MPa, false, false},
-  };
-  return all;
-}
-
-const std::vector<Preparation>& preparations() {
+std::vector<Preparation> preparations() {
   using enum triaxial::Density;
   const double mu = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient();
   const std::vector<Stage> low{{10 * kPa}, {30 * kPa}, {100 * kPa}};
@@ -89,7 +66,7 @@ const std::vector<Preparation>& preparations() {
   const std::vector<Stage> compression{{100 * kPa},      {100 * kPa, 0.2}, {100 * kPa, 0.4},
                                        {100 * kPa, 0.6}, {100 * kPa, 0.7}, {100 * kPa, 0.8}};
   const std::vector<Stage> extension{{100 * kPa}, {100 * kPa, -0.25}, {100 * kPa, -0.5}, {100 * kPa, -0.6}};
-  static const std::vector<Preparation> all{
+  return {
       {.name = "dense", .density = dense, .friction_coefficient = mu, .path = wide, .unfitted_shapes = true},
       {.name = "loose", .friction_coefficient = mu, .path = low, .unfitted_shapes = true},
       {.name = "mu0.1", .friction_coefficient = 0.1, .path = decades},
@@ -100,7 +77,7 @@ const std::vector<Preparation>& preparations() {
       {.name = "mu1",
        .friction_coefficient = 1,
        .path = low,
-       .opening = relaxation::slight,
+       .opening = slight,
        .grains = 1000,
        .max_steps = 200000},
       {.name = "dense txe", .density = dense, .friction_coefficient = mu, .path = extension},
@@ -109,7 +86,7 @@ const std::vector<Preparation>& preparations() {
       {.name = "agitated",
        .friction_coefficient = mu,
        .path = low,
-       .opening = relaxation::stirred,
+       .opening = stirred,
        .grains = 1000,
        .max_steps = 200000},
       gas("gas mu0.02", 0.02, decades),
@@ -118,7 +95,6 @@ const std::vector<Preparation>& preparations() {
       gas("gas", mu, decades),
       gas("gas mu1", 1, decades),
   };
-  return all;
 }
 
 /// Those of them whose packings are isotropic and were loaded once.
@@ -145,7 +121,7 @@ std::vector<Preparation> rough_preparations() {
   all.push_back({.name = "opened",
                  .friction_coefficient = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient(),
                  .path = path,
-                 .opening = relaxation::slight,
+                 .opening = slight,
                  .grains = 2000,
                  .max_steps = 200000});
   return all;
@@ -190,121 +166,90 @@ std::vector<Preparation> unequal_preparations() {
 
 /// The first columns: six that name a state, after the sizes where grains may differ, and what else it was
 /// made with.
-Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, const Stage& stage,
-        std::size_t number, bool with_sizes) {
+Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, std::size_t stage,
+        bool with_sizes) {
+  const auto& [pressure, stress_ratio] = preparation.path[stage];
   Row row;
   if (with_sizes)
-    row.add("sizes", relaxation::sizes_of(preparation).text());
-  row.add("contact", std::string(shape.name));
-  row.add("preparation", std::string(preparation.name));
-  row.add("seed", static_cast<double>(seed));
-  row.add("grains", static_cast<double>(preparation.grains));
-  row.add("stage", static_cast<double>(number));
-  row.add("p_Pa", stage.pressure);
-  row.add("alpha",
-          shape.law.power_law() ? shape.law.power_law()->alpha() : std::numeric_limits<double>::quiet_NaN());
-  row.add("stress_ratio", stage.stress_ratio);
-  row.add("friction_coefficient", preparation.friction_coefficient);
+    row.add("sizes", sizes_of(preparation).text());
+  row.add("contact", shape.name);
+  row.add("preparation", preparation.name);
+  row.add({{"seed", static_cast<double>(seed)},
+           {"grains", static_cast<double>(preparation.grains)},
+           {"stage", static_cast<double>(stage)},
+           {"p_Pa", pressure},
+           {"alpha", shape.law.power_law() ? shape.law.power_law()->alpha() : State::unset},
+           {"stress_ratio", stress_ratio},
+           {"friction_coefficient", preparation.friction_coefficient}});
   return row;
 }
 
-/// What is recorded.
-enum class Kind { equal, unequal, exponents, rough };
+/// What is recorded: of which preparations and seeds.
+struct Kind {
+  std::vector<Preparation> (*preparations)();
+  std::vector<std::uint64_t> rounds; // the third seed is never fitted
+  std::uint64_t first_seed, seeds_of_a_shape;
+};
+const std::map<std::string, Kind> kinds{{"equal", {preparations, {0, 1}, 0, 100}},
+                                        {"unseen", {preparations, {2}, 0, 100}},
+                                        {"unequal", {unequal_preparations, {0, 1}, 0, 1000}},
+                                        {"exponents", {isotropic_preparations, {0, 2}, 0, 100}},
+                                        {"rough", {rough_preparations, {0, 1}, 500, 100}}};
 
-void run_specimen(const Shape& shape, const Preparation& preparation, std::uint64_t seed, Packings& packings,
-                  Kind kind, Record& record) {
-  std::vector<Row> keys;
-  std::size_t last_missing = 0;
-  for (std::size_t k = 0; k < preparation.path.size(); ++k) {
-    keys.push_back(key(shape, preparation, seed, preparation.path[k], k, kind == Kind::unequal));
-    if (preparation.path[k].pressure <= shape.pressure_limit && !record.has(keys.back()))
-      last_missing = k + 1;
-  }
-  if (last_missing == 0)
+/// Every shape and preparation once before any of them with a second seed. No two shapes share a seed.
+std::vector<Task> tasks_of(const std::string& asked, const std::string& first_letters) {
+  const Kind& kind = kinds.at(asked);
+  const std::vector<Shape> all = shapes(asked == "rough");
+  std::vector<Task> tasks;
+  for (const std::uint64_t round : kind.rounds)
+    for (const Preparation& preparation : kind.preparations())
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        const bool wanted =
+            asked == "exponents" ? all[k].exponents : all[k].fitted || preparation.unfitted_shapes;
+        if (!wanted || !std::string(preparation.name).starts_with(first_letters))
+          continue;
+        const std::uint64_t seed = kind.seeds_of_a_shape * (k + 1) + kind.first_seed + round;
+        tasks.push_back({.shape = all[k].name,
+                         .preparation = preparation,
+                         .recipe = recipe(all[k].law, radius, preparation, seed),
+                         .keys = {},
+                         .pressure_limit = all[k].pressure_limit});
+        for (std::size_t stage = 0; stage < preparation.path.size(); ++stage)
+          tasks.back().keys.push_back(key(all[k], preparation, seed, stage, asked == "unequal"));
+      }
+  return tasks;
+}
+
+void describe(const std::string& asked, Row& row, const dem::Specimen& frozen,
+              const dem::Material& material) {
+  const packing::Assembly assembly = dem::contact_network(frozen, material);
+  row.add("e", dem::void_ratio(frozen));
+  if (asked == "exponents" || asked == "rough") {
+    add_counts(row, assembly, material, false);
+    CountedPacking(assembly, material.law).add_to(row);
     return;
-  const triaxial::SpecimenRecipe specimen = relaxation::recipe(shape.law, radius, preparation, seed);
-  dem::Specimen state = relaxation::start_of_path(packings.get(shape.name, specimen), preparation, specimen);
-  for (std::size_t k = 0; k < last_missing; ++k) {
-    state = relaxation::at_stage(std::move(state), preparation, k, specimen.material);
-    if (record.has(keys[k]))
-      continue;
-    const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, specimen.material);
-    if (const std::string why = relaxation::why_left_out(frozen, specimen.material); !why.empty()) {
-      std::fprintf(stderr, "%s: %s\n", record.key_of(keys[k].cells).c_str(), why.c_str());
-      continue;
-    }
-    Row row = keys[k];
-    if (kind == Kind::exponents || kind == Kind::rough)
-      describe_stiffening(row, frozen.state(), specimen.material);
-    else
-      describe(row, frozen.state(), specimen.material, kind == Kind::unequal);
-    record.append(row);
-    std::fprintf(stderr, "%s\n", record.key_of(row.cells).c_str());
   }
+  add_assembly(row, assembly, material);
+  add_networks(row, assembly, material.tangential_ratio);
+  if (asked == "unequal")
+    add_sizes(row, assembly, measured(assembly, material));
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  const std::string asked = argc > 1 ? argv[1] : "";
-  if (argc < 3 || argc > 5 ||
-      (asked != "equal" && asked != "unseen" && asked != "unequal" && asked != "exponents" &&
-       asked != "rough")) {
-    std::fprintf(stderr,
-                 "usage: %s equal|unseen|unequal|exponents|rough FILE.csv [threads [first letters of the "
-                 "preparations]]\n",
-                 argv[0]);
-    return 2;
-  }
-  const bool unequal = asked == "unequal";
-  const Kind kind = unequal                ? Kind::unequal
-                    : asked == "exponents" ? Kind::exponents
-                    : asked == "rough"     ? Kind::rough
-                                           : Kind::equal;
-  const std::vector<Shape>& all_shapes = kind == Kind::rough ? rough_shapes() : shapes();
-  const std::string chosen = argc > 4 ? argv[4] : "";
-  const std::size_t threads = argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 1;
-  // The third seed is never fitted.
-  const std::vector<std::uint64_t> rounds = asked == "unseen"         ? std::vector<std::uint64_t>{2}
-                                            : kind == Kind::exponents ? std::vector<std::uint64_t>{0, 2}
-                                                                      : std::vector<std::uint64_t>{0, 1};
-  const std::vector<Preparation> ways = unequal                   ? unequal_preparations()
-                                        : kind == Kind::rough     ? rough_preparations()
-                                        : kind == Kind::exponents ? isotropic_preparations()
-                                                                  : preparations();
-  struct Task {
-    const Shape* shape;
-    const Preparation* preparation;
-    std::uint64_t seed;
-  };
-  // Every shape and preparation once before any of them with a second seed. No two shapes share a seed.
-  std::vector<Task> tasks;
-  for (const std::uint64_t round : rounds)
-    for (const Preparation& preparation : ways)
-      if (std::string(preparation.name).starts_with(chosen))
-        for (std::size_t k = 0; k < all_shapes.size(); ++k)
-          if (kind == Kind::exponents ? all_shapes[k].exponents
-                                      : all_shapes[k].fitted || preparation.unfitted_shapes)
-            tasks.push_back({&all_shapes[k], &preparation,
-                             (unequal ? 1000 : 100) * (k + 1) + (kind == Kind::rough ? 500 : 0) + round});
-  Record record(argv[2], unequal ? 7 : 6);
-  Packings packings;
-  std::atomic<std::size_t> next = 0;
-  const auto worker = [&] {
-    for (std::size_t k = next++; k < tasks.size(); k = next++) {
-      const Task& task = tasks[k];
-      try {
-        run_specimen(*task.shape, *task.preparation, task.seed, packings, kind, record);
-      } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s %s #%zu: %s\n", task.shape->name, task.preparation->name,
-                     static_cast<std::size_t>(task.seed), error.what());
-      }
-    }
-  };
-  std::vector<std::thread> others;
-  for (std::size_t t = 1; t < threads; ++t)
-    others.emplace_back(worker);
-  worker();
-  for (std::thread& other : others)
-    other.join();
+  return program(
+      argc, argv,
+      "equal|unseen|unequal|exponents|rough FILE.csv [threads [first letters of the preparations]]",
+      [](const std::vector<std::string>& arguments) -> std::optional<int> {
+        if (arguments.size() < 2 || arguments.size() > 4 || !kinds.contains(arguments[0]))
+          return {};
+        Record record(arguments[1], arguments[0] == "unequal" ? 7 : 6);
+        record_all(tasks_of(arguments[0], arguments.size() > 3 ? arguments[3] : ""),
+                   arguments.size() > 2 ? std::stoul(arguments[2]) : 1, record,
+                   [&](Row& row, const dem::Specimen& frozen, const Task& task) {
+                     describe(arguments[0], row, frozen, task.recipe.material);
+                   });
+        return 0;
+      });
 }

@@ -8,79 +8,61 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include <granum/core/text.hpp>
 #include <granum/effective/slip.hpp>
-#include <granum/io/csv/table.hpp>
 #include <granum/plot/chart.hpp>
 
 #include "../claims.hpp"
+#include "../record.hpp"
 #include "states.hpp"
 
 namespace {
 
 using namespace granum;
 
+std::string name_of(const Entry& row) {
+  return row.text("density") + ", " + short_text(row("p_Pa") / 1e3) + " kPa #" + row.text("seed");
+}
+
 /// A specimen and its cycles.
 struct Specimen {
-  std::string density;
-  double seed = 0, pressure = 0, void_ratio = 0, coordination_number = 0, z_star = 0;
+  std::string name;
+  bool dense = true;
+  double z_star = 0;
   effective::SlipOnset onset;
   struct Cycle {
     double strain = 0, third = 0, tenth = 0; ///< G over G of a small probe
-    bool at_rest = false;
   };
   std::vector<Cycle> cycles;
 
   [[nodiscard]] double closed_form(double strain) const {
     return 1 - effective::slip_loss(onset, strain, effective::ContactSlip::sliding);
   }
-  [[nodiscard]] std::string name() const {
-    return density + ", " + short_text(pressure / 1e3) + " kPa #" + short_text(seed);
-  }
 };
 
-effective::SlipOnset onset_of(const Specimen& s) {
-  const effective::State state{.law = contact::PowerLaw::sphere(slip_onset::quartz, slip_onset::radius),
-                               .tangential_ratio = slip_onset::tangential_ratio(),
-                               .radius = slip_onset::radius,
-                               .void_ratio = s.void_ratio,
-                               .coordination_number = s.coordination_number,
-                               .stress_v = s.pressure,
-                               .stress_h = s.pressure};
-  return effective::slip_onset(state, s.z_star, slip_onset::friction);
-}
-
 std::vector<Specimen> read(const std::string& path) {
-  const io::CsvTable table = io::read_csv(path);
-  const auto text = [&](std::size_t row, const char* heading) {
-    const auto& all = table.headings();
-    return table.fields(row).at(
-        static_cast<std::size_t>(std::find(all.begin(), all.end(), heading) - all.begin()));
-  };
-  const auto number = [&](std::size_t row, const char* heading) { return std::stod(text(row, heading)); };
   std::vector<Specimen> all;
-  for (std::size_t row = 0; row < table.row_count(); ++row) {
-    Specimen s{.density = text(row, "density"),
-               .seed = number(row, "seed"),
-               .pressure = number(row, "p_Pa"),
-               .void_ratio = number(row, "e"),
-               .coordination_number = number(row, "C_n"),
-               .z_star = number(row, "z_star"),
-               .onset = {},
-               .cycles = {}};
-    s.onset = onset_of(s);
-    if (all.empty() || all.back().name() != s.name())
-      all.push_back(s);
-    const double G0 = number(row, "G0_Pa");
-    all.back().cycles.push_back({.strain = number(row, "strain_1"),
-                                 .third = number(row, "G_cycle_3_Pa") / G0,
-                                 .tenth = number(row, "G_cycle_10_Pa") / G0,
-                                 .at_rest = text(row, "at_rest") == "yes"});
+  for (const Entry& row : read_record(path)) {
+    if (all.empty() || all.back().name != name_of(row)) {
+      const effective::State state{.law = contact::PowerLaw::sphere(slip_onset::quartz, slip_onset::radius),
+                                   .tangential_ratio = slip_onset::tangential_ratio(),
+                                   .radius = slip_onset::radius,
+                                   .void_ratio = row("e"),
+                                   .coordination_number = row("C_n"),
+                                   .stress_v = row("p_Pa"),
+                                   .stress_h = row("p_Pa")};
+      all.push_back({.name = name_of(row),
+                     .dense = row.text("density") == "dense",
+                     .z_star = row("z_star"),
+                     .onset = effective::slip_onset(state, row("z_star"), slip_onset::friction),
+                     .cycles = {}});
+    }
+    const double G0 = row("G0_Pa");
+    all.back().cycles.push_back({row("strain_1"), row("G_cycle_3_Pa") / G0, row("G_cycle_10_Pa") / G0});
   }
   return all;
 }
@@ -118,7 +100,7 @@ void print_table(const std::vector<Specimen>& all) {
       "| specimen | z* | reference strain | worst of 3rd, 10th cycle to a loss of 5 %% | strain of 1 %% "
       "loss: DEM, closed form | of 5 %% |\n| --- | --- | --- | --- | --- | --- |\n");
   for (const Specimen& s : all)
-    std::printf("| %s | %.2f | %.2e | %.2f %%, %.2f %% | %.1e, %.1e | %.1e, %.1e |\n", s.name().c_str(),
+    std::printf("| %s | %.2f | %.2e | %.2f %%, %.2f %% | %.1e, %.1e | %.1e, %.1e |\n", s.name.c_str(),
                 s.z_star, s.onset.reference_strain, 100 * worst(s, &Specimen::Cycle::third),
                 100 * worst(s, &Specimen::Cycle::tenth), by_cycles(s, 0.99), by_closed_form(s, 0.99),
                 by_cycles(s, 0.95), by_closed_form(s, 0.95));
@@ -129,18 +111,18 @@ int check(const std::vector<Specimen>& all) {
   claims.require(all.size() >= 5, "five specimens and more");
   for (const Specimen& s : all) {
     const double third = worst(s, &Specimen::Cycle::third);
-    if (s.density == "dense") {
+    if (s.dense) {
       claims.require(third <= 0.01,
-                     s.name() + ": within 1 % of G0 to a loss of 5 %: " + short_text(100 * third, 2) + " %");
+                     s.name + ": within 1 % of G0 to a loss of 5 %: " + short_text(100 * third, 2) + " %");
       claims.require(by_cycles(s, 0.95) < s.cycles.back().strain,
-                     s.name() + ": the cycles go on to a loss of 5 %");
+                     s.name + ": the cycles go on to a loss of 5 %");
     } else {
       const double ratio = by_cycles(s, 0.95) / by_closed_form(s, 0.95);
-      claims.require(ratio < 0.5, s.name() + ": DEM has lost 5 % before the closed form says so, at " +
+      claims.require(ratio < 0.5, s.name + ": DEM has lost 5 % before the closed form says so, at " +
                                       short_text(ratio, 2) + " of its strain");
     }
   }
-  return claims.failed() == 0 ? 0 : 1;
+  return claims.exit_code();
 }
 
 plot::Chart picture(const std::vector<Specimen>& all) {
@@ -148,38 +130,28 @@ plot::Chart picture(const std::vector<Specimen>& all) {
       .title = "Shear modulus over strain of quartz spheres that slide, third cycle",
       .x = {.title = "shear strain over the reference strain", .scale = plot::Scale::logarithmic},
       .y = {.title = "G/G\u2080"},
-      .series = {},
       .finding = "In dense packings cycles and closed form lie on each other to a loss of 5 %; loose "
                  "ones soften at a smaller strain."};
   for (const bool dense : {true, false}) {
-    const auto shown = std::find_if(all.begin(), all.end(),
-                                    [&](const Specimen& s) { return (s.density == "dense") == dense; });
-    plot::Series line{.name = std::string(dense ? "dense" : "loose") + ", closed form",
-                      .mark = plot::Mark::line,
-                      .x = {},
-                      .y = {},
-                      .style = dense ? 0U : 1U,
-                      .colour = plot::Colour::closed_form};
-    for (double y = 0.02; y < 4; y *= 1.05) {
-      line.x.push_back(y);
-      line.y.push_back(shown->closed_form(y * shown->onset.reference_strain));
-    }
-    chart.series.push_back(std::move(line));
+    const auto shown = std::ranges::find(all, dense, &Specimen::dense);
+    plot::Series& line = chart.series.emplace_back();
+    line.name = std::string(dense ? "dense" : "loose") + ", closed form";
+    line.mark = plot::Mark::line;
+    line.style = dense ? 0U : 1U;
+    line.colour = plot::Colour::closed_form;
+    for (double y = 0.02; y < 4; y *= 1.05)
+      line.add(y, shown->closed_form(y * shown->onset.reference_strain));
   }
   std::size_t style = 0;
   for (const Specimen& s : all) {
-    plot::Series points{.name = s.name(),
-                        .mark = plot::Mark::marker,
-                        .x = {},
-                        .y = {},
-                        .style = style++,
-                        .colour = s.density == "dense" ? plot::Colour::vertical : plot::Colour::horizontal};
+    plot::Series& points = chart.series.emplace_back();
+    points.name = s.name;
+    points.mark = plot::Mark::marker;
+    points.style = style++;
+    points.colour = s.dense ? plot::Colour::vertical : plot::Colour::horizontal;
     for (const Specimen::Cycle& at : s.cycles)
-      if (at.third > 0.75) {
-        points.x.push_back(at.strain / s.onset.reference_strain);
-        points.y.push_back(at.third);
-      }
-    chart.series.push_back(std::move(points));
+      if (at.third > 0.75)
+        points.add(at.strain / s.onset.reference_strain, at.third);
   }
   return chart;
 }
@@ -217,25 +189,16 @@ void add_masing(std::vector<Loops::Loop>& loops) {
 }
 
 std::vector<Loops> read_loops(const std::string& path) {
-  const io::CsvTable table = io::read_csv(path);
   std::vector<Loops> all;
   for (const int cycle : {3, 10})
-    for (std::size_t row = 0; row < table.row_count(); ++row) {
-      const auto text = [&](const char* heading) {
-        const auto& headings = table.headings();
-        return table.fields(row).at(static_cast<std::size_t>(
-            std::find(headings.begin(), headings.end(), heading) - headings.begin()));
-      };
-      const auto number = [&](const char* heading) { return std::stod(text(heading)); };
-      if (std::lround(number("cycle")) != cycle)
+    for (const Entry& row : read_record(path)) {
+      if (std::lround(row("cycle")) != cycle)
         continue;
-      const std::string specimen =
-          text("density") + ", " + short_text(number("p_Pa") / 1e3) + " kPa #" + text("seed");
-      if (all.empty() || all.back().specimen != specimen || all.back().cycle != cycle)
-        all.push_back({.specimen = specimen, .cycle = cycle, .loops = {}});
-      all.back().loops.push_back({.strain = number("strain_1"),
-                                  .loss = std::max(1 - number("G_Pa") / number("G0_Pa"), 1e-5),
-                                  .damping = number("D")});
+      if (all.empty() || all.back().specimen != name_of(row) || all.back().cycle != cycle)
+        all.push_back({.specimen = name_of(row), .cycle = cycle, .loops = {}});
+      all.back().loops.push_back({.strain = row("strain_1"),
+                                  .loss = std::max(1 - row("G_Pa") / row("G0_Pa"), 1e-5),
+                                  .damping = row("D")});
     }
   for (Loops& of : all)
     add_masing(of.loops);
@@ -261,33 +224,24 @@ void print_loops(const std::vector<Loops>& all) {
                 at_loss(of, 0.03, &Loops::Loop::damping), at_loss(of, 0.03, &Loops::Loop::masing));
 }
 
-int run(int argc, char** argv) {
-  const std::string what = argc == 3 ? argv[1] : "";
-  if (what == "loops") {
-    print_loops(read_loops(argv[2]));
-    return 0;
-  }
-  if (what != "table" && what != "check" && what != "picture") {
-    std::fprintf(stderr, "usage: %s table|check|picture states.csv | loops loops.csv\n", argv[0]);
-    return 2;
-  }
-  const std::vector<Specimen> all = read(argv[2]);
-  if (what == "check")
-    return check(all);
-  if (what == "picture")
-    std::printf("%s", plot::svg(picture(all)).c_str());
-  else
-    print_table(all);
-  return 0;
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return program(argc, argv, "table|check|picture states.csv | loops loops.csv",
+                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
+                   if (arguments.size() != 2)
+                     return {};
+                   const auto& [what, path] = std::tie(arguments[0], arguments[1]);
+                   if (what == "check")
+                     return check(read(path));
+                   if (what == "loops")
+                     print_loops(read_loops(path));
+                   else if (what == "picture")
+                     std::printf("%s", plot::svg(picture(read(path))).c_str());
+                   else if (what == "table")
+                     print_table(read(path));
+                   else
+                     return {};
+                   return 0;
+                 });
 }

@@ -7,8 +7,6 @@
 //     slip_onset_run loops.csv GRAINS SEED dense|loose PRESSURE_Pa loops
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <numbers>
 #include <stdexcept>
@@ -23,6 +21,7 @@
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 
+#include "../claims.hpp"
 #include "states.hpp"
 
 namespace {
@@ -126,117 +125,110 @@ struct Asked {
   double largest_strain = 0; ///< amplitude [1]
 };
 
-/// The file as it is, or its headings.
-io::CsvContent content_of(const std::string& path, std::size_t grains) {
-  io::CsvContent csv;
-  csv.notes = {{"grains", std::to_string(grains)}, {"signs", "compression positive"}};
-  csv.headings = {"density",      "seed",          "p_Pa",   "e",        "C_n",
-                  "z_star",       "sliding",       "G0_Pa",  "strain_1", "G_cycle_1_Pa",
-                  "G_cycle_3_Pa", "G_cycle_10_Pa", "at_rest"};
-  if (!std::filesystem::exists(path))
-    return csv;
-  const io::CsvTable table = io::read_csv(path);
-  for (std::size_t row = 0; row < table.row_count(); ++row)
-    csv.rows.emplace_back(table.fields(row).begin(), table.fields(row).end());
-  return csv;
-}
-
-/// The specimen, and what is counted in it.
-struct Prepared {
-  dem::Specimen state;
-  triaxial::SpecimenRecipe with;
-  analysis::Microstructure micro;
-  double sliding = 0, G0 = 0;
-
-  explicit Prepared(const Asked& asked)
-      : state(compressed(recipe(asked.grains, asked.seed), asked.dense, asked.pressure)),
-        with(recipe(asked.grains, asked.seed)) {
-    const packing::Assembly network = dem::contact_network(state, with.material);
-    micro = analysis::measure(network,
-                              {.law = with.material.law, .tangential_ratio = with.material.tangential_ratio})
-                .microstructure();
-    sliding = packing::sliding_fraction(network, slip_onset::friction);
-    G0 = triaxial::probe(state, with.material, triaxial::ShearMode::vh).shear_modulus();
+/// Appends rows of one specimen to a file.
+class Recorder {
+ public:
+  Recorder(const Asked& asked, const std::string& path, const std::vector<std::string>& headings)
+      : path_(path), material_(recipe(asked.grains, asked.seed).material),
+        state_(compressed(recipe(asked.grains, asked.seed), asked.dense, asked.pressure)) {
+    csv_.notes = {{"grains", std::to_string(asked.grains)}, {"signs", "compression positive"}};
+    csv_.headings = {"density", "seed", "p_Pa", "e", "C_n", "z_star", "sliding", "G0_Pa", "strain_1"};
+    csv_.headings.insert(csv_.headings.end(), headings.begin(), headings.end());
+    csv_.headings.emplace_back("at_rest");
+    if (std::filesystem::exists(path)) {
+      const io::CsvTable table = io::read_csv(path);
+      for (std::size_t row = 0; row < table.row_count(); ++row)
+        csv_.rows.emplace_back(table.fields(row).begin(), table.fields(row).end());
+    }
+    const packing::Assembly network = dem::contact_network(state_, material_);
+    const analysis::Microstructure micro =
+        analysis::measure(network, {.law = material_.law, .tangential_ratio = material_.tangential_ratio})
+            .microstructure();
+    G0_ = triaxial::probe(state_, material_, triaxial::ShearMode::vh).shear_modulus();
+    first_ = {std::string(asked.dense ? "dense" : "loose"),
+              static_cast<double>(asked.seed),
+              asked.pressure,
+              dem::void_ratio(state_),
+              micro.coordination_number,
+              micro.mechanical_coordination_number,
+              packing::sliding_fraction(network, slip_onset::friction),
+              G0_};
   }
+  [[nodiscard]] double G0() const { return G0_; }
+  [[nodiscard]] Cycles cycles(double strain) const { return {state_, material_, strain}; }
+  void add(double strain, const std::vector<double>& numbers, const Cycles& cycles) {
+    std::vector<io::CsvCell>& row = csv_.rows.emplace_back(first_);
+    row.emplace_back(strain);
+    row.insert(row.end(), numbers.begin(), numbers.end());
+    row.emplace_back(std::string(cycles.converged() ? "yes" : "no"));
+  }
+  void write() const { io::write_file(path_, io::csv_text(csv_), io::Existing::replace); }
+
+ private:
+  std::string path_;
+  dem::Material material_;
+  dem::Specimen state_;
+  double G0_ = 0;
+  io::CsvContent csv_;
+  std::vector<io::CsvCell> first_;
 };
 
 /// The third and the tenth cycle of each amplitude, until a loss of 5 %.
 void record_loops(const Asked& asked, const std::string& path) {
-  const Prepared specimen(asked);
-  io::CsvContent csv = content_of(path, asked.grains);
-  csv.headings = {"density", "seed",     "p_Pa",  "e",    "C_n", "z_star", "sliding",
-                  "G0_Pa",   "strain_1", "cycle", "G_Pa", "D",   "gap",    "at_rest"};
+  Recorder record(asked, path, {"cycle", "G_Pa", "D", "gap"});
   for (double k = 0; k <= 16; ++k) {
     const double strain = 2e-6 * std::pow(10, k / 6);
-    Cycles cycles(specimen.state, specimen.with.material, strain);
+    Cycles cycles = record.cycles(strain);
     double modulus = 0;
     for (const int cycle : {3, 10}) {
       for (int before = cycle == 3 ? 1 : 4; before < cycle; ++before)
         cycles.next();
       const Cycles::Loop loop = cycles.loop();
       modulus = loop.modulus;
-      csv.rows.push_back({std::string(asked.dense ? "dense" : "loose"), static_cast<double>(asked.seed),
-                          asked.pressure, dem::void_ratio(specimen.state), specimen.micro.coordination_number,
-                          specimen.micro.mechanical_coordination_number, specimen.sliding, specimen.G0,
-                          strain, static_cast<double>(cycle), loop.modulus, loop.damping, loop.gap,
-                          std::string(cycles.converged() ? "yes" : "no")});
-      std::printf("%.2e %d %.4f %.5f %.4f\n", strain, cycle, loop.modulus / specimen.G0, loop.damping,
+      record.add(strain, {static_cast<double>(cycle), loop.modulus, loop.damping, loop.gap}, cycles);
+      std::printf("%.2e %d %.4f %.5f %.4f\n", strain, cycle, loop.modulus / record.G0(), loop.damping,
                   loop.gap);
       std::fflush(stdout);
     }
-    if (modulus < 0.95 * specimen.G0)
+    if (modulus < 0.95 * record.G0())
       break;
   }
-  io::write_file(path, io::csv_text(csv), io::Existing::replace);
+  record.write();
 }
 
-/// All amplitudes of one specimen, below the rows of the file.
+/// All amplitudes of one specimen.
 void record(const Asked& asked, const std::string& path) {
-  io::CsvContent csv = content_of(path, asked.grains);
-  const Prepared specimen(asked);
-  const auto& [state, with, micro, sliding, G0] = specimen;
+  Recorder record(asked, path, {"G_cycle_1_Pa", "G_cycle_3_Pa", "G_cycle_10_Pa"});
   for (double k = 0; k <= 12; ++k) {
     const double strain = 1e-6 * std::pow(10, k / 4);
     if (strain > 1.001 * asked.largest_strain)
       break;
-    Cycles cycles(state, with.material, strain);
-    const double first = cycles.next();
-    cycles.next();
-    const double third = cycles.next();
-    for (int later = 4; later < 10; ++later)
-      cycles.next();
-    const double tenth = cycles.next();
-    csv.rows.push_back({std::string(asked.dense ? "dense" : "loose"), static_cast<double>(asked.seed),
-                        asked.pressure, dem::void_ratio(state), micro.coordination_number,
-                        micro.mechanical_coordination_number, sliding, G0, strain, first, third, tenth,
-                        std::string(cycles.converged() ? "yes" : "no")});
-    std::printf("%.2e %.4f %.4f %.4f\n", strain, first / G0, third / G0, tenth / G0);
+    Cycles cycles = record.cycles(strain);
+    std::vector<double> G;
+    for (int cycle = 1; cycle <= 10; ++cycle)
+      if (const double modulus = cycles.next(); cycle == 1 || cycle == 3 || cycle == 10)
+        G.push_back(modulus);
+    record.add(strain, G, cycles);
+    std::printf("%.2e %.4f %.4f %.4f\n", strain, G[0] / record.G0(), G[1] / record.G0(), G[2] / record.G0());
     std::fflush(stdout);
   }
-  io::write_file(path, io::csv_text(csv), io::Existing::replace);
+  record.write();
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  const std::string density = argc == 7 ? argv[4] : "";
-  if (density != "dense" && density != "loose") {
-    std::fprintf(stderr, "usage: slip_onset_run states.csv GRAINS SEED dense|loose PRESSURE_Pa "
-                         "LARGEST_STRAIN|loops\n");
-    return 2;
-  }
-  try {
-    const std::string last = argv[6];
-    const auto make = last == "loops" ? record_loops : record;
-    make({.grains = std::strtoul(argv[2], nullptr, 10),
-          .seed = std::strtoul(argv[3], nullptr, 10),
-          .dense = density == "dense",
-          .pressure = std::strtod(argv[5], nullptr),
-          .largest_strain = std::strtod(argv[6], nullptr)},
-         argv[1]);
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "slip_onset_run: %s\n", error.what());
-    return 1;
-  }
+  return program(argc, argv, "states.csv GRAINS SEED dense|loose PRESSURE_Pa LARGEST_STRAIN|loops",
+                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
+                   if (arguments.size() != 6 || (arguments[3] != "dense" && arguments[3] != "loose"))
+                     return {};
+                   const bool loops = arguments[5] == "loops";
+                   (loops ? record_loops : record)({.grains = std::stoul(arguments[1]),
+                                                    .seed = std::stoul(arguments[2]),
+                                                    .dense = arguments[3] == "dense",
+                                                    .pressure = std::stod(arguments[4]),
+                                                    .largest_strain = loops ? 0 : std::stod(arguments[5])},
+                                                   arguments[0]);
+                   return 0;
+                 });
 }
