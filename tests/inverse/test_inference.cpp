@@ -135,7 +135,8 @@ TEST_CASE("inference: the growth of z* is fitted on request") {
   CHECK_THROWS_AS((void)second(1.6e6, isostatic + 0.8 * std::pow(1.6, 2.5)), InvalidArgument);
 }
 
-TEST_CASE("inference: a compression wave too slow for its shear wave is refused") {
+TEST_CASE(
+    "inference: a compression wave too slow for its shear wave is refused, and a state beyond the limits") {
   const auto speed = [](Quantity quantity, double value) {
     return Observation{quantity, {value, 0.01 * value}, beads(1e6)};
   };
@@ -143,9 +144,6 @@ TEST_CASE("inference: a compression wave too slow for its shear wave is refused"
     for (const Quantity shear : {Quantity::V_s, Quantity::V_s_hh})
       CHECK_THROWS_WITH_AS((void)infer(std::vector{speed(shear, 200), speed(wave, 220)}, options_with()),
                            doctest::Contains(inverse::row_of(wave).key), InvalidArgument);
-}
-
-TEST_CASE("inference: a measured state is within the limits of any question") {
   const auto at = [](const State& state) {
     Observation one = measurement(Quantity::V_s, beads(1e6), 5.2, 0.02);
     one.state = state;
