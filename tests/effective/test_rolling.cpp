@@ -124,7 +124,7 @@ TEST_CASE("rolling resistance: what is gained has an error of its own") {
 }
 
 TEST_CASE(
-    "rolling resistance: added contacts matter less, so that s is smaller; refused below 0 and above 1") {
+    "rolling resistance: added contacts matter less, so that s is smaller, refused below 0 and above 1") {
   const effective::Growth growth{
       .coordination_number = 0.05, .mechanical_coordination_number = 0.2, .void_ratio = -0.003};
   const State s = state_of(2, 0, 0.15, 1e5, 1e5);

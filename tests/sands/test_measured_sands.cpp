@@ -85,7 +85,7 @@ TEST_CASE("a law reports values outside of its tests") {
   }
 }
 
-TEST_CASE("impossible sands are refused; of Toyoura sand at 98 kPa 107, 88 and 71 MPa are cited") {
+TEST_CASE("impossible sands are refused, of Toyoura sand at 98 kPa 107, 88 and 71 MPa are cited") {
   for (const MeasuredLaw& law : measured_laws()) {
     CAPTURE(law.key);
     CHECK_THROWS_AS((void)shear_modulus(law, {0, 100e3}), InvalidArgument);
