@@ -35,7 +35,7 @@ Scene smaller_scene() {
   return scene;
 }
 
-/// All figures of a study, with as many digits as tell one double from the next.
+/// All figures of a study, with as many digits as separate one double from the next.
 std::string bits_of(const std::vector<SpecimenResult>& study) {
   std::string all;
   for (const SpecimenResult& specimen : study)
