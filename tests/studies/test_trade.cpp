@@ -205,23 +205,22 @@ TEST_CASE(
 }
 
 TEST_CASE("impossible trade studies are refused") {
-  void (*const changes[])(TradeScene&) = {[](TradeScene& t) {
-                                            t.scene.study.contacts = {Shape::sphere, Shape::cone};
-                                          },
-                                          [](TradeScene& t) { t.scene.study.seeds = 1; },
-                                          [](TradeScene& t) { t.grains = {}; },
-                                          [](TradeScene& t) { t.grains = {20}; },
-                                          [](TradeScene& t) {
-                                            t.grains = {60, 1'000'001};
-                                          },
-                                          [](TradeScene& t) {
-                                            t.grains = {100, 100};
-                                          },
-                                          [](TradeScene& t) { t.compression = {0.5}; },
-                                          [](TradeScene& t) { t.shear = {0}; },
-                                          [](TradeScene& t) { t.time_step = {1.1}; },
-                                          [](TradeScene& t) { t.probe = {0}; },
-                                          [](TradeScene& t) { t.shear_strain = 0; }};
+  void (*const changes[])(TradeScene&) = {
+      [](TradeScene& t) { t.scene.study.contacts.push_back(Shape::cone); },
+      [](TradeScene& t) { t.scene.study.seeds = 1; },
+      [](TradeScene& t) { t.grains = {}; },
+      [](TradeScene& t) { t.grains = {20}; },
+      [](TradeScene& t) {
+        t.grains = {60, 1'000'001};
+      },
+      [](TradeScene& t) {
+        t.grains = {100, 100};
+      },
+      [](TradeScene& t) { t.compression = {0.5}; },
+      [](TradeScene& t) { t.shear = {0}; },
+      [](TradeScene& t) { t.time_step = {1.1}; },
+      [](TradeScene& t) { t.probe = {0}; },
+      [](TradeScene& t) { t.shear_strain = 0; }};
   for (const auto change : changes) {
     TradeScene bad = small_trade();
     change(bad);
