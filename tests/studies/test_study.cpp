@@ -88,8 +88,7 @@ std::vector<SpecimenResult> stopped(const Scene& scene, const std::function<bool
 
 } // namespace
 
-TEST_CASE(
-    "a study is complete, in order, within the bounds of theory, the same bits on any number of threads") {
+TEST_CASE("a study is complete, within the bounds of theory, and the same bits on any number of threads") {
   const Scene scene = small_scene();
   std::vector<double> done;
   const std::vector<SpecimenResult> study =
