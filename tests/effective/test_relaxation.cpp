@@ -139,7 +139,7 @@ TEST_CASE("relaxation: more contacts and stiffer ones never make a softer packin
 
 TEST_CASE("relaxation: networks of an independent code") {
   // G and K over uniform strain of flat contacts, k_t/k_n = 0.9189, one to three packings of 600 to 1000
-  // grains made and solved by another program. Loose ones (friction on below jamming) scatter by some 7 % in G.
+  // grains made and solved by another program; loose ones (friction on below jamming) scatter by 7 % in G.
   const struct {
     double z, G, K, within_G, within_K;
   } rows[] = {{4.28, 0.197, 0.70, 0.14, 0.06},
