@@ -39,17 +39,12 @@ const std::vector<TradeSample>& small_study() {
   return samples;
 }
 
-std::vector<TradeSample> of(const std::vector<TradeSample>& samples, Varied varied, double value,
-                            Boundary boundary = Boundary::periodic) {
+std::vector<TradeSample> of(Varied varied, double value, Boundary boundary = Boundary::periodic) {
   std::vector<TradeSample> found;
-  std::copy_if(samples.begin(), samples.end(), std::back_inserter(found), [&](const TradeSample& s) {
+  std::ranges::copy_if(small_study(), std::back_inserter(found), [&](const TradeSample& s) {
     return s.varied == varied && s.value == value && s.boundary == boundary;
   });
   return found;
-}
-
-std::vector<TradeSample> of(Varied varied, double value, Boundary boundary = Boundary::periodic) {
-  return of(small_study(), varied, value, boundary);
 }
 
 /// 3 specimens of 60 grains and 2 of 100; two values, of two specimens each, of the next three quantities;
@@ -131,24 +126,17 @@ TEST_CASE("a trade study contains every value of every varied quantity, complete
   check_probes_and_walls();
 }
 
-TEST_CASE("a trade study of unequal grains is that of verify too, of as many grains as their sizes allow") {
+TEST_CASE(
+    "a trade study of unequal grains has as many as their sizes allow, one of equal grains keeps its own") {
   TradeScene trade = small_trade();
   trade.scene.grain.sizes = sizes::parse_distribution("lognormal:0.35");
   trade.scene.study.grains = 300;
-  trade.compression = {1e-3};
-  trade.shear = {2e-3};
-  trade.time_step = {0.8};
   CHECK_THROWS_AS(require_valid(trade), InvalidArgument); // 60 and 100 grains, and 100 between walls
   trade = with_enough_grains(trade);
   CHECK(trade.grains == std::vector<std::size_t>{294});
   CHECK(trade.walls == std::vector<std::size_t>{294});
   trade.grains.push_back(300);
-  const std::vector<TradeSample> samples = run_trade(trade);
-  CHECK(std::ranges::all_of(samples, [](const TradeSample& s) { return s.failure.empty(); }));
-  check_against_verify(trade.scene, of(samples, Varied::grains, 300));
-  CHECK(of(samples, Varied::boundary, 294, Boundary::rough_walls).size() == 2);
-  CHECK(of(samples, Varied::grains, 294).front().peak_ratio.has_value());
-  // Equal grains keep their numbers.
+  CHECK_NOTHROW(require_valid(trade));
   CHECK(with_enough_grains(quick_trade()).grains == quick_trade().grains);
   CHECK(with_enough_grains(full_trade()).walls == full_trade().walls);
 }
