@@ -63,7 +63,7 @@ TEST_CASE("direction-dependent stiffness: passes continuously into the closed fo
       for (const double alpha : {1.0, 2.0, 341.0})
         CHECK(estimate(state_of(alpha, a, 0.15, 0, 0)).stiffness == elastic::TransverselyIsotropic{});
       CHECK(difference(estimate(state_of(infinity, a, 0.15, 0, 0)).stiffness,
-                       estimate(state_of(infinity, a, 0.15, 3e5, 1e5)).stiffness) == 0);
+                       estimate(state_of(infinity, a, 0.15, 3e5, 1e5)).stiffness) < 1e-13);
     }
   }
 }

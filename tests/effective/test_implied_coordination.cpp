@@ -57,10 +57,7 @@ TEST_CASE("implied coordination: moduli that no coordination number explains") {
   CHECK(soft.softest == relative(least, 1e-2));
   CHECK(implied_coordination(state, Modulus::G_vh, 1e6).explained == Explained::yes);
   CHECK(implied_coordination(state, Modulus::G_vh, 1e6).softest < 1);
-}
-
-TEST_CASE("implied coordination: rattlers take contacts away") {
-  const State state = state_of(2, 0, 0.15, 100e3, 100e3);
+  // Rattlers take contacts away.
   const double measured = modulus_with(state, 5, Modulus::G_vh);
   const auto none = implied_coordination(state, Modulus::G_vh, measured, 0.0);
   const auto many = implied_coordination(state, Modulus::G_vh, measured, 0.2);

@@ -60,7 +60,8 @@ void check_row(std::string_view heading, const Coefficients& coefficients) {
 
 } // namespace
 
-TEST_CASE("docs/theory.md prints the coefficients of the present fit") {
+TEST_CASE(
+    "docs/theory.md prints the coefficients of the present fit, and the factors that follow from them") {
   check_row("| $c_1$", effective::kernel::shear_coefficients);
   check_row("| $k_1$", effective::kernel::bulk_coefficients);
   std::vector<double> rolling(effective::kernel::rolling_shear.begin(),
@@ -68,9 +69,6 @@ TEST_CASE("docs/theory.md prints the coefficients of the present fit") {
   rolling.insert(rolling.end(), effective::kernel::rolling_bulk.begin(),
                  effective::kernel::rolling_bulk.end());
   check_row("| $a_1$", rolling);
-}
-
-TEST_CASE("docs/theory.md prints the factors that follow from them") {
   const std::vector<std::string> z = row_under("| $z^*$ | 4.2", 0), shear = row_under("| $z^*$ | 4.2", 2),
                                  bulk = row_under("| $z^*$ | 4.2", 3);
   REQUIRE((z.size() > 2 && shear.size() == z.size() && bulk.size() == z.size()));

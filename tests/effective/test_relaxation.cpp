@@ -16,7 +16,7 @@
 #include "thresholds.hpp"
 #include "unit.hpp"
 
-// Moduli of networks and of rough packings, and what is fitted to them: validation/relaxation.
+// Moduli of sheared and of rough packings: validation/relaxation.
 using namespace granum::test;
 using effective::relaxation;
 using effective::relaxed;
@@ -96,7 +96,7 @@ TEST_CASE("relaxation: no rigidity, no modulus, and a note") {
   CHECK(shear(5.9, 0.01) > 0);
 }
 
-TEST_CASE("relaxation: G grows linearly from the isostatic point, K jumps") {
+TEST_CASE("relaxation: G grows linearly from the isostatic point and as the root of k_t at z* = 6, K jumps") {
   const double isostatic = 4 - 0.05; // grains with two contacts take a little off 4
   double low = 3.5, high = 4.5;
   for (int k = 0; k < 60; ++k)
@@ -105,9 +105,6 @@ TEST_CASE("relaxation: G grows linearly from the isostatic point, K jumps") {
   const double slope = shear(high + 1e-6, 0.9) / 1e-6;
   CHECK(shear(high + 1e-4, 0.9) == relative(1e-4 * slope, 1e-3));
   CHECK(bulk(high + 1e-9, 0.9) > 0.5);
-}
-
-TEST_CASE("relaxation: at z* = 6 the shear modulus grows as the root of the tangential stiffness") {
   const auto modulus = [](double r) { return shear(6, r) * (2 + 3 * r); };
   for (const double r : {1e-6, 1e-4})
     CHECK(modulus(4 * r) == relative(2 * modulus(r), 1e-3));
@@ -138,6 +135,21 @@ TEST_CASE("relaxation: more contacts and stiffer ones never make a softer packin
         CHECK(shear(z, r, b) < 1);
         CHECK(bulk(z, r, b) < 1);
       }
+}
+
+TEST_CASE("relaxation: networks of an independent code") {
+  // G and K over uniform strain of flat contacts, k_t/k_n = 0.9189, one to three packings of 600 to 1000
+  // grains made and solved by another program; loose ones (friction on below jamming) scatter by 7 % in G.
+  const struct {
+    double z, G, K, within_G, within_K;
+  } rows[] = {{4.28, 0.197, 0.70, 0.14, 0.06},
+              {4.79, 0.404, 0.82, 0.14, 0.06},
+              {6.040, 0.686, 0.8929, 0.05, 0.04},
+              {7.449, 0.816, 0.9302, 0.05, 0.04}};
+  for (const auto& row : rows) {
+    CHECK(shear(row.z, 0.9189) == relative(row.G, row.within_G));
+    CHECK(bulk(row.z, 0.9189) == relative(row.K, row.within_K));
+  }
 }
 
 TEST_CASE("relaxation: the standard error") {

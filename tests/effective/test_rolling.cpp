@@ -123,15 +123,13 @@ TEST_CASE("rolling resistance: what is gained has an error of its own") {
         relaxed(s, 4.6).stiffness.G_vh() / relaxed(s, 5.6).stiffness.G_vh());
 }
 
-TEST_CASE("rolling resistance: contacts that are added matter less, so that s is smaller") {
+TEST_CASE(
+    "rolling resistance: added contacts matter less, so that s is smaller, refused below 0 and above 1") {
   const effective::Growth growth{
       .coordination_number = 0.05, .mechanical_coordination_number = 0.2, .void_ratio = -0.003};
   const State s = state_of(2, 0, 0.15, 1e5, 1e5);
   CHECK(effective::relaxed_exponents(rolling(s, 0.3), 4.6, growth, effective::Modulus::G_vh).sum() <
         effective::relaxed_exponents(s, 4.6, growth, effective::Modulus::G_vh).sum());
-}
-
-TEST_CASE("rolling resistance: refused below 0 and above 1, the largest of the fit") {
   for (const double k_r : {-1e-9, 1.001, double(NAN), infinity})
     CHECK_THROWS_WITH_AS((void)relaxed(rolling(state_of(2, 0, 0.15, 1e5, 1e5), k_r), 5),
                          doctest::Contains("rolling"), InvalidArgument);

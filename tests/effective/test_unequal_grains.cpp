@@ -81,7 +81,7 @@ TEST_CASE("unequal grains: prefactor and mean force are sums over the contacts")
   CHECK(field.vertical * F33 * sum_of_branches(c, 1) / c.volume == relative(s.stress_v, 1e-13));
 }
 
-TEST_CASE("unequal grains: linear contacts of one stiffness have the bulk modulus of their sum") {
+TEST_CASE("unequal grains: linear contacts, and spheres of one force, have the bulk modulus of their sum") {
   // Isotropic K = (1/9V) sum k_n l^2 under uniform strain, (1/9V) (sum l)^2/(sum 1/k_n) of uniform stress.
   const Contacts c = drawn(0.6);
   State s = state_of(c, contact::PowerLaw::flat(quartz, 5e-6));
@@ -98,14 +98,8 @@ TEST_CASE("unequal grains: linear contacts of one stiffness have the bulk modulu
   // Estimates by force and by strain keep their order: uniform strain is an upper bound.
   CHECK(effective::uniform_stress(s).stiffness.bulk_modulus() <
         effective::uniform_strain(s).stiffness.bulk_modulus());
-}
-
-TEST_CASE("unequal grains: spheres of one force have the bulk modulus of their sum, R* of each pair") {
-  const Contacts c = drawn(0.6);
-  State s = state_of(c, contact::PowerLaw::sphere(quartz, 1));
+  // Spheres of one force: R* of each pair.
   s.law = contact::PowerLaw::sphere(quartz, mean_radius * s.contacts.pair_radius);
-  s.fabric_anisotropy = 0;
-  s.stress_h = s.stress_v;
   const double force = effective::mean_contact_force(s);
   double sum = 0;
   for (const auto& [i, j] : c.pairs)

@@ -16,21 +16,15 @@ constexpr double rounding = 1e-14; // three powers and products
 
 } // namespace
 
-TEST_CASE("at the atmospheric pressure the modulus is C p_a f(e)") {
+TEST_CASE("the modulus is C p_a f(e) with an exponent of each stress, in any atmospheric pressure") {
   Equation equation = sand;
   CHECK(shear_modulus(equation, {1e5, 1e5, 0.6}) == 700e5);
   equation.void_ratio_function = VoidRatioFunction::hardin_richart_round;
   CHECK(shear_modulus(equation, {1e5, 1e5, 0.6}) == relative(700e5 * 1.57 * 1.57 / 1.6, rounding));
-}
-
-TEST_CASE("each stress has its own exponent") {
   const double g = shear_modulus(sand, {1e5, 1e5, 0.6});
   CHECK(shear_modulus(sand, {2e5, 1e5, 0.6}) / g == relative(std::pow(2.0, 0.27), rounding));
   CHECK(shear_modulus(sand, {1e5, 2e5, 0.6}) / g == relative(std::pow(2.0, 0.23), rounding));
   CHECK(shear_modulus(sand, {8e5, 8e5, 0.6}) / g == relative(std::pow(8.0, 0.5), rounding));
-}
-
-TEST_CASE("another atmospheric pressure changes C by its power 1 - s, never the modulus") {
   Equation other = sand;
   other.atmospheric_pressure = 101325;
   other.coefficient = 700 * std::pow(1e5 / 101325, 1 - 0.5);
@@ -61,13 +55,16 @@ TEST_CASE("values worked by hand at e = 0.5 and e = 1") {
   CHECK(void_ratio_value(VoidRatioFunction::none, 0.5) == 1);
 }
 
-TEST_CASE("every function falls with void ratio, but for none") {
+TEST_CASE("every function falls with void ratio, but for none, and is found by its name") {
   for (const VoidRatioFunction function : all_void_ratio_functions())
     for (double e = 0.1; e < 2; e += 0.1) {
       CAPTURE(name(function));
       const double step = void_ratio_value(function, e) - void_ratio_value(function, e + 0.1);
       CHECK((function == VoidRatioFunction::none ? step == 0 : step > 0));
     }
+  for (const VoidRatioFunction function : all_void_ratio_functions())
+    CHECK(void_ratio_function(name(function)) == function);
+  CHECK_THROWS_WITH_AS((void)void_ratio_function("hardin"), doctest::Contains("'hardin'"), InvalidArgument);
 }
 
 TEST_CASE("void ratios outside the range are refused") {
@@ -76,12 +73,6 @@ TEST_CASE("void ratios outside the range are refused") {
       CHECK_THROWS_AS((void)void_ratio_value(function, e), InvalidArgument);
   CHECK_THROWS_AS((void)void_ratio_value(VoidRatioFunction::hardin_richart_round, 2.17), InvalidArgument);
   CHECK_THROWS_AS((void)void_ratio_value(VoidRatioFunction::hardin_richart_angular, 3), InvalidArgument);
-}
-
-TEST_CASE("names lead back to their function") {
-  for (const VoidRatioFunction function : all_void_ratio_functions())
-    CHECK(void_ratio_function(name(function)) == function);
-  CHECK_THROWS_WITH_AS((void)void_ratio_function("hardin"), doctest::Contains("'hardin'"), InvalidArgument);
 }
 
 TEST_CASE("points on a polynomial give its coefficients back, and no distance") {

@@ -16,12 +16,6 @@ double modulus(const char* key, const SandState& sand) {
 
 } // namespace
 
-TEST_CASE("Toyoura sand at 98 kPa: 107, 88 and 71 MPa are cited at e = 0.7, 0.8 and 0.9") {
-  CHECK(modulus("kokusho", {0.7, 98e3}) == relative(107e6, 0.015));
-  CHECK(modulus("kokusho", {0.8, 98e3}) == relative(88e6, 0.015));
-  CHECK(modulus("kokusho", {0.9, 98e3}) == relative(71e6, 0.015));
-}
-
 TEST_CASE("laws of sands and of their strain have the values of the formulas that they state") {
   for (const double e : {0.55, 0.8})
     for (const double p : {60.0, 250.0}) // kPa
@@ -91,7 +85,7 @@ TEST_CASE("a law reports values outside of its tests") {
   }
 }
 
-TEST_CASE("impossible sands are refused by a law") {
+TEST_CASE("impossible sands are refused, of Toyoura sand at 98 kPa 107, 88 and 71 MPa are cited") {
   for (const MeasuredLaw& law : measured_laws()) {
     CAPTURE(law.key);
     CHECK_THROWS_AS((void)shear_modulus(law, {0, 100e3}), InvalidArgument);
@@ -103,4 +97,7 @@ TEST_CASE("impossible sands are refused by a law") {
   CHECK_THROWS_AS((void)modulus("wichtmann-triantafyllidis", {1.9, 100e3, 3}), InvalidArgument);
   CHECK_THROWS_WITH((void)measured_law("iwasaki"),
                     doctest::Contains("hardin-richart-round, hardin-richart-angular, kokusho"));
+  CHECK(modulus("kokusho", {0.7, 98e3}) == relative(107e6, 0.015));
+  CHECK(modulus("kokusho", {0.8, 98e3}) == relative(88e6, 0.015));
+  CHECK(modulus("kokusho", {0.9, 98e3}) == relative(71e6, 0.015));
 }

@@ -42,14 +42,6 @@ TEST_CASE("strain: one deviation includes the laws of two data bases at 0.1 % an
     }
 }
 
-TEST_CASE("strain: Darendeli's curve is at one half at its reference strain") {
-  const auto law = std::find_if(strain_laws().begin(), strain_laws().end(), [](const StrainLaw& one) {
-    return std::string_view(one.key) == "darendeli";
-  });
-  REQUIRE(law != strain_laws().end());
-  CHECK(law->ratio(sand(0.0352e-2, 101.325e3)) == relative(0.5, 1e-14));
-}
-
 TEST_CASE("strain: every law falls with strain and rises with stress, from 1") {
   for (const StrainLaw& law : strain_laws()) {
     CAPTURE(law.key);
@@ -68,6 +60,11 @@ TEST_CASE("strain: every law falls with strain and rises with stress, from 1") {
       CHECK(ratio <= 1);
     }
   }
+  const auto law = std::find_if(strain_laws().begin(), strain_laws().end(), [](const StrainLaw& one) {
+    return std::string_view(one.key) == "darendeli";
+  });
+  REQUIRE(law != strain_laws().end());
+  CHECK(law->ratio(sand(0.0352e-2, 101.325e3)) == relative(0.5, 1e-14));
 }
 
 TEST_CASE("strain: damping of the centre, and each of its parts moved") {

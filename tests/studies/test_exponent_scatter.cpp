@@ -31,7 +31,8 @@ std::vector<double> recorded(Shape contact, Density density, const char* column)
 
 } // namespace
 
-TEST_CASE("the scatter of s is that of the recorded seeds") {
+TEST_CASE("the scatter of s is that of the recorded seeds, falls with the root of the grains, and of power "
+          "laws is that of flat") {
   for (const Shape contact : {Shape::cone, Shape::sphere, Shape::flat})
     for (const Density density : {Density::dense, Density::loose})
       for (const auto& [column, route] : {std::pair{"closed_form", ExponentRoute::closed_form},
@@ -44,9 +45,6 @@ TEST_CASE("the scatter of s is that of the recorded seeds") {
         CHECK(std::abs(known.deviation - deviation(seeds)) < 1e-4); // the digits that the table has
         CHECK(std::abs(known.mean.value() - mean(seeds)) < 1e-4);
       }
-}
-
-TEST_CASE("the scatter of s falls with the root of the grains, a power-law contact has that of a flat one") {
   const auto at = [](Shape contact, std::size_t count) {
     return exponent_scatter(contact, Density::loose, ExponentRoute::network, count).deviation;
   };

@@ -46,7 +46,7 @@ TEST_CASE("force chains are as wide as their force, those above the mean in colo
     CHECK(chains->finding.find(number) != std::string::npos);
 }
 
-TEST_CASE("force chains are drawn the same wherever the packing is") {
+TEST_CASE("force chains are drawn the same wherever the packing is, without pressing contacts not at all") {
   packing::Assembly moved = row();
   for (Vec3& x : moved.position)
     x += Vec3{100, 7, -50};
@@ -58,9 +58,6 @@ TEST_CASE("force chains are drawn the same wherever the packing is") {
     CHECK(std::stod(picture.substr(at + 5)) == doctest::Approx(last + 105).epsilon(1e-3));
     last += 105;
   }
-}
-
-TEST_CASE("without pressing contacts there are no chains") {
   packing::Assembly packing = row();
   for (packing::Contact& contact : packing.contacts)
     contact.normal_force = 0;

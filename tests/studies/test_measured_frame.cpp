@@ -84,7 +84,7 @@ TEST_CASE("frame: a packing between walls has the engine's stress") {
   CHECK(measure_frame(packing, known).packing.stress->mean() < 0.9 * trace(engine) / 3);
 }
 
-TEST_CASE("frame: G_g comes out of the forces where it is not given, and the closed forms with it") {
+TEST_CASE("frame: G_g comes out of the forces where it is not given, options that cannot be are refused") {
   const analysis::Measurement found = measure_frame(through_dump(specimen())).packing;
   REQUIRE(found.grain);
   CHECK(found.grain->shear_modulus == relative(specimen_grain.shear_modulus, 1e-10));
@@ -97,6 +97,12 @@ TEST_CASE("frame: G_g comes out of the forces where it is not given, and the clo
   REQUIRE(given.law_check->alpha);
   // overlaps are differences of lengths 1e5 times as large
   CHECK(given.law_check->alpha->value == relative(2, 1e-8));
+  const io::ImportedPacking packing = through_csv(specimen());
+  using analysis::Given;
+  for (const Given& bad : {Given{.grain_shear_modulus = -1}, Given{.grain_poisson_ratio = 0.7},
+                           Given{.friction_coefficient = -0.1}, Given{.tangential_ratio = -0.1}})
+    CHECK_THROWS_AS((void)measure_frame(packing, bad), InvalidArgument);
+  CHECK_THROWS_AS((void)measure_frame(packing, {}, {.rose_bins = 0}), InvalidArgument);
 }
 
 TEST_CASE("frame: without contacts, or without forces, the rest is still there") {
@@ -166,15 +172,6 @@ TEST_CASE("frame: contact means and the equivalent radius are those of the grain
   CHECK(a.state->contacts == a.sizes.contacts);
   // The prefactor is N_c <l^2>/V, whatever radius the means refer to.
   CHECK(effective::prefactor(*a.state) == relative(squares / a.volume, 1e-12));
-}
-
-TEST_CASE("frame: options that cannot be are refused") {
-  const io::ImportedPacking packing = through_csv(specimen());
-  using analysis::Given;
-  for (const Given& bad : {Given{.grain_shear_modulus = -1}, Given{.grain_poisson_ratio = 0.7},
-                           Given{.friction_coefficient = -0.1}, Given{.tangential_ratio = -0.1}})
-    CHECK_THROWS_AS((void)measure_frame(packing, bad), InvalidArgument);
-  CHECK_THROWS_AS((void)measure_frame(packing, {}, {.rose_bins = 0}), InvalidArgument);
 }
 
 namespace {

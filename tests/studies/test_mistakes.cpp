@@ -42,12 +42,8 @@ io::ImportedPacking rescaled(double lengths, double radii) {
 
 } // namespace
 
-TEST_CASE("mistakes: a good packing has none") {
-  CHECK(mistakes_in(rescaled(1, 1)).empty());
-  CHECK(mistakes_in(rescaled(1, 1), {.grain_shear_modulus = 30e9}).empty());
-}
-
-TEST_CASE("mistakes: radii and lengths of another unit, and grains of no material, are named with numbers") {
+TEST_CASE(
+    "mistakes: a good packing has none, units and materials that are not its own are named with numbers") {
   io::ImportedPacking no_law = rescaled(1e3, 1); // there the size of the grains shows what G_g does not
   for (packing::Contact& c : no_law.assembly.contacts)
     c.normal_force = 1;
@@ -57,6 +53,8 @@ TEST_CASE("mistakes: radii and lengths of another unit, and grains of no materia
   CHECK_FALSE(mistakes_in(rescaled(1, 0.51)).empty());
   CHECK(one_names(mistakes_in(rescaled(1e3, 1)), "30 kPa"));
   CHECK(mistakes_in(rescaled(10, 1), {.grain_shear_modulus = 30e9}).size() == 1);
+  CHECK(mistakes_in(rescaled(1, 1)).empty());
+  CHECK(mistakes_in(rescaled(1, 1), {.grain_shear_modulus = 30e9}).empty());
 }
 
 TEST_CASE("mistakes: a box too small, but for overlaps of bodies") {

@@ -62,7 +62,7 @@ TEST_CASE("the contact laws are those of the scene") {
   }
 }
 
-TEST_CASE("the recipe takes over every value of the scene") {
+TEST_CASE("the recipe takes over every value of the scene, and threads are as asked, or one at least") {
   Scene scene;
   scene.grain.radius = 0.4e-3;
   scene.grain.sizes = sizes::Distribution::uniform(1, 1.5);
@@ -96,10 +96,6 @@ TEST_CASE("the recipe takes over every value of the scene") {
   scene.grain.friction_angle = 0.3;
   scene.contact.tangential_ratio = 0;
   CHECK(ratio() == 0);
-}
-
-TEST_CASE("threads: as asked, or at least one") {
-  Scene scene;
   CHECK(thread_count(scene) >= 1);
   scene.study.threads = 3;
   CHECK(thread_count(scene) == 3);

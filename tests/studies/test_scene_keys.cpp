@@ -189,7 +189,8 @@ TEST_CASE("examples/scene.toml agrees with the table") {
   CHECK(file_text(GRANUM_EXAMPLES "/scene.toml") == expected);
 }
 
-TEST_CASE("pressures at which contacts vanish or grains close the voids are refused before anything runs") {
+TEST_CASE("pressures at which contacts vanish or grains close the voids are refused by the overlap that is "
+          "predicted") {
   const auto answer = [](Shape shape, double pressure) {
     Scene scene;
     scene.study.contacts = {shape};
@@ -204,9 +205,6 @@ TEST_CASE("pressures at which contacts vanish or grains close the voids are refu
   }
   CHECK(answer(Shape::flat, 1e-3).starts_with("study.pressures"));
   CHECK(answer(Shape::sphere, 1e-5).starts_with("study.pressures"));
-}
-
-TEST_CASE("the predicted overlap of spheres, by hand") {
   // f = 4 pi R^2 (1+e) p/C_n on a grain, d = (3(1-nu) f/(2 G sqrt(2R)))^(2/3).                   [Hertz1882]
   const Scene scene;
   const double R = 0.5e-3, force = 4 * std::numbers::pi * R * R * 1.558 * 100e3 / 5.73;

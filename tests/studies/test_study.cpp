@@ -35,7 +35,7 @@ Scene smaller_scene() {
   return scene;
 }
 
-/// All figures of a study, with as many digits as tell one double from the next.
+/// All figures of a study, with as many digits as separate one double from the next.
 std::string bits_of(const std::vector<SpecimenResult>& study) {
   std::string all;
   for (const SpecimenResult& specimen : study)
@@ -88,8 +88,7 @@ std::vector<SpecimenResult> stopped(const Scene& scene, const std::function<bool
 
 } // namespace
 
-TEST_CASE(
-    "a study is complete, in order, within the bounds of theory, the same bits on any number of threads") {
+TEST_CASE("a study is complete, within the bounds of theory, and the same bits on any number of threads") {
   const Scene scene = small_scene();
   std::vector<double> done;
   const std::vector<SpecimenResult> study =

@@ -39,17 +39,12 @@ const std::vector<TradeSample>& small_study() {
   return samples;
 }
 
-std::vector<TradeSample> of(const std::vector<TradeSample>& samples, Varied varied, double value,
-                            Boundary boundary = Boundary::periodic) {
+std::vector<TradeSample> of(Varied varied, double value, Boundary boundary = Boundary::periodic) {
   std::vector<TradeSample> found;
-  std::copy_if(samples.begin(), samples.end(), std::back_inserter(found), [&](const TradeSample& s) {
+  std::ranges::copy_if(small_study(), std::back_inserter(found), [&](const TradeSample& s) {
     return s.varied == varied && s.value == value && s.boundary == boundary;
   });
   return found;
-}
-
-std::vector<TradeSample> of(Varied varied, double value, Boundary boundary = Boundary::periodic) {
-  return of(small_study(), varied, value, boundary);
 }
 
 /// 3 specimens of 60 grains and 2 of 100; two values, of two specimens each, of the next three quantities;
@@ -131,24 +126,17 @@ TEST_CASE("a trade study contains every value of every varied quantity, complete
   check_probes_and_walls();
 }
 
-TEST_CASE("a trade study of unequal grains is that of verify too, of as many grains as their sizes allow") {
+TEST_CASE(
+    "a trade study of unequal grains has as many as their sizes allow, one of equal grains keeps its own") {
   TradeScene trade = small_trade();
   trade.scene.grain.sizes = sizes::parse_distribution("lognormal:0.35");
   trade.scene.study.grains = 300;
-  trade.compression = {1e-3};
-  trade.shear = {2e-3};
-  trade.time_step = {0.8};
   CHECK_THROWS_AS(require_valid(trade), InvalidArgument); // 60 and 100 grains, and 100 between walls
   trade = with_enough_grains(trade);
   CHECK(trade.grains == std::vector<std::size_t>{294});
   CHECK(trade.walls == std::vector<std::size_t>{294});
   trade.grains.push_back(300);
-  const std::vector<TradeSample> samples = run_trade(trade);
-  CHECK(std::ranges::all_of(samples, [](const TradeSample& s) { return s.failure.empty(); }));
-  check_against_verify(trade.scene, of(samples, Varied::grains, 300));
-  CHECK(of(samples, Varied::boundary, 294, Boundary::rough_walls).size() == 2);
-  CHECK(of(samples, Varied::grains, 294).front().peak_ratio.has_value());
-  // Equal grains keep their numbers.
+  CHECK_NOTHROW(require_valid(trade));
   CHECK(with_enough_grains(quick_trade()).grains == quick_trade().grains);
   CHECK(with_enough_grains(full_trade()).walls == full_trade().walls);
 }
@@ -179,15 +167,8 @@ TEST_CASE("a stop keeps finished samples and marks the rest") {
   CHECK(whole < samples.size() / 2);
 }
 
-TEST_CASE("every size has about as many grains in all, and two specimens at least") {
-  TradeScene trade = default_trade();
-  trade.scene.study.grains = 1000;
-  trade.scene.study.seeds = 4;
-  for (const auto& [grains, specimens] : {std::pair{250, 16}, {1000, 4}, {2000, 2}, {16000, 2}})
-    CHECK(specimens_of(trade, std::size_t(grains)) == std::size_t(specimens));
-}
-
-TEST_CASE("a budget cuts the largest sizes, and reports the sufficient budget") {
+TEST_CASE(
+    "a budget cuts the largest of sizes that have about as many grains in all, and two specimens at least") {
   TradeScene full = default_trade();
   full.grains = full_trade().grains;
   // Whatever this machine's speed is and whatever else it does: the speed is given.
@@ -204,26 +185,30 @@ TEST_CASE("a budget cuts the largest sizes, and reports the sufficient budget") 
   // An engine half as fast fits half as much.
   CHECK(within_budget(full, all, 2 * speed).grains == part.grains);
   CHECK_THROWS_AS((void)within_budget(full, 1, speed), InvalidArgument);
+  TradeScene trade = default_trade();
+  trade.scene.study.grains = 1000;
+  trade.scene.study.seeds = 4;
+  for (const auto& [grains, specimens] : {std::pair{250, 16}, {1000, 4}, {2000, 2}, {16000, 2}})
+    CHECK(specimens_of(trade, std::size_t(grains)) == std::size_t(specimens));
 }
 
 TEST_CASE("impossible trade studies are refused") {
-  void (*const changes[])(TradeScene&) = {[](TradeScene& t) {
-                                            t.scene.study.contacts = {Shape::sphere, Shape::cone};
-                                          },
-                                          [](TradeScene& t) { t.scene.study.seeds = 1; },
-                                          [](TradeScene& t) { t.grains = {}; },
-                                          [](TradeScene& t) { t.grains = {20}; },
-                                          [](TradeScene& t) {
-                                            t.grains = {60, 1'000'001};
-                                          },
-                                          [](TradeScene& t) {
-                                            t.grains = {100, 100};
-                                          },
-                                          [](TradeScene& t) { t.compression = {0.5}; },
-                                          [](TradeScene& t) { t.shear = {0}; },
-                                          [](TradeScene& t) { t.time_step = {1.1}; },
-                                          [](TradeScene& t) { t.probe = {0}; },
-                                          [](TradeScene& t) { t.shear_strain = 0; }};
+  void (*const changes[])(TradeScene&) = {
+      [](TradeScene& t) { t.scene.study.contacts.push_back(Shape::cone); },
+      [](TradeScene& t) { t.scene.study.seeds = 1; },
+      [](TradeScene& t) { t.grains = {}; },
+      [](TradeScene& t) { t.grains = {20}; },
+      [](TradeScene& t) {
+        t.grains = {60, 1'000'001};
+      },
+      [](TradeScene& t) {
+        t.grains = {100, 100};
+      },
+      [](TradeScene& t) { t.compression = {0.5}; },
+      [](TradeScene& t) { t.shear = {0}; },
+      [](TradeScene& t) { t.time_step = {1.1}; },
+      [](TradeScene& t) { t.probe = {0}; },
+      [](TradeScene& t) { t.shear_strain = 0; }};
   for (const auto change : changes) {
     TradeScene bad = small_trade();
     change(bad);

@@ -32,7 +32,7 @@ struct Recorded {
 
 } // namespace
 
-TEST_CASE("one thread takes jobs by the cost of the jobs that wait for them") {
+TEST_CASE("one thread takes jobs by the cost of those that wait for them, numbered work in its order") {
   Recorded recorded;
   recorded.add(1);    // 0: 1 + 5 = 6
   recorded.add(2);    // 1: 2 + 7 + 4 = 13
@@ -42,6 +42,10 @@ TEST_CASE("one thread takes jobs by the cost of the jobs that wait for them") {
   recorded.add(5);    // 5: as costly as 2, and later in the list
   side_by_side(recorded.jobs, 1);
   CHECK(recorded.order == std::vector<std::size_t>{1, 3, 0, 2, 5, 4});
+  std::vector<std::size_t> order;
+  side_by_side(3, 1, [&](std::size_t k) { order.push_back(k); });
+  CHECK(order == std::vector<std::size_t>{0, 1, 2});
+  CHECK_NOTHROW(side_by_side(std::vector<Job>{}, 2));
 }
 
 /// Two chains for four threads: two of them have nothing to do but to begin too early.
@@ -77,13 +81,6 @@ TEST_CASE("after an error no more work is begun, and the error is thrown") {
     CHECK_THROWS_WITH_AS(side_by_side(jobs, threads), "no room", std::runtime_error);
     CHECK(begun == 0);
   }
-}
-
-TEST_CASE("numbered work is done in its order, and no jobs are no work") {
-  std::vector<std::size_t> order;
-  side_by_side(3, 1, [&](std::size_t k) { order.push_back(k); });
-  CHECK(order == std::vector<std::size_t>{0, 1, 2});
-  CHECK_NOTHROW(side_by_side(std::vector<Job>{}, 2));
 }
 
 /// Of 200,000, as a study of 900 seeds has in many sizes; to look at all of them for each would take minutes.
