@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what granum needs and this machine lacks:  scripts/setup.sh run|python|docs|web|test|tidy|bench|solvers
 # This is the only place that names the packages, as Debian 12 and 13 and Ubuntu 24.04 do. What matters is whether the
-# system offers them, not what it is called. Checked by tests/setup/check_setup.cmake
+# system offers them, not what it is called. Checked by tests/setup/check_setup.py
 # Exit codes: 0 all there, 2 usage, 3 something is missing and cannot be installed from here.
 set -euo pipefail
 

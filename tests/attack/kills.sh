@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# kills.sh <program> <kills> <seed> <scratch folder> [<key=value of the scene>...]: a small `reproduce` is ended at random
+# kills.sh <program> <kills> <seed> <scratch folder>: a small `reproduce` is ended at random
 # moments, most often by SIGKILL, else by Ctrl-C or SIGTERM, and resumed, up to three times in a row; each time it must come
 # to the bytes of the run that nothing ended. When it is hit depends on the machine, what must come of it does not.
 program=$1 kills=$2 folder=$4
@@ -10,7 +10,6 @@ rm -rf -- "$folder" && mkdir -p -- "$folder" && cd -- "$folder" || exit 1
 scene=(--grains 100 --seeds 1 --set study.contacts=sphere --set study.pressures=25kPa,50kPa,100kPa
   --set study.probe_pressures=50kPa --set shear.paths=TXC,RTXE --set shear.inertial_number=1e-3
   --set shear.largest_strain=0.001 --set shear.strain_step=0.00025 --set shear.probe_eta_step=0.5)
-for setting in "${@:5}"; do scene+=(--set "$setting"); done
 tables=(states curves loops histograms table2 table4 table5 exponents verdicts)
 
 fail() {

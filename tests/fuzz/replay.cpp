@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feeds seeds to a fuzz target where libFuzzer is not at hand: each as it is, cut off at many places, and with
-// bytes changed at random, always the same ones.
+// Feeds seeds to a fuzz target where libFuzzer is not at hand: each as it is, cut off at many places, and
+// with bytes changed at random, always the same ones.
 //   replay <target> <changes of each seed> <file, folder of them, or grains+contacts>...
 // With GRANUM_FUZZ_TARGET, the name of a target, the entry of libFuzzer.
 #include <algorithm>

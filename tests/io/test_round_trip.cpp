@@ -5,10 +5,7 @@
 #include <cmath>
 
 #include <granum/core/text.hpp>
-#include <granum/io/csv/packing.hpp>
-#include <granum/io/lammps/files.hpp>
-#include <granum/io/mercury/output.hpp>
-#include <granum/io/yade/files.hpp>
+#include <granum/io/vtk/paraview.hpp>
 
 #include "import_support.hpp"
 
@@ -141,7 +138,7 @@ ImportedPacking through_lammps(const packing::Assembly& a, const Units& in, Forc
       put(contacts, " ", F, {c.normal_force});
     put(contacts, " ", -F, parts(forces == Forces::whole ? force(c) : c.tangential_force));
   }
-  return LammpsDump(text_source("g", grains + "\n"), text_source("c", contacts + "\n")).next().value();
+  return first_of(lammps_dump_format, grains + "\n", contacts + "\n");
 }
 
 ImportedPacking through_csv(const packing::Assembly& a, const std::string& length, double per_length,
@@ -166,8 +163,7 @@ ImportedPacking through_csv(const packing::Assembly& a, const std::string& lengt
     put(contacts, ",", per_length, {c.overlap, c.branch.x, c.branch.y, c.branch.z});
     put(contacts, ",", 1, {c.normal_stiffness, c.tangential_stiffness});
   }
-  return read_packing_csv(text_source("g", grains + "\n"), text_source("c", contacts + "\n"),
-                          {.box = CsvBox{a.cell}});
+  return first_of(csv_format, grains + "\n", contacts + "\n", {.box = CsvBox{a.cell}});
 }
 
 ImportedPacking through_yade(const packing::Assembly& a) {
@@ -200,7 +196,7 @@ ImportedPacking through_yade(const packing::Assembly& a) {
     for (int axis = 0; axis < 3; ++axis)
       contacts += " " + std::to_string(std::lround(image[axis]));
   }
-  return read_yade(text_source("g", grains + "\n"), text_source("c", contacts + "\n"));
+  return first_of(yade_text_format, grains + "\n", contacts + "\n");
 }
 
 ImportedPacking through_mercury(const packing::Assembly& a) {
@@ -229,7 +225,7 @@ ImportedPacking through_mercury(const packing::Assembly& a) {
     for (const double turn : {1.0, -1.0}) // a normal of either sign
       if (turn == (c.j == 0 ? 1 : -1))
         row(c.i, -1 - static_cast<long>(c.j), a.position[c.i] + c.branch, c, turn);
-  return MercuryOutput(text_source("d", data + "\n"), text_source("f", fstat + "\n")).next().value();
+  return first_of(mercury_format, data + "\n", fstat + "\n");
 }
 
 void add_walls(packing::Assembly& a) {
@@ -283,6 +279,15 @@ TEST_CASE("round trip: YADE with clumps, also the first, walls and resistance to
   check_same(read, a);
   CHECK(read.step == 7);
   CHECK(read.time == 0.5);
+}
+
+TEST_CASE("round trip: granum's own files for ParaView, with walls") {
+  packing::Assembly a = sample(true);
+  add_walls(a);
+  const std::vector<long> id{-3, 7, 11, 20};
+  const ImportedPacking read = first_of(vtk_xml_format, grains_vtu(a, id, 0.5), contacts_vtp(a, id));
+  check_same(read, a);
+  CHECK((read.id == id && read.time == 0.5));
 }
 
 TEST_CASE("round trip: MercuryDPM with walls, whose normals have either sign") {

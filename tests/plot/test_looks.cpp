@@ -159,7 +159,8 @@ TEST_CASE("titles are in the middle of their axes, ticks outside, legends go dow
   chart.series.push_back({.name = "two", .x = {1, 10}, .y = {2, 3}});
   chart.triangles = {{.x0 = 2, .x1 = 5, .y0 = 2, .slope = 0.5, .text = "s"}};
   Chart rose = chart_of({0, 0.7, 1.5}, {1, 1.5, 2});
-  rose.title = "rose";
+  rose.title = "a rose below a title of so many words that it is broken into several lines, each of them "
+               "above the rose";
   rose.rose = true;
   for (const Chart& one : {chart, rose}) {
     const std::string picture = svg(one);
@@ -170,7 +171,7 @@ TEST_CASE("titles are in the middle of their axes, ticks outside, legends go dow
           CHECK((place >= 0 && place <= attribute(picture, size)));
     for (const double r : all(picture, "<circle", "r"))
       CHECK(all(picture, "<circle", "cy").front() - r >
-            (one.rose ? all(picture, "<text class=\"title\"", "y").front() : 0));
+            (one.rose ? all(picture, "<text class=\"title\"", "y").back() : 0));
   }
   const std::string picture = svg(chart);
   const auto x1 = all(picture, "<line", "x1"), x2 = all(picture, "<line", "x2"),

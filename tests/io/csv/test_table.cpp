@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/io/csv/table.hpp>
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 
 #include "io/temporary_folder.hpp"
@@ -80,15 +77,6 @@ TEST_CASE("a bad file is refused with path, line and expectation") {
   refused_at("a.csv:3:", {"G_MPa,e\n1,0.5\n2\n", "G_MPa\n1\nnan\n"});
 }
 
-TEST_CASE("unreadable files are reported") {
-  const TemporaryFolder folder;
-  CHECK_THROWS_WITH_AS((void)read_csv(folder.path() / "none.csv"),
-                       doctest::Contains((folder.path() / "none.csv").string().c_str()), FileError);
-  CHECK_THROWS_AS((void)read_csv(folder.path()), FileError);
-  const std::string unreadable = "/proc/self/mem"; // its beginning is not mapped
-  CHECK_THROWS_WITH_AS((void)read_csv(unreadable), doctest::Contains(std::strerror(EIO)), FileError);
-}
-
 TEST_CASE("written values are read back to the same bits") {
   const std::vector<double> values{1. / 3, -0.0, 6.02e23, std::numeric_limits<double>::denorm_min(), 1e-300};
   CsvContent content{
@@ -96,6 +84,7 @@ TEST_CASE("written values are read back to the same bits") {
   for (const double value : values)
     content.rows.push_back({std::string("#a \"b\""), value});
   const TemporaryFolder folder;
+  CHECK_THROWS_AS((void)read_csv(folder.path()), FileError);
   std::ofstream(folder.path() / "t.csv", std::ios::binary) << csv_text(content);
   const CsvTable table = read_csv(folder.path() / "t.csv");
   CHECK(table.headings() == content.headings);
