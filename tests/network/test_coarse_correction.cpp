@@ -187,7 +187,8 @@ TEST_CASE("weights of the nodes in a grain are linear along the edges of its box
   }
 }
 
-TEST_CASE("a sparse factor is that of the dense matrix, and leaves free directions alone") {
+TEST_CASE("a sparse factor is that of the dense matrix, on any number of threads, and leaves free directions "
+          "alone") {
   check_sparse_factor(9, network::Workers());
   const Eigen::MatrixXd alone = check_sparse_factor(90, network::Workers());
   for (const std::size_t members : {2U, 3U}) {
