@@ -84,7 +84,7 @@ TEST_CASE("one grain between two walls: the force of a rigid plane in closed for
   for (const double size : {1.0, 0.4, 2.5}) {
     CAPTURE(size);
     const Engine engine(squeezed(overlap, 0, size), sphere);
-    // Hertz: a sphere of modulus E against a rigid plane, (4/3) E/(1 - nu^2) sqrt(R) d^(3/2), E = 2 G (1 + nu).
+    // Hertz: a sphere against a rigid plane, (4/3) E/(1 - nu^2) sqrt(R) d^(3/2), E = 2 G (1 + nu).
     const double plane_strain = 2 * quartz.shear_modulus / (1 - quartz.poisson_ratio);
     const double force = 4.0 / 3 * plane_strain * std::sqrt(size * radius) * std::pow(overlap, 1.5);
     // An overlap is a difference of lengths 5e3 times as large, or more.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eigenvalues by GSL: Eigen's dense solvers take a minute to compile. Products are sparse for builds that do not
-// optimise.
+// Eigenvalues by GSL: Eigen's dense solvers take a minute to compile. Products are sparse, for builds that do
+// not optimise.
 #include "dense_twin.hpp"
 
 #include <algorithm>
@@ -99,8 +99,8 @@ Sparse energy(const Sparse& k, const Sparse& b) {
 } // namespace
 
 // Notation: rows of all matrices are the three directions at each contact; b relative displacement at the
-// contact from the unknowns, v that of the centres, t the turn of one grain against the other, e displacement of
-// the centres from the strains; k contact stiffness, g prestress, r stiffness against turning.
+// contact from the unknowns, v that of the centres, t the turn of one grain against the other, e displacement
+// of the centres from the strains; k contact stiffness, g prestress, r stiffness against turning.
 Response response(const packing::Assembly& a, bool prestress) {
   const std::size_t between = a.contacts.size(), contacts = between + a.wall_contacts.size();
   const int unknowns = first_of(static_cast<std::uint32_t>(a.grain_count())),

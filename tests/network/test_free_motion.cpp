@@ -115,7 +115,7 @@ TEST_CASE(
   const Eliminated<3> made =
       eliminate<3>(backbone, Workers(nullptr), {.shift = 1e-12, .soft_pivots = SoftPivots::coupled}, pattern);
 
-  // Where 2 moves by 1: 1 and 0 are in balance, 3 stands still.
+  // Where 2 moves by 1: 1 and 0 are in balance, 3 is at rest.
   const double x0 = 1 / (2 * (1 + to_wall + from_0_to_3) - 1), x1 = (1 + x0) / 2;
   const double energy = (1 - x1) + from_2_to_3, force_on_3 = -(from_2_to_3 + from_0_to_3 * x0);
 

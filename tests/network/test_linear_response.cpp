@@ -109,7 +109,7 @@ TEST_CASE("symmetric, positive semidefinite, never above uniform strain") {
   }
 }
 
-TEST_CASE("uniform strain is the closed sum over contacts: all, or those that bear load") {
+TEST_CASE("uniform strain is the closed sum over contacts: all, or those that carry load") {
   const packing::Assembly full = samples::random_network({.seed = 12, .kept = 1}),
                           sparse = samples::random_network({.seed = 11, .kept = 0.35});
   REQUIRE(mechanical_coordination(full, packing::ContactKind::frictional).rattler_count == 0);
