@@ -164,22 +164,6 @@ TEST_CASE("a wall turns with its face: a grain that rolls along with a rotating 
   CHECK(norm(on_grain(0) - rolling) == relative(k_t * radius * w * dt, 0.01));
 }
 
-TEST_CASE("no pair is seen across a wall, and no grain leaves") {
-  Specimen state = box(8e-3, 8e-3, 8e-3, 0);
-  state.position = {{radius, 4e-3, 4e-3}, {8e-3 - radius, 4e-3, 4e-3}};
-  CHECK(contact_network(state, test::quartz(radius, 0.5)).contacts.empty());
-  state.velocity = {{-0.02, 0, 0}, {0.03, 0, 0}};
-  Engine engine(state, test::quartz(radius, 0.5));
-  engine.set_damping(0);
-  for (int k = 0; k < 2000; ++k)
-    engine.step();
-  const Specimen after = engine.state();
-  CHECK(after.velocity[0].x > 0);
-  CHECK(after.velocity[1].x < 0);
-  for (const Vec3& x : after.position)
-    CHECK((x.x > 0.9 * radius && x.x < 8e-3 - 0.9 * radius));
-}
-
 TEST_CASE(
     "at rest the contact stress, wall branches included, is the wall stress plus what wall friction bears") {
   for (const double wall_friction : {0.0, 0.3}) {
