@@ -55,11 +55,11 @@ TEST_CASE("two grains of one material are that material to the bit") {
   CHECK(pair_material(hard, feldspar).poisson_ratio == relative(feldspar.poisson_ratio, 1e-12));
 }
 
-TEST_CASE("a material that cannot be is refused by name") {
-  CHECK_THROWS_WITH_AS((void)pair_material(hard_quartz, {.shear_modulus = 0, .poisson_ratio = 0.1}),
-                       doctest::Contains("grain_shear_modulus = 0 Pa"), InvalidArgument);
-  CHECK_THROWS_AS((void)pair_material({.shear_modulus = 1e9, .poisson_ratio = 0.6}, hard_quartz),
-                  InvalidArgument);
+TEST_CASE("a material that cannot be is refused") {
+  for (const GrainMaterial& bad : {GrainMaterial{0, 0.1}, GrainMaterial{1e9, 0.6}}) {
+    CHECK_THROWS_AS((void)pair_material(hard_quartz, bad), InvalidArgument);
+    CHECK_THROWS_AS((void)pair_material(bad, hard_quartz), InvalidArgument);
+  }
 }
 
 TEST_CASE("laws of grains of given sizes: by Hertz for spheres, the same for all other shapes") {

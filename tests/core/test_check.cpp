@@ -65,18 +65,19 @@ TEST_CASE("a NUL in a text does not end the message, and a file error has its pa
 }
 
 TEST_CASE("checks pass their value on and stop NaN and infinity") {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double inf = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                   inf = std::numeric_limits<double>::infinity();
   CHECK(require_positive("x", 2.5) == 2.5);
   CHECK(require_non_negative("x", 0) == 0);
-  CHECK(require_closed("x", 1, 0, 1) == 1);
   CHECK(require_poisson_ratio("nu", 0.5) == 0.5);
   CHECK_THROWS_AS(require_positive("x", 0), InvalidArgument);
-  CHECK_THROWS_AS(require_positive("x", inf), InvalidArgument);
-  CHECK_THROWS_AS(require_non_negative("x", nan), InvalidArgument);
-  CHECK_THROWS_AS(require_finite("x", nan), InvalidArgument);
-  CHECK_THROWS_AS(require_closed("x", nan, 0, 1), InvalidArgument);
   CHECK_THROWS_AS(require_open("x", 1, 0, 1), InvalidArgument);
-  CHECK_THROWS_AS(require_poisson_ratio("nu", -1), InvalidArgument);
-  CHECK_THROWS_AS(require_poisson_ratio("nu", 0.6), InvalidArgument);
+  for (const double bad : {nan, inf, -inf}) {
+    CHECK_THROWS_AS(require_positive("x", bad), InvalidArgument);
+    CHECK_THROWS_AS(require_non_negative("x", bad), InvalidArgument);
+    CHECK_THROWS_AS(require_finite("x", bad), InvalidArgument);
+    CHECK_THROWS_AS(require_closed("x", bad, 0, 1), InvalidArgument);
+  }
+  for (const double bad : {-1.0, 0.6, nan})
+    CHECK_THROWS_AS(require_poisson_ratio("nu", bad), InvalidArgument);
 }

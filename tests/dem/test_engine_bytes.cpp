@@ -107,4 +107,10 @@ TEST_CASE("a state or an engine of impossible numbers is refused as its file") {
   refused([](Specimen& s) { s.history.push_back({.i = 1, .j = 100000, .tangential_force = {}}); });
   refused([](Specimen& s) { s.walls->history.push_back({.grain = 0, .wall = 6, .tangential_force = {}}); });
   refused([](Specimen& s) { s.velocity.back().z = INFINITY; });
+  for (const double size : {0.0, double{NAN}, double{INFINITY}, 1e9})
+    refused([size](Specimen& s) {
+      s.size.assign(s.grain_count(), 1);
+      s.size[3] = size;
+    });
+  refused([](Specimen& s) { s.size.assign(s.grain_count() - 1, 1); });
 }

@@ -87,43 +87,37 @@ Eigen::Matrix3d stiffness(const Eigen::Vector3d& lever, double k, double ratio) 
 
 /// Highest eigenvalue of M^-1 H, with H put together contact by contact.
 double exact(const Scene& scene) {
-  const std::size_t count = scene.state.grain_count();
+  const Specimen& state = scene.state;
   const auto at = [](std::size_t g) { return 6 * static_cast<Eigen::Index>(g); };
-  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(at(count), at(count));
-  const std::array<Vec3, image_count> shifts = shift_vectors(scene.state.cell);
-  for (const Pair& pair : scene.pairs) {
-    const double size_i = scene.state.radius_of(pair.i) / radius,
-                 size_j = scene.state.radius_of(pair.j) / radius;
-    const double reach = radius * (size_i + size_j);
-    const Vec3 b = scene.state.position[pair.j] + shifts[pair.image] - scene.state.position[pair.i];
-    if (norm(b) >= reach)
-      continue;
-    const Eigen::Vector3d lever = Eigen::Vector3d(b.x, b.y, b.z) / reach;
-    const contact::NormalLaw law = contact::of_sizes(scene.law, size_i, size_j);
+  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(at(state.grain_count()), at(state.grain_count()));
+  const auto add = [&](const std::vector<std::size_t>& grains, const Vec3& to_contact, double k,
+                       double ratio) {
+    const Eigen::Vector3d lever(to_contact.x, to_contact.y, to_contact.z);
     const Eigen::Matrix<double, 3, 12> moved = approach(lever);
-    const Eigen::Matrix<double, 12, 12> own =
-        moved.transpose() *
-        stiffness(lever, law.stiffness_at_overlap(reach - norm(b)), scene.tangential_ratio) * moved;
-    const std::size_t grain[] = {pair.i, pair.j};
-    for (int a = 0; a < 2; ++a)
-      for (int c = 0; c < 2; ++c)
-        h.block<6, 6>(at(grain[a]), at(grain[c])) += own.block<6, 6>(6 * a, 6 * c);
+    const Eigen::Matrix<double, 12, 12> own = moved.transpose() * stiffness(lever, k, ratio) * moved;
+    for (std::size_t a = 0; a < grains.size(); ++a)
+      for (std::size_t b = 0; b < grains.size(); ++b)
+        h.block<6, 6>(at(grains[a]), at(grains[b])) += own.block<6, 6>(at(a), at(b));
+  };
+  const std::array<Vec3, image_count> shifts = shift_vectors(state.cell);
+  for (const Pair& pair : scene.pairs) {
+    const double reach = state.radius_of(pair.i) + state.radius_of(pair.j);
+    const Vec3 b = state.position[pair.j] + shifts[pair.image] - state.position[pair.i];
+    const contact::NormalLaw law =
+        contact::of_sizes(scene.law, state.radius_of(pair.i) / radius, state.radius_of(pair.j) / radius);
+    if (norm(b) < reach)
+      add({pair.i, pair.j}, 1 / reach * b, law.stiffness_at_overlap(reach - norm(b)), scene.tangential_ratio);
   }
-  const auto planes = wall_planes(scene.state.cell);
-  for (std::size_t g = 0; scene.walls && g < count; ++g)
+  const auto planes = wall_planes(state.cell);
+  for (std::size_t g = 0; scene.walls && g < state.grain_count(); ++g)
     for (const WallPlane& plane : planes) {
-      const double overlap = radius - wall_distance(plane, scene.state.position[g]);
-      if (overlap <= 0)
-        continue;
-      const Vec3 n = -(1 - overlap / radius) * plane.normal;
-      const Eigen::Vector3d lever(n.x, n.y, n.z);
+      const double overlap = radius - wall_distance(plane, state.position[g]);
       const double ratio = scene.walls->friction() > 0 ? scene.tangential_ratio : 0;
-      // from a rigid plane, the law of two equal grains that are twice as deep in each other
-      const double k = 2 * scene.law.stiffness_at_overlap(2 * overlap);
-      const Eigen::Matrix<double, 3, 6> moved = approach(lever).leftCols<6>();
-      h.block<6, 6>(at(g), at(g)) += moved.transpose() * stiffness(lever, k, ratio) * moved;
+      if (overlap > 0) // from a rigid plane, the law of two equal grains that are twice as deep in each other
+        add({g}, -(1 - overlap / radius) * plane.normal, 2 * scene.law.stiffness_at_overlap(2 * overlap),
+            ratio);
     }
-  for (std::size_t g = 0; g < count; ++g) {
+  for (std::size_t g = 0; g < state.grain_count(); ++g) {
     h.middleRows<6>(at(g)) /= std::sqrt(scene.mass_of(g));
     h.middleCols<6>(at(g)) /= std::sqrt(scene.mass_of(g));
   }

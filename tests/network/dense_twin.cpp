@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eigenvalues by GSL: Eigen's dense solvers take a minute to compile. Products are sparse for builds that do not
-// optimise.
+// Eigenvalues by GSL: Eigen's dense solvers take a minute to compile. Products are sparse, for builds that do
+// not optimise.
 #include "dense_twin.hpp"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include <Eigen/SparseCore>
 #include <gsl/gsl_eigen.h>
@@ -99,8 +100,8 @@ Sparse energy(const Sparse& k, const Sparse& b) {
 } // namespace
 
 // Notation: rows of all matrices are the three directions at each contact; b relative displacement at the
-// contact from the unknowns, v that of the centres, t the turn of one grain against the other, e displacement of
-// the centres from the strains; k contact stiffness, g prestress, r stiffness against turning.
+// contact from the unknowns, v that of the centres, t the turn of one grain against the other, e displacement
+// of the centres from the strains; k contact stiffness, g prestress, r stiffness against turning.
 Response response(const packing::Assembly& a, bool prestress) {
   const std::size_t between = a.contacts.size(), contacts = between + a.wall_contacts.size();
   const int unknowns = first_of(static_cast<std::uint32_t>(a.grain_count())),
@@ -147,17 +148,12 @@ Response response(const packing::Assembly& a, bool prestress) {
     w = (rigid.motion.transpose() * w).eval();
     h = energy(h, rigid.motion);
   }
-  const Dense q = -solve(h, w), grains = bodies ? Dense(rigid.motion * q) : q;
-  const Dense strained = e + b * grains, forces = k * strained;
+  const Dense q = -solve(h, w);
   const Matrix6 affine = e.transpose() * (with_k + with_g);
-  Response out{.affine = affine / a.volume(),
-               .relaxed = (affine + w.transpose() * q) / a.volume(),
-               .contact_forces = {},
-               .stiffness = h,
-               .motions = q};
-  for (std::size_t at = 0; at < contacts; ++at)
-    out.contact_forces.emplace_back(forces.middleRows<3>(3 * static_cast<int>(at)));
-  return out;
+  return {.affine = affine / a.volume(),
+          .relaxed = (affine + w.transpose() * q) / a.volume(),
+          .stiffness = h,
+          .motions = q};
 }
 
 Matrix6 contact_sum(const packing::Assembly& a) {
@@ -181,8 +177,6 @@ Matrix6 contact_sum(const packing::Assembly& a) {
 double distance(const Matrix6& a, const Matrix6& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
-
-Matrix6 inverse(const Matrix6& m) { return solve(m, Matrix6::Identity()); }
 
 double smallest_eigenvalue(const Matrix6& m) { return eigen_system(m).values.minCoeff(); }
 

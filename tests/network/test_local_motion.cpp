@@ -67,17 +67,3 @@ TEST_CASE("the energy of a motion of few grains is that of the whole network") {
     check_energy<6>(network_at_walls(), grains);
   }
 }
-
-TEST_CASE("the grains moved most by a motion are found for each motion separately") {
-  std::vector<std::uint32_t> place(10, network::LocalMotion<6>::absent), first, second{1};
-  network::LocalMotion<6> motion(place);
-  motion.of(7).row[4][0] = -2;
-  motion.of(3).row[0][0] = 0.03; // 0.05 of the way, with the turn
-  motion.of(3).row[5][0] = 0.1;
-  motion.of(5).row[1][0] = 0.09;
-  motion.of(5).row[1][1] = 1e-6;
-  motion.add_movers(0, 0.05, first);
-  CHECK(first == std::vector<std::uint32_t>{7, 3});
-  motion.add_movers(1, 0.05, second);
-  CHECK(second == std::vector<std::uint32_t>{1, 5});
-}

@@ -49,11 +49,9 @@ TEST_CASE("contacts with walls support grains, but do not count as contacts betw
 
 TEST_CASE("rattlers go one after the other") {
   const packing::Assembly a = clique_with_tail(5, 3); // 10 contacts in the clique, 3 in the tail
-  CHECK(coordination_number(a) == 2 * 13 / 8.0);
   for (const auto kind : {packing::ContactKind::frictional, packing::ContactKind::frictionless}) {
     const auto m = mechanical_coordination(a, kind);
     CHECK(m.rattler == std::vector<bool>{false, false, false, false, false, true, true, true});
-    CHECK(m.rattler_count == 3);
     CHECK(m.rattler_fraction == 3 / 8.0);
     CHECK(m.contact_count == 10);
     CHECK(m.coordination_number == 4);

@@ -10,15 +10,11 @@ namespace {
 
 /// A square lattice of discs at z = 0.3, in a cell of some thickness.
 Assembly discs(int edge, double thickness) {
-  Assembly out{.cell = Mat3::diagonal(1.0 * edge, 1.0 * edge, thickness),
-               .position = {},
-               .radius = {},
-               .contacts = {}};
+  Assembly out{.cell = Mat3::diagonal(edge, edge, thickness), .position = {}, .radius = {}, .contacts = {}};
   for (int i = 0; i < edge; ++i)
-    for (int j = 0; j < edge; ++j) {
+    for (int j = 0; j < edge; ++j)
       out.position.push_back({1.0 * i, 1.0 * j, 0.3});
-      out.radius.push_back(0.5);
-    }
+  out.radius.assign(out.position.size(), 0.5);
   return out;
 }
 

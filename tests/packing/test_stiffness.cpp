@@ -80,13 +80,13 @@ TEST_CASE("grains with adhesion have its k_n, Mindlin's k_t of the contact area,
     assign_hertz_stiffness(hertz, same, std::nullopt);
     packing::Assembly without = a;
     assign_adhesive_stiffness(without, none, same, std::nullopt);
-    for (std::size_t k = 0; k < 2; ++k) {
-      CHECK(without.contacts[k].normal_stiffness == relative(hertz.contacts[k].normal_stiffness, 1e-13));
-      CHECK(without.contacts[k].tangential_stiffness ==
-            relative(hertz.contacts[k].tangential_stiffness, 1e-13));
-    }
-    CHECK(without.wall_contacts[0].normal_stiffness ==
-          relative(hertz.wall_contacts[0].normal_stiffness, 1e-13));
+    const auto check_same = [](const packing::Contact& one, const packing::Contact& other) {
+      CHECK(one.normal_stiffness == relative(other.normal_stiffness, 1e-13));
+      CHECK(one.tangential_stiffness == relative(other.tangential_stiffness, 1e-13));
+    };
+    for (std::size_t k = 0; k < 2; ++k)
+      check_same(without.contacts[k], hertz.contacts[k]);
+    check_same(without.wall_contacts[0], hertz.wall_contacts[0]);
 
     assign_adhesive_stiffness(a, adhesion, same, 0.5);
     const auto state = adhesive_contact_at_overlap(adhesion, glass, 0.5e-3, 2e-7);

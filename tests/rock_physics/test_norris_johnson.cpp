@@ -125,8 +125,8 @@ TEST_CASE("norris johnson: limits are exact") {
 }
 
 TEST_CASE("norris johnson: stresses keep their digits at any ratio of the strains") {
-  // Of each contact the tangential force that its path leaves (the integral of k_t over the uniaxial strain), its
-  // moments by a graded rule; the difference of cubes in a form that does not cancel.
+  // Of each contact the tangential force that its path leaves, the integral of k_t over the uniaxial strain:
+  // moments by a graded rule, the difference of cubes in a form that does not cancel.
   for (double ratio = 1e-14; ratio <= 1e14; ratio *= 10) {
     const double c = ratio / (1 + ratio), s = 1 / (1 + ratio), v = std::sqrt(c);
     double normal_v = 0, normal_h = 0, first = 0, together = 0;

@@ -172,19 +172,16 @@ TEST_CASE("grains of a sample have the gradation of their distribution") {
 TEST_CASE("impossible distributions are refused by name") {
   using D = Distribution;
   CHECK_THROWS_WITH_AS((void)D::bidisperse(0.5), doctest::Contains("ratio = 0.5"), InvalidArgument);
-  CHECK_THROWS_AS((void)D::bidisperse(2, 1), InvalidArgument);
-  CHECK_THROWS_AS((void)D::uniform(3, 1), InvalidArgument);
-  CHECK_THROWS_AS((void)D::uniform(0, 1), InvalidArgument);
   CHECK_THROWS_WITH_AS((void)D::lognormal(-0.1), doctest::Contains("sigma = -0.1"), InvalidArgument);
-  CHECK_THROWS_AS((void)D::lognormal(std::nan("")), InvalidArgument);
-  CHECK_THROWS_AS((void)D::lognormal(0.3, 0.5), InvalidArgument);
-  CHECK_THROWS_AS((void)D::power_law(3, 0.1), InvalidArgument);
-  CHECK_THROWS_AS((void)D::uniformity(0.9), InvalidArgument);
   CHECK_THROWS_WITH_AS((void)D::uniformity(4, 10), doctest::Contains("ratio = 10"), InvalidArgument);
+  for (const char* text : {"bidisperse:2:1", "uniform:3:1", "uniform:0:1", "lognormal:0.3:0.5",
+                           "power-law:3:0.1", "uniformity:0.9"})
+    CHECK_THROWS_AS((void)parse_distribution(text), InvalidArgument);
+  CHECK_THROWS_AS((void)D::lognormal(std::nan("")), InvalidArgument);
   CHECK_THROWS_AS((void)D::equal().quantile(1.5), InvalidArgument);
   CHECK_THROWS_AS((void)gradation(D::equal(), 0), InvalidArgument);
-  CHECK_THROWS_AS((void)gradation(std::vector<double>{}), InvalidArgument);
-  CHECK_THROWS_AS((void)gradation(std::vector<double>{1, std::nan("")}), InvalidArgument);
+  for (const std::vector<double>& radii : {std::vector<double>{}, {1, std::nan("")}})
+    CHECK_THROWS_AS((void)gradation(radii), InvalidArgument);
   CHECK_THROWS_AS((void)mean_radius_of(D::equal(), -1), InvalidArgument);
 }
 

@@ -36,7 +36,7 @@ struct StraightLine {
 /// \throws   InvalidArgument for fewer than two points, for coordinates that are not finite, or if all x are
 ///           the same
 /// Accuracy  1e-13 of the slope where the x spread over more than a hundredth of their size.
-///           Checked by tests/core/test_straight_line.cpp
+///           Checked by tests/core/test_numerics.cpp
 [[nodiscard]] StraightLine straight_line(std::span<const Point> points);
 
 /// One point of a quadrature rule.
@@ -49,7 +49,7 @@ struct QuadratureNode {
 /// 2 order - 1. Computed anew at each call: keep the result.
 /// \param    order   number of points, in [1, 1024]
 /// \throws   InvalidArgument for another order
-/// Accuracy  abscissas and weights 2 ulp.  Checked by tests/core/test_quadrature.cpp
+/// Accuracy  abscissas and weights 2 ulp.  Checked by tests/core/test_numerics.cpp
 [[nodiscard]] std::vector<QuadratureNode> gauss_legendre(int order);
 
 } // namespace granum

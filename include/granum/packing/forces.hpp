@@ -131,8 +131,7 @@ struct BulkModulusBounds {
 ///           bound only.
 /// \return   zeros without contacts; lower = 0 if a contact has a force without the corresponding stiffness
 /// \throws   InvalidArgument for an assembly that require_valid rejects
-/// Accuracy  rounding.  Checked by tests/packing/test_force_moments.cpp,
-/// tests/network/test_linear_response.cpp
+/// Accuracy  rounding.  Checked by tests/packing/test_force_moments.cpp
 [[nodiscard]] BulkModulusBounds bulk_modulus_bounds(const Assembly& assembly);
 
 /// Mean stress by the work of the cell, p = -dU/dV, U the elastic energy of the contacts under a uniform
