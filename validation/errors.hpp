@@ -66,6 +66,21 @@ struct ErrorsOfBoth {
   }
 };
 
+/// With its standard error.
+struct Mean {
+  double value = 0, error = 0;
+};
+inline Mean mean_of(const std::vector<double>& values) {
+  const double count = static_cast<double>(values.size());
+  Mean mean;
+  for (const double value : values)
+    mean.value += value / count;
+  for (const double value : values)
+    mean.error += (value - mean.value) * (value - mean.value);
+  mean.error = count > 1 ? std::sqrt(mean.error / (count - 1) / count) : 0;
+  return mean;
+}
+
 /// A line: of each quantity its errors in that unit, a hundredth being per cent, and what is stated of them.
 inline void print_errors(const std::string& what,
                          const std::vector<std::pair<const char*, const Errors*>>& quantities,

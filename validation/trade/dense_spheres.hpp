@@ -5,13 +5,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
+#include <granum/io/csv/table.hpp>
+#include <granum/io/output_file.hpp>
 #include <granum/stress/stress.hpp>
 #include <granum/triaxial/specimen.hpp>
 
+#include "../claims.hpp"
 #include "../relaxation/specimens.hpp"
 
 namespace trade {
@@ -53,20 +58,25 @@ inline double angle_at(stress::ShearPath path, double eta) {
   return stress::mobilised_friction_angle(stress::stress_on_path(path, pressure, eta)) / degree;
 }
 
-/// With its standard error.
-struct Mean {
-  double value = 0, error = 0;
+/// Specimens and grains of a command line, 3 of 1000 by default; none where they are too few.
+struct Asked {
+  std::string table; ///< to be written; or empty
+  std::uint64_t specimens = 3;
+  std::size_t grains = 1000;
+  double last = 0; ///< a further number
 };
+inline std::optional<Asked> asked(const std::vector<std::string>& arguments, double usual) {
+  const auto has = [&](std::size_t k) { return arguments.size() > k; };
+  const Asked found{.table = has(0) ? arguments[0] : "",
+                    .specimens = has(1) ? std::stoull(arguments[1]) : 3,
+                    .grains = has(2) ? std::stoull(arguments[2]) : 1000,
+                    .last = has(3) ? std::stod(arguments[3]) : usual};
+  return has(4) || found.specimens < 1 || found.grains < 40 ? std::nullopt : std::optional(found);
+}
 
-inline Mean mean_of(const std::vector<double>& values) {
-  const double count = static_cast<double>(values.size());
-  double sum = 0, squares = 0;
-  for (const double value : values) {
-    sum += value;
-    squares += value * value;
-  }
-  const double mean = sum / count;
-  return {mean, count > 1 ? std::sqrt(std::max(0.0, squares / count - mean * mean) / (count - 1)) : 0};
+inline void write(const Asked& asked, const io::CsvContent& table) {
+  if (!asked.table.empty())
+    io::write_file(asked.table, io::csv_text(table), io::Existing::replace);
 }
 
 } // namespace trade
