@@ -23,8 +23,9 @@ class Claims {
   void require_covered(const Errors& errors, const std::string& of, double one = 0.55, double two = 0.90,
                        double most_one = 1) {
     require(errors.one() >= one && errors.one() <= most_one && errors.two() >= two,
-            granum::detail::formatted("%s: %.0f to %.0f %% within one stated error, %.0f %% within two",
-                                      of.c_str(), 100 * one, 100 * most_one, 100 * two));
+            granum::detail::formatted(
+                "%s: %.0f %% within one stated error (%.0f to %.0f), %.0f %% within two (%.0f)", of.c_str(),
+                100 * errors.one(), 100 * one, 100 * most_one, 100 * errors.two(), 100 * two));
   }
   /// A goal that the record is known to miss, with the reason in its README.md: printed as missed, not
   /// counted.
