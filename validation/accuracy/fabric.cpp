@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moments of E(gamma; a) = 3 (1 + a cos 2 gamma)/(4 pi (3-a)) as integrals of powers of x = cos gamma, measures of
-// the fabric, its distribution over the polar angle, and the root of the likelihood equation.
+// Moments of E(gamma; a) = 3 (1 + a cos 2 gamma)/(4 pi (3-a)) as integrals of powers of x = cos gamma,
+// measures of the fabric, its distribution over the polar angle, and the root of the likelihood equation.
 #include <granum/fabric/estimates.hpp>
 #include <granum/fabric/orientation.hpp>
 
@@ -14,7 +14,7 @@ using granum::fabric::FabricMeasures;
 
 /// All measures of a: a and a_c by themselves, the others of 1.
 void compare_measures(Table& table, const std::string& function, const std::string& domain,
-                      const FabricMeasures& found, const Real& a, Arguments arguments) {
+                      const FabricMeasures& found, const Real& a, Named arguments) {
   const At at{table, domain, said(arguments)};
   const Real F33 = 3 / (3 - a) * ((1 - a) / 3 + 2 * a / 5);
   at(function + " a, P2", found.anisotropy, a);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closed forms in a, k_n and k_t as sums of the moments of E(gamma; a), [ChangLiao1994] for uniform stress; by
-// direction; with the kinematic force field; and derivatives.
+// Closed forms in a, k_n and k_t as sums of the moments of E(gamma; a), [ChangLiao1994] for uniform stress;
+// by direction; with the kinematic force field; and derivatives.
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/effective/uniform_field.hpp>
@@ -103,7 +103,8 @@ void check_directional_case(Table& table, Draw& draw) {
           static_stiffness(packing, Hypothesis::uniform_stress));
 }
 
-// ---- derivatives, by differences of 50-digit values: five points at steps of 1e-6, whose error is 1e-24 ----
+// ---- derivatives, by differences of 50-digit values: five points at steps of 1e-6, whose error is 1e-24
+// ----
 
 constexpr Modulus moduli[] = {Modulus::K, Modulus::G_hh, Modulus::G_vh, Modulus::E_v, Modulus::E_h};
 
@@ -142,7 +143,8 @@ void check_exponents(Table& table, const PackingCase& drawn, Hypothesis hypothes
 }
 
 // ---- the kinematic force field: strains are drawn, the stresses they need worked out and rounded, and the
-// strains put right for what the rounding moved by one step of Newton's rule, whose error is the square of that
+// strains put right for what the rounding moved by one step of Newton's rule, whose error is the square of
+// that
 
 /// Stiffness scale and moments at strains (v, h): k_n/k_ref = (h/v sin^2 + cos^2)^(1/alpha).
 struct Strained {

@@ -80,9 +80,9 @@ class Table {
   std::vector<Row> rows_;
 };
 
-using Arguments = std::initializer_list<std::pair<const char*, double>>;
+using Named = std::initializer_list<std::pair<const char*, double>>;
 /// "name=value" with six digits.
-std::string said(Arguments arguments);
+std::string said(Named arguments);
 
 /// Rows of one domain, at some arguments.
 struct At {

@@ -40,7 +40,7 @@ void Table::take(const std::string& function, const std::string& domain, Reach r
   }
 }
 
-std::string said(Arguments arguments) {
+std::string said(Named arguments) {
   std::string text;
   for (const auto& [name, value] : arguments)
     text += (text.empty() ? "" : " ") + std::string(name) + "=" + granum::short_text(value, 6);
@@ -72,7 +72,14 @@ bool print(const Table& table) {
   return all;
 }
 
-int run(std::size_t samples, const std::string& out) {
+bool run(const Arguments& arguments) {
+  std::size_t samples = 20000;
+  std::string out;
+  for (std::size_t k = 0; k + 1 < arguments.size(); k += 2)
+    if (arguments[k] == "--samples")
+      samples = std::stoul(arguments[k + 1]);
+    else if (arguments[k] == "--out")
+      out = arguments[k + 1];
   const struct {
     void (*check)(Table&, std::size_t);
     std::size_t share; ///< of the samples, for what takes long
@@ -87,7 +94,7 @@ int run(std::size_t samples, const std::string& out) {
   const bool all = print(table);
   if (!out.empty())
     granum::io::write_file(out, csv(table), granum::io::Existing::replace);
-  return all ? 0 : 1;
+  return all;
 }
 
 } // namespace
@@ -95,15 +102,5 @@ int run(std::size_t samples, const std::string& out) {
 } // namespace accuracy
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "[--samples n] [--out table.csv]",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   std::size_t samples = 20000;
-                   std::string out;
-                   for (std::size_t k = 0; k + 1 < arguments.size(); k += 2)
-                     if (arguments[k] == "--samples")
-                       samples = std::stoul(arguments[k + 1]);
-                     else if (arguments[k] == "--out")
-                       out = arguments[k + 1];
-                   return accuracy::run(samples, out);
-                 });
+  return program(argc, argv, {{"", "[--samples] [n] [--out] [table.csv]", accuracy::run}});
 }

@@ -6,8 +6,8 @@
 
 #include "harness.hpp"
 
-/// Averages over directions in 50-digit arithmetic, the stiffness that belongs to them, and a packing of any of
-/// the numbers of State.
+/// Averages over directions in 50-digit arithmetic, the stiffness that belongs to them, and a packing of any
+/// of the numbers of State.
 namespace accuracy {
 
 /// Means over E(gamma; a) of w, w x^2, w x^4, x = cos gamma.

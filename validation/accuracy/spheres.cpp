@@ -27,7 +27,7 @@ SpherePacking draw_pack(Draw& draw) {
           .pressure = draw.pressure()};
 }
 
-std::string said_of(const SpherePacking& p, Arguments more) {
+std::string said_of(const SpherePacking& p, Named more) {
   return said({{"G", p.shear_modulus},
                {"nu", p.poisson_ratio},
                {"porosity", p.porosity},

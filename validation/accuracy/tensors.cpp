@@ -38,8 +38,8 @@ granum::Mat3 draw_rotation(Draw& draw) {
            {s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y)}}};
 }
 
-/// C'_ijkl = R_ia R_jb R_kc R_ld C_abcd of a Voigt stiffness: T C T^T, as s_ij = R_ia R_jb s_ab with s_ab listed
-/// once a pair.
+/// C'_ijkl = R_ia R_jb R_kc R_ld C_abcd of a Voigt stiffness: T C T^T, as s_ij = R_ia R_jb s_ab with s_ab
+/// listed once a pair.
 Real6 turned(const Real6& voigt, const Real3& R) {
   constexpr int pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
   Real6 T{};

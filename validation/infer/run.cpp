@@ -114,8 +114,8 @@ Errors coordination_errors(const std::string& name, const std::vector<Known>& al
   return errors;
 }
 
-/// ln G as predicted from the first state of each specimen, minus ln G of its network there; printed. Misses of one
-/// specimen are not independent.
+/// ln G as predicted from the first state of each specimen, minus ln G of its network there; printed. Misses
+/// of one specimen are not independent.
 struct Predictions {
   Errors all;
   std::map<std::string, Errors> in_stated; ///< of each specimen, over the stated errors
@@ -178,14 +178,13 @@ void run(const std::string& states, const std::string& beads, Claims& claims) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "relaxation/states.csv laboratory/beads_states.csv [states.csv]",
-                 [](const std::vector<std::string>& files) -> std::optional<int> {
-                   if (files.size() != 2 && files.size() != 3)
-                     return {};
-                   Claims claims;
-                   run(files[0], files[1], claims);
-                   if (files.size() == 3)
-                     implied::judge(files[2], claims);
-                   return claims.exit_code();
-                 });
+  return program(
+      argc, argv,
+      {{"", "relaxation/states.csv laboratory/beads_states.csv [states.csv]", [](const Arguments& files) {
+          Claims claims;
+          run(files[0], files[1], claims);
+          if (files.size() == 3)
+            implied::judge(files[2], claims);
+          return claims.exit_code();
+        }}});
 }

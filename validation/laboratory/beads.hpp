@@ -152,8 +152,8 @@ inline granum::plot::Chart chart(const Comparison& c, double Moduli::*modulus, c
   return picture;
 }
 
-/// V_s at every other pressure, inferred from that at one: the relative misses for each, the largest printed. The
-/// void ratio is that of the porosity at the pressure that is known.
+/// V_s at every other pressure, inferred from that at one: the relative misses for each, the largest
+/// printed. The void ratio is that of the porosity at the pressure that is known.
 /// \return   all misses
 inline Errors foretell(const char* text, const Grains& grains, const std::vector<Measured>& measured,
                        granum::inverse::GrowthRule growth, double n = porosity) {

@@ -83,10 +83,8 @@ int run(const std::string& folder, const std::string& pictures) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "<folder of the data> [<folder for pictures>]",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.empty() || arguments.size() > 2)
-                     return {};
-                   return run(arguments[0], arguments.size() > 1 ? arguments[1] : "");
-                 });
+  return program(argc, argv,
+                 {{"", "folder-of-the-data [folder-for-pictures]", [](const Arguments& arguments) {
+                     return run(arguments[0], arguments.size() > 1 ? arguments[1] : "");
+                   }}});
 }

@@ -331,31 +331,32 @@ void check_readme(Claims& claims, const std::vector<Row>& rows, const std::strin
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "check table.csv states.csv README.md, or lines|picture|restate table.csv",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   const std::string asked = arguments.empty() ? "" : arguments[0];
-                   if (arguments.size() != (asked == "check" ? 4 : 2))
-                     return {};
-                   const std::vector<Row> rows = ladder::read(arguments[1]);
-                   if (asked == "check") {
-                     Claims claims;
-                     check_library(claims, rows);
-                     check_table(claims, rows);
-                     check_calibration_packings(claims, arguments[2]);
-                     check_readme(claims, rows, arguments[3]);
-                     return claims.exit_code();
-                   }
-                   // Two panels: between a microsecond and a hundredth of a second there is nothing.
-                   const plot::Chart both[] = {closed_forms(rows), of_packings(rows)};
-                   if (asked == "picture")
-                     std::printf("%s", plot::svg(both).c_str());
-                   else if (asked == "restate")
-                     std::printf("%s", restated_table(rows).c_str());
-                   else if (asked == "lines")
-                     for (const std::string& line : summary(rows))
-                       std::printf("%s\n", line.c_str());
-                   else
-                     return {};
-                   return 0;
-                 });
+  return program(
+      argc, argv,
+      {
+          {"check", "table.csv states.csv README.md",
+           [](const Arguments& files) {
+             const std::vector<Row> rows = ladder::read(files[0]);
+             Claims claims;
+             check_library(claims, rows);
+             check_table(claims, rows);
+             check_calibration_packings(claims, files[1]);
+             check_readme(claims, rows, files[2]);
+             return claims.exit_code();
+           }},
+          {"lines", "table.csv",
+           [](const Arguments& files) {
+             for (const std::string& line : summary(ladder::read(files[0])))
+               std::printf("%s\n", line.c_str());
+           }},
+          {"picture", "table.csv",
+           [](const Arguments& files) {
+             // Two panels: between a microsecond and a hundredth of a second there is nothing.
+             const std::vector<Row> rows = ladder::read(files[0]);
+             const plot::Chart both[] = {closed_forms(rows), of_packings(rows)};
+             std::printf("%s", plot::svg(both).c_str());
+           }},
+          {"restate", "table.csv",
+           [](const Arguments& files) { std::printf("%s", restated_table(ladder::read(files[0])).c_str()); }},
+      });
 }

@@ -213,15 +213,13 @@ void run_specimen(Table& table, const Case& c, std::uint64_t seed) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "table.csv [grains]",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.empty() || arguments.size() > 2)
-                     return {};
-                   const std::size_t grains = arguments.size() > 1 ? std::stoul(arguments[1]) : 1500;
-                   Table table(arguments[0]);
-                   for (std::uint64_t seed = first_seed; seed <= last_seed; ++seed)
-                     for (const Case& c : cases(grains))
-                       run_specimen(table, c, seed);
-                   return table.good() ? 0 : 3;
-                 });
+  return program(argc, argv, {{"", "table.csv [grains]", [](const Arguments& arguments) {
+                                 const std::size_t grains =
+                                     arguments.size() > 1 ? std::stoul(arguments[1]) : 1500;
+                                 Table table(arguments[0]);
+                                 for (std::uint64_t seed = first_seed; seed <= last_seed; ++seed)
+                                   for (const Case& c : cases(grains))
+                                     run_specimen(table, c, seed);
+                                 return table.good();
+                               }}});
 }

@@ -109,12 +109,8 @@ void run(const std::string& path, std::size_t grains, std::size_t seeds) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "table.csv [grains] [seeds]",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.empty() || arguments.size() > 3)
-                     return {};
-                   run(arguments[0], arguments.size() > 1 ? std::stoul(arguments[1]) : 1000,
-                       arguments.size() > 2 ? std::stoul(arguments[2]) : 3);
-                   return 0;
-                 });
+  return program(argc, argv, {{"", "table.csv [grains] [seeds]", [](const Arguments& arguments) {
+                                 run(arguments[0], arguments.size() > 1 ? std::stoul(arguments[1]) : 1000,
+                                     arguments.size() > 2 ? std::stoul(arguments[2]) : 3);
+                               }}});
 }

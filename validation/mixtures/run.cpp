@@ -49,7 +49,8 @@ analysis::Measurement measured(const std::filesystem::path& folder, const std::s
   return analysis::measure(packing.assembly, given, wanted);
 }
 
-/// \param    name   "dense_10_0.5": dense, G_g 1:10, half of the grains stiff; "dense_10_large": the large ones
+/// \param    name   "dense_10_0.5": dense, G_g 1:10, half of the grains stiff; "dense_10_large": the large
+/// ones
 void append(relaxation::Record& record, const std::string& name, const std::string& state,
             const std::filesystem::path& folder) {
   const std::size_t first = name.find('_'), last = name.rfind('_');
@@ -276,19 +277,11 @@ int check(const std::vector<State>& states) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "record states.csv FOLDER, or table|check states.csv",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   const std::string command = arguments.empty() ? "" : arguments[0];
-                   if (arguments.size() != (command == "record" ? 3 : 2))
-                     return {};
-                   if (command == "check")
-                     return check(read(arguments[1]));
-                   if (command == "record")
-                     record(arguments[1], arguments[2]);
-                   else if (command == "table")
-                     print_table(read(arguments[1]));
-                   else
-                     return {};
-                   return 0;
+  return program(argc, argv,
+                 {
+                     {"record", "states.csv FOLDER",
+                      [](const Arguments& arguments) { record(arguments[0], arguments[1]); }},
+                     {"table", "states.csv", [](const Arguments& files) { print_table(read(files[0])); }},
+                     {"check", "states.csv", [](const Arguments& files) { return check(read(files[0])); }},
                  });
 }

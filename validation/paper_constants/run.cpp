@@ -100,10 +100,7 @@ bool compare(const std::vector<Entry>& reference) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "reference.csv",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.size() != 1)
-                     return {};
-                   return compare(read_record(arguments[0])) ? 0 : 1;
-                 });
+  return program(argc, argv, {{"", "reference.csv", [](const Arguments& files) {
+                                 return compare(read_record(files[0]));
+                               }}});
 }

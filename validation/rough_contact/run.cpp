@@ -137,12 +137,13 @@ int check(const std::vector<Row>& data) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "phi.csv [record]",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.empty())
-                     return {};
-                   if (arguments.size() > 1 && arguments[1] == "record")
-                     record(arguments[0]);
-                   return check(read(arguments[0]));
+  return program(argc, argv,
+                 {
+                     {"", "phi.csv", [](const Arguments& files) { return check(read(files[0])); }},
+                     {"", "phi.csv record",
+                      [](const Arguments& arguments) {
+                        record(arguments[0]);
+                        return check(read(arguments[0]));
+                      }},
                  });
 }

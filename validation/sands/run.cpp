@@ -324,17 +324,13 @@ void print_forecasts(const std::vector<Test>& tests) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "<table.csv>",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.size() != 1)
-                     return {};
-                   const std::vector<Test> tests = read_tests(arguments[0]);
-                   if (tests.empty())
-                     throw FileError(arguments[0], 0, "holds no test with p, e and G");
-                   print_levels(tests);
-                   print_sands(tests);
-                   print_fits(tests);
-                   print_forecasts(tests);
-                   return 0;
-                 });
+  return program(argc, argv, {{"", "table.csv", [](const Arguments& files) {
+                                 const std::vector<Test> tests = read_tests(files[0]);
+                                 if (tests.empty())
+                                   throw FileError(files[0], 0, "holds no test with p, e and G");
+                                 print_levels(tests);
+                                 print_sands(tests);
+                                 print_fits(tests);
+                                 print_forecasts(tests);
+                               }}});
 }

@@ -117,14 +117,13 @@ bool check(const Packing& which, const std::string& folder) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "FOLDER", [](const std::vector<std::string>& arguments) -> std::optional<int> {
-    if (arguments.size() != 1)
-      return {};
-    bool good = true;
-    for (const Packing& packing :
-         {Packing{"lognormal_dense", "lognormal:0.35"}, Packing{"uniform_dense", "uniform:1:3"},
-          Packing{"lognormal_loose", "lognormal:0.35"}, Packing{"uniform_loose", "uniform:1:3"}})
-      good = check(packing, arguments[0]) && good;
-    return good ? 0 : 1;
-  });
+  return program(argc, argv, {{"", "FOLDER", [](const Arguments& arguments) {
+                                 bool good = true;
+                                 for (const Packing& packing : {Packing{"lognormal_dense", "lognormal:0.35"},
+                                                                Packing{"uniform_dense", "uniform:1:3"},
+                                                                Packing{"lognormal_loose", "lognormal:0.35"},
+                                                                Packing{"uniform_loose", "uniform:1:3"}})
+                                   good = check(packing, arguments[0]) && good;
+                                 return good;
+                               }}});
 }

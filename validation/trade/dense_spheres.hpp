@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,20 +57,22 @@ inline double angle_at(stress::ShearPath path, double eta) {
   return stress::mobilised_friction_angle(stress::stress_on_path(path, pressure, eta)) / degree;
 }
 
-/// Specimens and grains of a command line, 3 of 1000 by default; none where they are too few.
+/// Of a command line.
 struct Asked {
   std::string table; ///< to be written; or empty
   std::uint64_t specimens = 3;
   std::size_t grains = 1000;
   double last = 0; ///< a further number
 };
-inline std::optional<Asked> asked(const std::vector<std::string>& arguments, double usual) {
+inline Asked asked(const Arguments& arguments, double usual) {
   const auto has = [&](std::size_t k) { return arguments.size() > k; };
   const Asked found{.table = has(0) ? arguments[0] : "",
                     .specimens = has(1) ? std::stoull(arguments[1]) : 3,
                     .grains = has(2) ? std::stoull(arguments[2]) : 1000,
                     .last = has(3) ? std::stod(arguments[3]) : usual};
-  return has(4) || found.specimens < 1 || found.grains < 40 ? std::nullopt : std::optional(found);
+  if (found.specimens < 1 || found.grains < 40)
+    throw InvalidArgument("less than one specimen of 40 grains");
+  return found;
 }
 
 inline void write(const Asked& asked, const io::CsvContent& table) {

@@ -159,13 +159,12 @@ bool report(const std::vector<Row>& rows) {
 
 int main(int argc, char** argv) {
   return program(argc, argv,
-                 "[table.csv [specimens [grains, 40 or more [lowest rate, below the default one]]]]",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   const auto found = asked(arguments, rates.back());
-                   if (!found || !(found->last > 0 && found->last < preset.inertial_number))
-                     return {};
-                   const std::vector<Row> rows = study(found->specimens, found->grains, found->last);
-                   write(*found, table_of(rows, found->grains));
-                   return report(rows) ? 0 : 1;
-                 });
+                 {{"", "[table.csv] [specimens] [grains] [lowest-rate]", [](const Arguments& arguments) {
+                     const Asked found = asked(arguments, rates.back());
+                     if (!(found.last > 0 && found.last < preset.inertial_number))
+                       throw InvalidArgument("the lowest rate is not below the default one");
+                     const std::vector<Row> rows = study(found.specimens, found.grains, found.last);
+                     write(found, table_of(rows, found.grains));
+                     return report(rows);
+                   }}});
 }

@@ -116,14 +116,13 @@ void report(const std::vector<Row>& rows) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "[table.csv [specimens [grains, 40 or more [step of q/p', below 1]]]]",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   const auto found = asked(arguments, 0.025);
-                   if (!found || !(found->last > 0 && found->last < 1))
-                     return {};
-                   const std::vector<Row> rows = study(found->specimens, found->grains, found->last);
-                   write(*found, table_of(rows, found->grains, found->last));
-                   report(rows);
-                   return 0;
-                 });
+  return program(argc, argv, {{"", "[table.csv] [specimens] [grains] [step]", [](const Arguments& arguments) {
+                                 const Asked found = asked(arguments, 0.025);
+                                 if (!(found.last > 0 && found.last < 1))
+                                   throw InvalidArgument("the step of q/p' is not between 0 and 1");
+                                 const std::vector<Row> rows =
+                                     study(found.specimens, found.grains, found.last);
+                                 write(found, table_of(rows, found.grains, found.last));
+                                 report(rows);
+                               }}});
 }

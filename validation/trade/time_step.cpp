@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <granum/contact/grains.hpp>
+#include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/hardin/fit.hpp>
 #include <granum/network/linear_response.hpp>
@@ -113,16 +114,17 @@ bool report(const std::vector<Figures>& differences) {
 
 int main(int argc, char** argv) {
   return program(
-      argc, argv, "[specimens, 2 or more [two shares of the stability limit, in (0, 1]]]",
-      [](const std::vector<std::string>& arguments) -> std::optional<int> {
-        const auto specimens = !arguments.empty() ? std::stoull(arguments[0]) : 64;
-        const double first = arguments.size() > 1 ? std::stod(arguments[1]) : dem::default_time_step_fraction,
-                     second = arguments.size() > 2 ? std::stod(arguments[2]) : 0.2;
-        if (arguments.size() > 3 || specimens < 2 || !(first > 0 && first <= 1 && second > 0 && second <= 1))
-          return {};
-        const std::vector<Figures> found = differences(specimens, first, second);
-        std::printf("%g of the stability limit less %g: %zu specimens of %llu\n", second, first, found.size(),
-                    specimens);
-        return report(found) ? 0 : 1;
-      });
+      argc, argv,
+      {{"", "[specimens] [share-of-the-stability-limit] [another]", [](const Arguments& arguments) {
+          const auto specimens = !arguments.empty() ? std::stoull(arguments[0]) : 64;
+          const double first =
+                           arguments.size() > 1 ? std::stod(arguments[1]) : dem::default_time_step_fraction,
+                       second = arguments.size() > 2 ? std::stod(arguments[2]) : 0.2;
+          if (specimens < 2 || !(first > 0 && first <= 1 && second > 0 && second <= 1))
+            throw InvalidArgument("less than two specimens, or a share that is not in (0, 1]");
+          const std::vector<Figures> found = differences(specimens, first, second);
+          std::printf("%g of the stability limit less %g: %zu specimens of %llu\n", second, first,
+                      found.size(), specimens);
+          return report(found);
+        }}});
 }
