@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of fits, of which headers of the library hold printed copies.
+// Numbers of fits, of which headers of the library (src/effective) hold printed copies.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-/// Some numbers of such a header, between what is printed before and after them.
+#include <granum/core/text.hpp>
+
+/// Some numbers of such a header.
 struct Constant {
-  std::string before;
-  std::vector<double> fitted, recorded; ///< recorded: as the library has them
-  std::string after = "};\n";
+  std::string before; ///< what the header has in front of them
+  std::vector<double> fitted;
   int digits = 9;
-  std::vector<double> scales = {}; ///< that differences are relative to; empty: the recorded numbers
+  std::vector<double> scales = {}; ///< that differences are relative to; empty: the numbers themselves
 };
 
 /// Numbers and lists of numbers, one after the other.
@@ -31,25 +36,51 @@ std::vector<double> joined(const Parts&... parts) {
   return all;
 }
 
-/// The header; `intro` ends in the opened namespace.
-inline void print_header(const std::string& intro, const std::vector<Constant>& constants) {
-  std::printf("// SPDX-License-Identifier: GPL-3.0-or-later\n%s", intro.c_str());
+/// The header with other texts for its numbers.
+/// \param    replacement   takes a constant, the place of a number in it and what the header has there
+template <class Replacement>
+std::string header_with(const std::filesystem::path& path, const std::vector<Constant>& constants,
+                        const Replacement& replacement) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  std::string header = text.str();
+  std::size_t at = 0;
   for (const Constant& c : constants) {
-    std::printf("%s", c.before.c_str());
-    for (std::size_t k = 0; k < c.fitted.size(); ++k)
-      std::printf("%s%.*g", k > 0 ? ", " : "", c.digits, c.fitted[k]);
-    std::printf("%s", c.after.c_str());
+    at = header.find(c.before, at);
+    if (at == std::string::npos)
+      throw std::runtime_error(path.string() + " lacks " + c.before);
+    at += c.before.size();
+    for (std::size_t k = 0; k < c.fitted.size(); ++k) {
+      const std::size_t begin = header.find_first_of("-0123456789", at);
+      std::size_t end = header.find_first_not_of("+-.e0123456789", begin);
+      end -= header[end - 1] == '.'; // of a sentence
+      const std::string number = replacement(c, k, header.substr(begin, end - begin));
+      header.replace(begin, end - begin, number);
+      at = begin + number.size();
+    }
   }
-  std::printf("\n} // namespace granum::effective::kernel\n");
+  return header;
 }
 
-/// What is printed before the first numbers that differ by more from those of the library; empty: none.
-inline std::string first_other(const std::vector<Constant>& constants, double relative) {
-  for (const Constant& c : constants)
-    for (std::size_t k = 0; k < c.fitted.size(); ++k) {
-      const double scale = c.scales.empty() ? std::abs(c.recorded.at(k)) : c.scales[k];
-      if (!(std::abs(c.fitted[k] - c.recorded.at(k)) <= relative * scale))
-        return c.before;
-    }
-  return "";
+inline void write_header(const std::filesystem::path& path, const std::vector<Constant>& constants) {
+  const std::string header =
+      header_with(path, constants, [](const Constant& c, std::size_t k, const std::string&) {
+        return granum::short_text(c.fitted[k], c.digits);
+      });
+  std::ofstream(path) << header;
+}
+
+/// What is before the first numbers that differ from those of the header by more, relative, or by more than
+/// their last digit; empty: none.
+inline std::string first_other(const std::filesystem::path& path, const std::vector<Constant>& constants,
+                               double relative) {
+  std::string other;
+  header_with(path, constants, [&](const Constant& c, std::size_t k, const std::string& number) {
+    const double recorded = std::stod(number), scale = c.scales.empty() ? std::abs(recorded) : c.scales[k];
+    if (!(std::abs(c.fitted[k] - recorded) <= std::max(relative, std::pow(10, 1 - c.digits)) * scale) &&
+        other.empty())
+      other = c.before;
+    return number;
+  });
+  return other;
 }

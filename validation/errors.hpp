@@ -24,6 +24,7 @@ class Errors {
     add(error);
     within_one_ += std::abs(error) < stated;
     within_two_ += std::abs(error) < 2 * stated;
+    within_three_ += std::abs(error) < 3 * stated;
     largest_stated_ = std::max(largest_stated_, stated);
     worst_in_stated_ = std::max(worst_in_stated_, std::abs(error) / stated);
   }
@@ -35,6 +36,7 @@ class Errors {
     count_ += more.count_;
     within_one_ += more.within_one_;
     within_two_ += more.within_two_;
+    within_three_ += more.within_three_;
     largest_stated_ = std::max(largest_stated_, more.largest_stated_);
     worst_in_stated_ = std::max(worst_in_stated_, more.worst_in_stated_);
   }
@@ -47,6 +49,7 @@ class Errors {
   /// Shares within the stated errors; not a number without errors.
   [[nodiscard]] double one() const { return static_cast<double>(within_one_) / count_; }
   [[nodiscard]] double two() const { return static_cast<double>(within_two_) / count_; }
+  [[nodiscard]] double three() const { return static_cast<double>(within_three_) / count_; }
   [[nodiscard]] int beyond_two() const { return count_ - within_two_; }
   [[nodiscard]] double largest_stated() const { return largest_stated_; }
   [[nodiscard]] double worst_in_stated() const { return worst_in_stated_; }
@@ -54,7 +57,7 @@ class Errors {
  private:
   double sum_ = 0, squares_ = 0, largest_stated_ = 0, worst_in_stated_ = 0;
   double lowest_ = std::numeric_limits<double>::infinity(), highest_ = -lowest_;
-  int count_ = 0, within_one_ = 0, within_two_ = 0;
+  int count_ = 0, within_one_ = 0, within_two_ = 0, within_three_ = 0;
 };
 
 struct ErrorsOfBoth {
@@ -65,6 +68,21 @@ struct ErrorsOfBoth {
     K.add(more.K);
   }
 };
+
+/// With its standard error.
+struct Mean {
+  double value = 0, error = 0;
+};
+inline Mean mean_of(const std::vector<double>& values) {
+  const double count = static_cast<double>(values.size());
+  Mean mean;
+  for (const double value : values)
+    mean.value += value / count;
+  for (const double value : values)
+    mean.error += (value - mean.value) * (value - mean.value);
+  mean.error = count > 1 ? std::sqrt(mean.error / (count - 1) / count) : 0;
+  return mean;
+}
 
 /// A line: of each quantity its errors in that unit, a hundredth being per cent, and what is stated of them.
 inline void print_errors(const std::string& what,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <boost/math/constants/constants.hpp>
@@ -44,9 +45,6 @@ class Draw {
   boost::random::uniform_01<double> unit_;
 };
 
-/// Error in units in the last place of the reference.
-double ulps(double value, const Real& reference);
-
 /// What a row promises: the largest error in units in the last place.
 struct Reach {
   double ulp;
@@ -58,7 +56,6 @@ constexpr Reach stiffness_form{1e-14 / 2.220446049250313e-16};
 constexpr Reach quadrature{1e-13 / 2.220446049250313e-16}; ///< relative 1e-13
 /// Relative 1e-12, what the docstrings of derivatives and of the kinematic field promise.
 constexpr Reach derivative{1e-12 / 2.220446049250313e-16};
-constexpr Reach kinematic_strain = derivative;
 
 /// The table: one row a function and domain, with its largest error so far.
 class Table {
@@ -68,28 +65,38 @@ class Table {
     std::string domain;
     double reach = 0;
     double worst = 0;
-    std::string where; ///< arguments of the largest error
+    std::string where = {}; ///< arguments of the largest error
     std::size_t samples = 0;
   };
 
-  /// Compares one value; `where` says the arguments.
+  /// Compares one value, whose error is relative to `scale`: itself, or one of larger ones that it is a
+  /// difference of. `where` says the arguments.
   void take(const std::string& function, const std::string& domain, Reach reach, double value,
-            const Real& reference, const std::string& where);
-  /// The same for a quantity that is a difference of larger ones: error relative to `scale`.
-  void take_against(const std::string& function, const std::string& domain, Reach reach, double value,
-                    const Real& reference, const Real& scale, const std::string& where);
+            const Real& reference, const Real& scale, const std::string& where);
 
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
  private:
-  Row& row(const std::string& function, const std::string& domain, Reach reach);
-  void take_error(Row& row, double error, const std::string& where);
-
   std::vector<Row> rows_;
 };
 
+using Named = std::initializer_list<std::pair<const char*, double>>;
 /// "name=value" with six digits.
-std::string said(std::initializer_list<std::pair<const char*, double>> arguments);
+std::string said(Named arguments);
+
+/// Rows of one domain, at some arguments.
+struct At {
+  Table& table;
+  std::string domain, where;
+  Reach reach = closed_form;
+
+  void operator()(const std::string& function, double value, const Real& reference) const {
+    table.take(function, domain, reach, value, reference, reference, where);
+  }
+  void of(const Real& scale, const std::string& function, double value, const Real& reference) const {
+    table.take(function, domain, reach, value, reference, scale, where);
+  }
+};
 
 /// One function a group of formulas; each adds its rows.
 void check_contact(Table& table, std::size_t samples);
@@ -102,9 +109,9 @@ void check_sphere_models(Table& table, std::size_t samples);
 void check_static_field(Table& table, std::size_t samples);
 void check_derivatives(Table& table, std::size_t samples);
 void check_kinematic(Table& table, std::size_t samples);
+void check_relaxation(Table& table, std::size_t samples);
 void check_waves(Table& table, std::size_t samples);
 void check_tensors(Table& table, std::size_t samples);
 void check_distribution(Table& table, std::size_t samples);
-void check_relaxation(Table& table, std::size_t samples);
 
 } // namespace accuracy

@@ -15,34 +15,51 @@ namespace accuracy {
 
 template <std::size_t n>
 struct Square {
+  static constexpr int size = static_cast<int>(n);
   Real entries[n][n];
 
   Real* operator[](int row) { return entries[row]; }
   const Real* operator[](int row) const { return entries[row]; }
+  /// Takes each row and column.
+  template <class Take>
+  static void each(const Take& take) {
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j)
+        take(i, j);
+  }
+  friend Square operator*(const Square& a, const Square& b) {
+    Square c{};
+    each([&](int i, int j) {
+      for (int k = 0; k < size; ++k)
+        c[i][j] += a[i][k] * b[k][j];
+    });
+    return c;
+  }
+  [[nodiscard]] Square transposed() const {
+    Square c;
+    each([&](int i, int j) { c[i][j] = entries[j][i]; });
+    return c;
+  }
 };
 using Real3 = Square<3>;
 using Real6 = Square<6>;
 
+/// Entries of a matrix of doubles.
+template <class Square, class Matrix>
+Square exact(const Matrix& m) {
+  Square r;
+  Square::each([&](int i, int j) { r[i][j] = m(i, j); });
+  return r;
+}
+
 /// A well conditioned stiffness, C33, C12 and C13 of the size of C11.
 granum::elastic::TransverselyIsotropic draw_stiffness(Draw& draw);
+std::string said_of(const granum::elastic::TransverselyIsotropic& c);
 /// A positive definite matrix without symmetry but its own: diagonally dominant.
 granum::elastic::VoigtStiffness draw_full_stiffness(Draw& draw);
-granum::Vec3 draw_direction(Draw& draw);
-/// A rotation to double precision.
-granum::Mat3 draw_rotation(Draw& draw);
 
 /// Voigt index of the pair ij.
-int voigt_index(int i, int j);
-/// Entries with the shear rows and columns times sqrt 2: the Mandel form of a Voigt stiffness.
-Real6 mandel_of(const granum::elastic::VoigtStiffness& c);
+inline int voigt_index(int i, int j) { return i == j ? i : 6 - i - j; }
 Real6 voigt_of(const granum::elastic::TransverselyIsotropic& c);
-
-/// C'_ijkl = R_ia R_jb R_kc R_ld C_abcd of a Voigt stiffness, as a Voigt stiffness.
-Real6 turned(const Real6& voigt, const Real3& R);
-/// Largest magnitude of an entry.
-Real largest(const Real6& m);
-
-/// Eigenvalues of a symmetric matrix, ascending, by Jacobi's rotations.
-std::array<Real, 3> eigenvalues(Real3 m);
 
 } // namespace accuracy

@@ -4,6 +4,7 @@
 #include <granum/effective/relaxation.hpp>
 
 #include "effective/relaxation_coefficients.hpp"
+#include "matrices.hpp"
 #include "packing.hpp"
 
 namespace accuracy {
@@ -40,48 +41,25 @@ void check_factors(Table& table, Draw& draw) {
   const double r = draw.ratio(), b = draw.uniform_or(0, 1, {0.0, 1.0 / 3, 0.5, 1.0});
   const double z = draw.uniform_or(r > 0 ? 3.958 : 6.001, 14, {8.7, 14.0, 1e6});
   const auto factors = granum::effective::relaxation(z, r, b);
-  const std::string at = said({{"z", z}, {"r", r}, {"b", b}});
-  const std::string domain = "z* above isostatic to 14 and 1e6, k_t/k_n 0 to 2";
-  table.take("relaxation of G", domain, quadrature, factors.shear.value, shear_factor(z, r, b), at);
-  table.take("relaxation of K", domain, quadrature, factors.bulk.value, bulk_factor(z, r, b), at);
+  const At at{table, "z* above isostatic to 14 and 1e6, k_t/k_n 0 to 2", said({{"z", z}, {"r", r}, {"b", b}}),
+              quadrature};
+  at("relaxation of G", factors.shear.value, shear_factor(z, r, b));
+  at("relaxation of K", factors.bulk.value, bulk_factor(z, r, b));
 }
-
-struct Block {
-  Real of[3][3];
-};
-Block product(const Block& a, const Block& b) {
-  Block c{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k)
-        c.of[i][j] += a.of[i][k] * b.of[k][j];
-  return c;
-}
-
-Real nine_bulk_moduli(const Five& c) { return 2 * c.C11 + c.C33 + 2 * c.C12 + 4 * c.C13; }
 
 /// S M C M S: M scales volumetric and deviatoric strain by sqrt K and sqrt G, S = diag(q, q, q^-2) stretches
 /// C33/C11 by q^-6 = exp(log_stretch). Where K comes out above that of C, its bound, all is scaled down to
 /// it.
 Five relaxed_stiffness(const Five& c, const Real& K, const Real& G, const Real& log_stretch) {
-  const Real C[3][3] = {{c.C11, c.C12, c.C13}, {c.C12, c.C11, c.C13}, {c.C13, c.C13, c.C33}};
-  Block stiffness{}, filter{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      stiffness.of[i][j] = C[i][j];
-      filter.of[i][j] = (i == j ? sqrt(G) : Real(0)) + (sqrt(K) - sqrt(G)) / 3;
-    }
-  const Block left = product(product(filter, stiffness), filter);
+  const Real3 stiffness{{{c.C11, c.C12, c.C13}, {c.C12, c.C11, c.C13}, {c.C13, c.C13, c.C33}}};
+  Real3 filter{};
+  Real3::each([&](int i, int j) { filter[i][j] = (i == j ? sqrt(G) : Real(0)) + (sqrt(K) - sqrt(G)) / 3; });
+  const Real3 left = filter * stiffness * filter;
   const Real q = exp(-log_stretch / 6), v = 1 / (q * q);
-  const Five free{q * q * left.of[0][0], v * v * left.of[2][2], q * q * left.of[0][1], q * v * left.of[0][2],
+  const Five free{q * q * left[0][0], v * v * left[2][2], q * q * left[0][1], q * v * left[0][2],
                   q * v * G * c.C44};
-  const Real bound = nine_bulk_moduli(c), above = nine_bulk_moduli(free);
-  const Real share = above > bound ? Real(bound / above) : Real(1);
-  return {share * free.C11, share * free.C33, share * free.C12, share * free.C13, share * free.C44};
-}
-
-Five scaled(const Five& c, const Real& by) {
-  return {by * c.C11, by * c.C33, by * c.C12, by * c.C13, by * c.C44};
+  const Real bound = c.nine_bulk_moduli(), above = free.nine_bulk_moduli();
+  return free.times(above > bound ? Real(bound / above) : Real(1));
 }
 
 /// What is left of the moduli at branches that overlaps at the mean force shorten, by a tenth at most.
@@ -101,10 +79,9 @@ void check_relaxed(Table& table, Draw& draw) {
   const auto& c = kernel::stretch_coefficients;
   const Real log_stretch = (1 - G) * (c[0] * log(F33 / F11) + c[1] * b * log(p.stress_v / p.stress_h));
   const Five strained = static_stiffness(p, granum::effective::Hypothesis::uniform_strain);
-  compare(table, "relaxed", "forces 1 to 1e4 apart, a in [-1, 1]", quadrature,
-          granum::effective::relaxed(drawn.state, z).stiffness,
-          scaled(relaxed_stiffness(strained, K, G, log_stretch), shortened_branches(p)),
-          drawn.where + " " + said({{"z", z}}));
+  compare({table, "forces 1 to 1e4 apart, a in [-1, 1]", drawn.where + " " + said({{"z", z}}), quadrature},
+          "relaxed", granum::effective::relaxed(drawn.state, z).stiffness,
+          relaxed_stiffness(strained, K, G, log_stretch).times(shortened_branches(p)));
 }
 
 } // namespace

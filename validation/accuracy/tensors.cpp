@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is done on whole stiffness matrices, written out by components.
+#include <algorithm>
+
 #include <granum/elastic/isotropic.hpp>
 #include <granum/elastic/stiffness.hpp>
 
@@ -11,20 +13,39 @@ namespace {
 
 using granum::elastic::VoigtStiffness;
 
-Real6 exact(const granum::elastic::Matrix6& m) {
-  Real6 r;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      r[i][j] = m(i, j);
-  return r;
+/// Of the largest entry.
+void compare_entries(const At& at, const std::string& function, const granum::elastic::Matrix6& found,
+                     const Real6& reference) {
+  Real scale = 0;
+  Real6::each([&](int i, int j) { scale = std::max(scale, Real(abs(reference[i][j]))); });
+  Real6::each([&](int i, int j) { at.of(scale, function, found(i, j), reference[i][j]); });
 }
 
-void compare_entries(Table& table, const std::string& function, const std::string& domain, Reach reach,
-                     const granum::elastic::Matrix6& found, const Real6& reference, const std::string& at) {
-  const Real scale = largest(reference);
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      table.take_against(function, domain, reach, found(i, j), reference[i][j], scale, at);
+/// Two where a pair of different axes is counted twice.
+int twice(int I) { return I < 3 ? 1 : 2; }
+
+/// A rotation to double precision.
+granum::Mat3 draw_rotation(Draw& draw) {
+  double q[4], square = 0;
+  do {
+    square = 0;
+    for (double& x : q)
+      x = draw.uniform(-1, 1), square += x * x;
+  } while (square < 0.1 || square > 1);
+  const double s = 2 / square, w = q[0], x = q[1], y = q[2], z = q[3];
+  return {{{1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w)},
+           {s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w)},
+           {s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y)}}};
+}
+
+/// C'_ijkl = R_ia R_jb R_kc R_ld C_abcd of a Voigt stiffness: T C T^T, as s_ij = R_ia R_jb s_ab with s_ab
+/// listed once a pair.
+Real6 turned(const Real6& voigt, const Real3& R) {
+  constexpr int pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+  Real6 T{};
+  for (int I = 0; I < 6; ++I)
+    Real3::each([&](int a, int b) { T[I][voigt_index(a, b)] += R[pairs[I][0]][a] * R[pairs[I][1]][b]; });
+  return T * voigt * T.transposed();
 }
 
 /// K and G of the mean over all rotations: C_iijj = 9 K and C_ijij = 3 K + 10 G.
@@ -33,11 +54,10 @@ struct Mean {
 };
 Mean rotation_mean(const Real6& c) {
   Real iijj = 0, ijij = 0;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      iijj += c[i][j];
-      ijij += c[voigt_index(i, j)][voigt_index(i, j)];
-    }
+  Real3::each([&](int i, int j) {
+    iijj += c[i][j];
+    ijij += c[voigt_index(i, j)][voigt_index(i, j)];
+  });
   return {iijj / 9, (ijij - iijj / 3) / 10};
 }
 
@@ -61,116 +81,92 @@ Real6 inverse(Real6 m) {
 /// Voigt's matrix of a compliance has factors 2 and 4 at the shears.
 Mean reuss_mean(const Real6& c) {
   Real6 s = inverse(c);
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      s[i][j] /= (i < 3 ? 1 : 2) * (j < 3 ? 1 : 2);
+  Real6::each([&](int i, int j) { s[i][j] /= twice(i) * twice(j); });
   const Mean mean = rotation_mean(s); // of a solid of compliances 1/(9K) and 1/(4G)
   return {1 / (9 * mean.K), 1 / (4 * mean.G)};
 }
 
-void check_averages(Table& table, const std::string& domain, const granum::elastic::IsotropicAverages& found,
-                    const Real6& c, const std::string& at) {
+void check_averages(const At& at, const granum::elastic::IsotropicAverages& found, const Real6& c) {
   const Mean voigt = rotation_mean(c), reuss = reuss_mean(c);
-  const auto take = [&](const char* name, double value, const Real& reference) {
-    table.take(name, domain, closed_form, value, reference, at);
-  };
-  take("isotropic_averages voigt", found.voigt.bulk_modulus(), voigt.K);
-  take("isotropic_averages voigt", found.voigt.shear_modulus(), voigt.G);
-  take("isotropic_averages reuss", found.reuss.bulk_modulus(), reuss.K);
-  take("isotropic_averages reuss", found.reuss.shear_modulus(), reuss.G);
-  take("isotropic_averages hill", found.hill.bulk_modulus(), (voigt.K + reuss.K) / 2);
-  take("isotropic_averages hill", found.hill.shear_modulus(), (voigt.G + reuss.G) / 2);
+  at("isotropic_averages voigt", found.voigt.bulk_modulus(), voigt.K);
+  at("isotropic_averages voigt", found.voigt.shear_modulus(), voigt.G);
+  at("isotropic_averages reuss", found.reuss.bulk_modulus(), reuss.K);
+  at("isotropic_averages reuss", found.reuss.shear_modulus(), reuss.G);
+  at("isotropic_averages hill", found.hill.bulk_modulus(), (voigt.K + reuss.K) / 2);
+  at("isotropic_averages hill", found.hill.shear_modulus(), (voigt.G + reuss.G) / 2);
 }
 
 /// Mean over the rotations about axis 3 by eight of them, exact for the fourth harmonic.
 Real6 axial_mean(const Real6& c) {
   Real6 sum{};
   for (int k = 0; k < 8; ++k) {
-    const Real angle = k * pi() / 4;
-    const Real co = cos(angle), si = sin(angle);
+    const Real angle = k * pi() / 4, co = cos(angle), si = sin(angle);
     const Real6 one = turned(c, {{{co, -si, 0}, {si, co, 0}, {0, 0, 1}}});
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j)
-        sum[i][j] += one[i][j] / 8;
+    Real6::each([&](int i, int j) { sum[i][j] += one[i][j] / 8; });
   }
   return sum;
 }
 
 Real mandel_norm(const Real6& c) {
   Real sum = 0;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      sum += (i < 3 ? 1 : 2) * (j < 3 ? 1 : 2) * c[i][j] * c[i][j];
+  Real6::each([&](int i, int j) { sum += twice(i) * twice(j) * c[i][j] * c[i][j]; });
   return sqrt(sum);
 }
 
 Real distance(Real6 c, const Real6& part) {
   const Real size = mandel_norm(c);
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      c[i][j] -= part[i][j];
+  Real6::each([&](int i, int j) { c[i][j] -= part[i][j]; });
   return mandel_norm(c) / size;
 }
 
 Real6 isotropic(const Mean& m) {
   Real6 c{};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j)
-      c[i][j] = m.K - 2 * m.G / 3 + (i == j ? Real(2 * m.G) : Real(0));
-    c[i + 3][i + 3] = m.G;
-  }
+  Real3::each([&](int i, int j) { c[i][j] = m.K - 2 * m.G / 3 + (i == j ? Real(2 * m.G) : Real(0)); });
+  for (int I = 3; I < 6; ++I)
+    c[I][I] = m.G;
   return c;
 }
 
-void check_projection(Table& table, const VoigtStiffness& c, const std::string& at) {
-  const Real6 C = exact(c.matrix), axial = axial_mean(C);
-  const std::string domain = "full positive definite matrices";
+void check_projection(const At& at, const VoigtStiffness& c) {
+  const Real6 C = exact<Real6>(c.matrix), axial = axial_mean(C);
   const Mean mean = rotation_mean(C);
   const auto solid = isotropic_projection(c);
-  table.take("isotropic_projection", domain, closed_form, solid.bulk_modulus(), mean.K, at);
-  table.take("isotropic_projection", domain, closed_form, solid.shear_modulus(), mean.G, at);
-  const auto ti = granum::elastic::transversely_isotropic_projection(c);
-  compare_entries(table, "transversely_isotropic_projection (of largest)", domain, closed_form,
-                  granum::elastic::voigt(ti).matrix, axial, at);
+  at("isotropic_projection", solid.bulk_modulus(), mean.K);
+  at("isotropic_projection", solid.shear_modulus(), mean.G);
+  compare_entries(at, "transversely_isotropic_projection (of largest)",
+                  granum::elastic::voigt(granum::elastic::transversely_isotropic_projection(c)).matrix,
+                  axial);
   const auto distances = symmetry_distances(c);
-  table.take_against("symmetry_distances, of 1", domain, closed_form, distances.isotropic,
-                     distance(C, isotropic(mean)), 1, at);
-  table.take_against("symmetry_distances, of 1", domain, closed_form, distances.transversely_isotropic,
-                     distance(C, axial), 1, at);
+  at.of(1, "symmetry_distances, of 1", distances.isotropic, distance(C, isotropic(mean)));
+  at.of(1, "symmetry_distances, of 1", distances.transversely_isotropic, distance(C, axial));
 }
 
+/// Mandel's form has the shear rows and columns times sqrt 2.
 void check_mandel(Table& table, Draw& draw, const VoigtStiffness& c) {
   const std::string domain = "full positive definite matrices";
+  const At any{table, domain, "any"};
   const auto m = granum::elastic::mandel(c);
-  const Real6 M = mandel_of(c);
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      table.take("mandel(Voigt)", domain, closed_form, m.matrix(i, j), M[i][j], "any");
+  Real6::each([&](int i, int j) {
+    any("mandel(Voigt)", m.matrix(i, j),
+        c.matrix(i, j) * (i < 3 ? Real(1) : sqrt(Real(2))) * (j < 3 ? Real(1) : sqrt(Real(2))));
+  });
   const granum::elastic::Matrix6 back = granum::elastic::voigt(m).matrix;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      table.take("voigt(mandel(Voigt))", domain, closed_form, back(i, j), c.matrix(i, j), "any");
+  Real6::each([&](int i, int j) { any("voigt(mandel(Voigt))", back(i, j), c.matrix(i, j)); });
   const granum::Mat3 R = draw_rotation(draw);
-  Real3 exact_rotation;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      exact_rotation[i][j] = R(i, j);
-  const std::string at = said({{"R11", R(0, 0)}, {"R22", R(1, 1)}, {"R33", R(2, 2)}});
-  compare_entries(table, "rotate (of largest)", domain, closed_form, rotate(c, R).matrix,
-                  turned(exact(c.matrix), exact_rotation), at);
+  const At at{table, domain, said({{"R11", R(0, 0)}, {"R22", R(1, 1)}, {"R33", R(2, 2)}})};
+  compare_entries(at, "rotate (of largest)", rotate(c, R).matrix,
+                  turned(exact<Real6>(c.matrix), exact<Real3>(R)));
   VoigtStiffness skew = c;
   skew.matrix(0, 1) += 0.1 * c.matrix(0, 0) * draw.uniform(-1, 1);
   skew.matrix(2, 4) += 0.1 * c.matrix(0, 0) * draw.uniform(-1, 1);
   const auto unsymmetric = granum::elastic::mandel(skew);
-  const Real6 s = exact(unsymmetric.matrix);
+  const Real6 s = exact<Real6>(unsymmetric.matrix);
   Real residual = 0, size = 0;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) {
-      residual += (s[i][j] - s[j][i]) * (s[i][j] - s[j][i]);
-      size += s[i][j] * s[i][j];
-    }
-  table.take("symmetry_residual", domain, closed_form, symmetry_residual(unsymmetric), sqrt(residual / size),
-             at);
+  Real6::each([&](int i, int j) {
+    residual += (s[i][j] - s[j][i]) * (s[i][j] - s[j][i]);
+    size += s[i][j] * s[i][j];
+  });
+  at("symmetry_residual", symmetry_residual(unsymmetric), sqrt(residual / size));
 }
 
 } // namespace
@@ -179,13 +175,11 @@ void check_tensors(Table& table, std::size_t samples) {
   Draw draw(13);
   for (std::size_t k = 0; k < samples; ++k) {
     const VoigtStiffness c = draw_full_stiffness(draw);
-    const std::string at = "sample " + std::to_string(k);
-    check_averages(table, "full positive definite matrices", isotropic_averages(c), exact(c.matrix), at);
+    const At at{table, "full positive definite matrices", "sample " + std::to_string(k)};
+    check_averages(at, isotropic_averages(c), exact<Real6>(c.matrix));
     const auto ti = draw_stiffness(draw);
-    check_averages(
-        table, "transversely isotropic", isotropic_averages(ti), voigt_of(ti),
-        said({{"C11", ti.C11}, {"C33", ti.C33}, {"C12", ti.C12}, {"C13", ti.C13}, {"C44", ti.C44}}));
-    check_projection(table, c, at);
+    check_averages({table, "transversely isotropic", said_of(ti)}, isotropic_averages(ti), voigt_of(ti));
+    check_projection(at, c);
     check_mandel(table, draw, c);
   }
 }

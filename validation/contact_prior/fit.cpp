@@ -2,7 +2,7 @@
 // Fits the contact prior to the packings that validation/relaxation recorded.
 //
 //     contact_prior_fit coefficients states.csv unequal.csv codes.csv
-//                                      writes src/effective/contact_prior_coefficients.hpp
+//                                      writes the numbers of src/effective/contact_prior_coefficients.hpp
 //     contact_prior_fit check states.csv unequal.csv codes.csv published.csv rough.csv ../infer/states.csv
 //                             ../verify_default/states.csv third_seed.csv gradations.csv verify.csv
 //                                      fits again, compares with that file, and asks whether recipes left
@@ -33,65 +33,29 @@ using Coefficients = Numbers<double, size>;
 
 // ---- coefficients ----
 
-constexpr const char* header_intro =
-    R"(// Written by `contact_prior_fit coefficients states.csv unequal.csv codes.csv` from validation/relaxation;
-// the test "validation: contact_prior" fits them again and compares. Not to be edited by hand.
-// clang-format off
-#pragma once
+const std::string header = HEADERS "/contact_prior_coefficients.hpp"; // of the library
 
-#include <array>
-
-namespace granum::effective::kernel {
-
-)";
-
-/// Standard errors of the first so many numbers of a fit.
-template <int n>
-std::string errors_text(const Fit<n>& fit) {
-  std::string text;
-  for (std::size_t k = 0; k < fit.coefficients.size(); ++k)
-    text += (k > 0 ? ", " : "") + granum::short_text(fit.error(k), 2);
-  return text;
-}
-
+/// In the comments standard errors.
 std::vector<Constant> constants_of(const Result& r, const densest::Result& d) {
-  const auto &c = r.contacts.coefficients, &recorded = kernel::contact_coefficients;
-  std::vector<Constant> all{
-      {R"(/// e_d, e_l, bend, squeeze, growth, further growth, mu_0, its power, closing, opening.
-/// Standard errors: )" +
-           errors_text(r.contacts) + ".\ninline constexpr std::array<double, 10> contact_coefficients{\n    ",
-       {c.begin(), c.begin() + 5},
-       {recorded.begin(), recorded.begin() + 5},
-       ",\n    ",
-       8},
-      {"", {c.begin() + 5, c.end()}, {recorded.begin() + 5, recorded.end()}, "};\n", 8},
-      {"/// c, k, w_r.\n/// Standard errors: " + errors_text(r.rattlers) +
-           ".\ninline constexpr std::array<double, 3> rattler_coefficients{\n    ",
-       joined(r.rattlers.coefficients), joined(kernel::rattler_coefficients), "};\n", 8}};
-  const auto number = [&](const std::string& before, double fitted, double of_library) {
-    all.push_back({before + " = ", {fitted}, {of_library}, ";\n", 5});
+  const auto errors = [](const auto& fit) {
+    std::vector<double> all;
+    for (std::size_t k = 0; k < fit.coefficients.size(); ++k)
+      all.push_back(fit.error(k));
+    return all;
   };
-  number(
-      R"(/// Standard deviations of z* of preparations left out of the fit: of those of the densest line, of
-/// those with a friction, of carrying z* to another pressure, over root_of_way; and that of ln x_0.
-inline constexpr double line_scatter)",
-      r.line_scatter, kernel::line_scatter);
-  number("inline constexpr double friction_scatter", r.friction_scatter, kernel::friction_scatter);
-  number("inline constexpr double carried_scatter", r.carried_scatter, kernel::carried_scatter);
-  number("inline constexpr double rattler_scatter", r.rattler_scatter, kernel::rattler_scatter);
-  all.push_back(
-      {R"(/// What shift_by_grains takes, and of packings above the densest one of the same grains the standard
-/// deviations of z*: of preparations left out; of sizes left out, over the root of the variance of
-/// branches; between codes. Standard errors of the shift: )" +
-           errors_text(d.shape) + ", " + errors_text(d.sizes) +
-           ".\ninline constexpr std::array<double, 3> grain_shift{",
-       joined(d.shape.coefficients, d.sizes.coefficients), joined(kernel::grain_shift), "};\n", 5});
-  number("inline constexpr double above_densest_scatter", d.recipe_scatter, kernel::above_densest_scatter);
-  number("inline constexpr double above_densest_size_scatter", d.size_scatter,
-         kernel::above_densest_size_scatter);
-  number("inline constexpr double above_densest_code_scatter", d.code_scatter,
-         kernel::above_densest_code_scatter);
-  return all;
+  return {{"Standard errors: ", errors(r.contacts), 2},
+          {"contact_coefficients{", joined(r.contacts.coefficients), 8},
+          {"Standard errors: ", errors(r.rattlers), 2},
+          {"rattler_coefficients{", joined(r.rattlers.coefficients), 8},
+          {"line_scatter = ", {r.line_scatter}, 5},
+          {"friction_scatter = ", {r.friction_scatter}, 5},
+          {"carried_scatter = ", {r.carried_scatter}, 5},
+          {"rattler_scatter = ", {r.rattler_scatter}, 5},
+          {"Standard errors of the shift: ", joined(errors(d.shape), errors(d.sizes)), 2},
+          {"grain_shift{", joined(d.shape.coefficients, d.sizes.coefficients), 5},
+          {"above_densest_scatter = ", {d.recipe_scatter}, 5},
+          {"above_densest_size_scatter = ", {d.size_scatter}, 5},
+          {"above_densest_code_scatter = ", {d.code_scatter}, 5}};
 }
 
 // ---- errors ----
@@ -233,24 +197,44 @@ bool compare_published(const std::string& path) {
 
 // ---- check ----
 
-/// \param    files   published.csv rough.csv infer/states.csv verify_default/states.csv third_seed.csv
-///                   gradations.csv verify.csv
-int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
-          const std::vector<Packing>& other_shape, const Result& result, const densest::Files& above,
-          const densest::Result& of_densest, const std::vector<std::string>& files) {
+/// Packings, and the fits to them.
+struct Fits {
+  std::vector<Packing> all = {}, packings = {}, other_shape = {};
+  densest::Files above = {};
+  Result result = {};
+  densest::Result of_densest = {};
+
+  /// \param    files   states.csv, or with the fits states.csv unequal.csv codes.csv
+  explicit Fits(const Arguments& files) : all(relaxation::read_packings(files[0])) {
+    for (const Packing& p : all)
+      if (usable(p))
+        (p.contact == relaxation::unfitted_contact ? other_shape : packings).push_back(p);
+    if (files.size() == 1)
+      return;
+    above = densest::read(packings, files[1], files[2]);
+    result = fit_everything(packings);
+    of_densest = densest::fit(above.equal, above.unequal, above.codes, result);
+  }
+};
+
+/// \param    files   states.csv unequal.csv codes.csv published.csv rough.csv infer/states.csv
+///                   verify_default/states.csv third_seed.csv gradations.csv verify.csv
+int check(const Arguments& files) {
+  const Fits fits(files);
+  const Result& result = fits.result;
   Claims claims;
-  const std::string other = first_other(constants_of(result, of_densest), 1e-4);
+  const std::string other = first_other(header, constants_of(result, fits.of_densest), 1e-4);
   claims.require(other.empty(), "the numbers of the library are those of these data" +
                                     (other.empty() ? "" : ", but not those after: " + other));
-  judged("all, fitted", packings, result);
+  judged("all, fitted", fits.packings, result);
   std::printf("  scatter: line %.3f, friction %.3f, carried %.3f, ln of rattlers %.2f\n", result.line_scatter,
               result.friction_scatter, result.carried_scatter, result.rattler_scatter);
-  check_left_out(packings, result, claims);
-  const Misses by_other_shape = judged("a shape that no fit has seen", other_shape, result);
-  const Errors unloaded = cycles(all);
+  check_left_out(fits.packings, result, claims);
+  const Misses by_other_shape = judged("a shape that no fit has seen", fits.other_shape, result);
+  const Errors unloaded = cycles(fits.all);
   print_errors("  cycles to 3 MPa and back", {{"z*", &unloaded}}, 1);
-  const double in_range = share_in_range(packings);
-  claims.require(differences_of_library(packings).worst() < 0.01,
+  const double in_range = share_in_range(fits.packings);
+  claims.require(differences_of_library(fits.packings).worst() < 0.01,
                  "the library finds the measured overlaps, and so z* of the recipes, within 0.01");
   claims.require(by_other_shape.by_recipe.rms() < 2 * result.friction_scatter,
                  "alpha = 4 within two errors, rms");
@@ -259,42 +243,27 @@ int check(const std::vector<Packing>& all, const std::vector<Packing>& packings,
                  granum::detail::formatted("95 %% of packings of friction up to 0.5 in the range "
                                            "of their void ratio (%.1f %%)",
                                            100 * in_range));
-  claims.require(compare_published(files[0]), "states of others lie in the range of their void ratio");
-  unfitted::check_rough(files[1], files[2], claims);
-  unfitted::check_verify(files[3], claims);
-  densest::check(above, {files[4], files[5], files[3], files[6]}, claims);
+  claims.require(compare_published(files[3]), "states of others lie in the range of their void ratio");
+  unfitted::check_rough(files[4], files[5], claims);
+  unfitted::check_verify(files[6], claims);
+  densest::check(fits.above, {files[7], files[8], files[6], files[9]}, claims);
   return claims.exit_code();
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(
-      argc, argv,
-      "picture states.csv, or coefficients states.csv unequal.csv codes.csv, or check states.csv unequal.csv "
-      "codes.csv published.csv rough.csv ../infer/states.csv ../verify_default/states.csv third_seed.csv "
-      "gradations.csv verify.csv",
-      [](const std::vector<std::string>& arguments) -> std::optional<int> {
-        const std::map<std::string, std::size_t> counts{{"picture", 2}, {"coefficients", 4}, {"check", 11}};
-        const auto asked = arguments.empty() ? counts.end() : counts.find(arguments[0]);
-        if (asked == counts.end() || arguments.size() != asked->second)
-          return {};
-        const std::vector<Packing> all = relaxation::read_packings(arguments[1]);
-        std::vector<Packing> packings, other_shape;
-        for (const Packing& p : all)
-          if (usable(p))
-            (p.contact == relaxation::unfitted_contact ? other_shape : packings).push_back(p);
-        if (asked->first == "picture") {
-          std::fputs(picture(packings).c_str(), stdout);
-          return 0;
-        }
-        const densest::Files above = densest::read(packings, arguments[2], arguments[3]);
-        const Result result = fit_everything(packings);
-        const densest::Result of_densest = densest::fit(above.equal, above.unequal, above.codes, result);
-        if (asked->first == "check")
-          return check(all, packings, other_shape, result, above, of_densest,
-                       {arguments.begin() + 4, arguments.end()});
-        print_header(header_intro, constants_of(result, of_densest));
-        return 0;
-      });
+  return program(argc, argv,
+                 {{"check",
+                   "states.csv unequal.csv codes.csv published.csv rough.csv ../infer/states.csv "
+                   "../verify_default/states.csv third_seed.csv gradations.csv verify.csv",
+                   check},
+                  {"coefficients", "states.csv unequal.csv codes.csv",
+                   [](const Arguments& files) {
+                     const Fits fits(files);
+                     write_header(header, constants_of(fits.result, fits.of_densest));
+                   }},
+                  {"picture", "states.csv", [](const Arguments& files) {
+                     std::fputs(picture(Fits(files).packings).c_str(), stdout);
+                   }}});
 }

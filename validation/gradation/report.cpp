@@ -380,6 +380,19 @@ std::string picture(const std::vector<Curve>& all) {
   return plot::svg(charts);
 }
 
+void print_tables(const std::vector<State>& states) {
+  const std::vector<Curve> all = gradation::curves(states);
+  print_equal_void_ratio(all);
+  std::printf("\n");
+  print_equal_density(all);
+  std::printf("\n");
+  print_packings(all);
+  std::printf("\n");
+  print_errors_of_kinds(states);
+  std::printf("\n");
+  print_scatter_of_seeds(states);
+}
+
 int check(const std::vector<State>& states) {
   Claims claims;
   check_library(claims, states);
@@ -392,31 +405,20 @@ int check(const std::vector<State>& states) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "table|check|picture|restate states.csv",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.size() != 2)
-                     return {};
-                   const std::string& what = arguments[0];
-                   const std::vector<State> states = gradation::read_states(arguments[1]);
-                   const std::vector<Curve> all = gradation::curves(states);
-                   if (what == "check")
-                     return check(states);
-                   if (what == "restate")
-                     print_restated(io::read_csv(arguments[1]), states);
-                   else if (what == "picture")
-                     std::printf("%s", picture(all).c_str());
-                   else if (what == "table") {
-                     print_equal_void_ratio(all);
-                     std::printf("\n");
-                     print_equal_density(all);
-                     std::printf("\n");
-                     print_packings(all);
-                     std::printf("\n");
-                     print_errors_of_kinds(states);
-                     std::printf("\n");
-                     print_scatter_of_seeds(states);
-                   } else
-                     return {};
-                   return 0;
+  return program(argc, argv,
+                 {
+                     {"table", "states.csv",
+                      [](const Arguments& files) { print_tables(gradation::read_states(files[0])); }},
+                     {"check", "states.csv",
+                      [](const Arguments& files) { return check(gradation::read_states(files[0])); }},
+                     {"picture", "states.csv",
+                      [](const Arguments& files) {
+                        std::printf("%s",
+                                    picture(gradation::curves(gradation::read_states(files[0]))).c_str());
+                      }},
+                     {"restate", "states.csv",
+                      [](const Arguments& files) {
+                        print_restated(io::read_csv(files[0]), gradation::read_states(files[0]));
+                      }},
                  });
 }

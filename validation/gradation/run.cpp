@@ -141,14 +141,11 @@ void describe(Row& row, const dem::Specimen& frozen, const Task& task) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "states.csv [threads [first letters of the preparations]]",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.empty() || arguments.size() > 3)
-                     return {};
-                   relaxation::Record record(arguments[0], 5);
-                   relaxation::record_all(tasks(arguments.size() > 2 ? arguments[2] : ""),
-                                          arguments.size() > 1 ? std::stoul(arguments[1]) : 1, record,
-                                          describe);
-                   return 0;
-                 });
+  return program(
+      argc, argv,
+      {{"", "states.csv [threads] [first-letters-of-the-preparations]", [](const Arguments& arguments) {
+          relaxation::Record record(arguments[0], 5);
+          relaxation::record_all(tasks(arguments.size() > 2 ? arguments[2] : ""),
+                                 arguments.size() > 1 ? std::stoul(arguments[1]) : 1, record, describe);
+        }}});
 }

@@ -16,7 +16,6 @@
 #include <granum/inverse/inference.hpp>
 
 #include "../claims.hpp"
-#include "../errors.hpp"
 #include "packings.hpp"
 
 namespace implied {
@@ -30,27 +29,25 @@ constexpr double reading_error = 0.015; ///< of a speed
 constexpr int draws = 6;                ///< of noise for each specimen
 constexpr double first_pressure = 50e3; ///< [Pa]: the packings just made at 10 kPa are not used
 
-/// Errors of one number of many specimens, how often its stated error holds, and how often it is determined.
+/// Errors of one number of many specimens, and how often it is determined.
 struct Judged {
   Errors error;
-  Coverage coverage;
   int determined = 0;
 
-  void add(double off, double stated, bool is_determined) {
-    error.add(off);
-    coverage.add(off, stated);
-    determined += is_determined;
-  }
   void add(const Judged& more) {
     error.add(more.error);
-    coverage.add(more.coverage);
     determined += more.determined;
   }
 };
+inline Judged judged(double off, double stated, bool is_determined) {
+  Judged one{.error = {}, .determined = is_determined};
+  one.error.add(off, stated);
+  return one;
+}
 
 /// z*, ln k_n at the true mean force of the first pressure, and alpha or u0 [nm].
 struct Numbers {
-  Judged z, stiffness, shape;
+  Judged z = {}, stiffness = {}, shape = {};
   int refused = 0; ///< least squares that did not converge
 
   void add(const Numbers& more) {
@@ -107,31 +104,26 @@ inline double stiffness_error(const granum::inverse::ImpliedNumber& roughness, d
 
 /// \param    first   the packing at the first pressure
 inline Numbers judged(const Packing& first, const granum::inverse::ImpliedContacts& found, bool rough) {
-  Numbers all;
-  const auto& z = found.numbers[0];
-  const auto& shape = found.numbers.back();
-  all.z.add(z.value.value - first.mechanical_coordination, z.value.standard_error, z.determined());
-  const double force = granum::effective::mean_contact_force(first.state);
-  const double k_off =
-      std::log(found.law->stiffness_at_force(force) / first.state.law.stiffness_at_force(force));
+  const auto &z = found.numbers[0], &shape = found.numbers.back();
   const auto& stiffness = found.numbers[1]; // u0, or softness
-  all.stiffness.add(k_off,
-                    rough ? stiffness_error(stiffness, force)
-                          : stiffness.value.standard_error / stiffness.value.value,
-                    stiffness.determined());
-  const double unit = rough ? 1e9 : 1;
+  const double force = granum::effective::mean_contact_force(first.state), unit = rough ? 1e9 : 1;
   const double true_shape =
       rough ? (first.contact == "rough" ? roughness : 0) : (first.contact == "sphere" ? 2 : alpha);
-  all.shape.add((shape.value.value - true_shape) * unit, shape.value.standard_error * unit,
-                shape.determined());
-  return all;
+  return {
+      .z = judged(z.value.value - first.mechanical_coordination, z.value.standard_error, z.determined()),
+      .stiffness = judged(
+          std::log(found.law->stiffness_at_force(force) / first.state.law.stiffness_at_force(force)),
+          rough ? stiffness_error(stiffness, force) : stiffness.value.standard_error / stiffness.value.value,
+          stiffness.determined()),
+      .shape = judged((shape.value.value - true_shape) * unit, shape.value.standard_error * unit,
+                      shape.determined())};
 }
 
 inline void print(const std::string& name, const Numbers& n) {
   std::printf("  %-30s %4d", name.c_str(), n.z.error.count());
   for (const Judged* one : {&n.z, &n.stiffness, &n.shape})
     std::printf(" | %5.3f %+6.3f %3.0f %3.0f %% %3.0f %%", one->error.rms(), one->error.mean(),
-                100 * one->coverage.one(), 100 * one->coverage.two(),
+                100 * one->error.one(), 100 * one->error.two(),
                 100.0 * one->determined / std::max(1, one->error.count()));
   if (n.refused > 0)
     std::printf(" | %d did not converge", n.refused);
@@ -157,11 +149,8 @@ inline Numbers try_out(const std::vector<Packing>& all, const std::string& conta
   for (const auto& [name, specimen] : specimens_of(all, contact))
     for (int draw = 0; draw < draws; ++draw) {
       const auto found = ask(speeds(specimen, both, reading_error, random), asked);
-      Numbers one;
-      if (found)
-        one = judged(*specimen.front(), *found, asked == std::string("rough"));
-      else
-        one.refused = 1;
+      const Numbers one =
+          found ? judged(*specimen.front(), *found, asked == std::string("rough")) : Numbers{.refused = 1};
       by_recipe[specimen.front()->recipe].add(one);
       together.add(one);
     }
@@ -186,7 +175,7 @@ inline void judge(const std::string& path, Claims& claims) {
   laws.add(power_law);
   print("both as power-law", laws);
   const auto covered = [](const Judged& one) {
-    return one.coverage.one() >= 0.6 && one.coverage.one() <= 0.75 && one.coverage.two() >= 0.92;
+    return one.error.one() >= 0.6 && one.error.one() <= 0.75 && one.error.two() >= 0.92;
   };
   const std::string coverage = ": 60 to 75 % within one stated error, 92 % within two";
   claims.require(covered(laws.z), "z* of power laws" + coverage);

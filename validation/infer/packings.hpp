@@ -9,11 +9,11 @@
 #include <granum/contact/rough_sphere.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/state.hpp>
-#include <granum/io/csv/table.hpp>
+
+#include "../record.hpp"
 
 namespace infer_packings {
 
-using granum::Dimension;
 using granum::effective::State;
 
 /// As in packings.toml.
@@ -49,31 +49,23 @@ inline granum::contact::NormalLaw law_of(const std::string& contact) {
 
 /// In the order of the file: the pressures of a specimen rise.
 inline std::vector<Packing> read(const std::string& path) {
-  const granum::io::CsvTable table = granum::io::read_csv(path);
-  const auto number = [&](const char* name) { return table.numbers(name, Dimension::dimensionless); };
-  const auto stress = [&](const char* name) { return table.numbers(name, Dimension::pressure); };
-  const auto e = number("e"), C_n = number("C_n"), z = number("z_star"), x = number("rattler_fraction"),
-             seed = number("seed");
-  const auto p = stress("p"), G = stress("G_network"), K = stress("K_network");
   std::vector<Packing> all;
-  for (std::size_t k = 0; k < table.row_count(); ++k) {
-    const std::string contact = table.fields(k)[0];
+  for (const Entry& row : read_record(path))
     all.push_back(
-        {.contact = contact,
-         .recipe = table.fields(k)[1],
-         .seed = static_cast<int>(seed[k]),
-         .state = {.law = law_of(contact),
+        {.contact = row.text("contact"),
+         .recipe = row.text("recipe"),
+         .seed = static_cast<int>(row("seed")),
+         .state = {.law = law_of(row.text("contact")),
                    .tangential_ratio = granum::contact::mindlin_stiffness_ratio(quartz.poisson_ratio),
                    .radius = radius,
-                   .void_ratio = e[k],
-                   .coordination_number = C_n[k],
-                   .stress_v = p[k],
-                   .stress_h = p[k]},
-         .mechanical_coordination = z[k],
-         .rattler_fraction = x[k],
-         .shear_modulus = G[k],
-         .bulk_modulus = K[k]});
-  }
+                   .void_ratio = row("e"),
+                   .coordination_number = row("C_n"),
+                   .stress_v = row("p_Pa"),
+                   .stress_h = row("p_Pa")},
+         .mechanical_coordination = row("z_star"),
+         .rattler_fraction = row("rattler_fraction"),
+         .shear_modulus = row("G_network_Pa"),
+         .bulk_modulus = row("K_network_Pa")});
   return all;
 }
 

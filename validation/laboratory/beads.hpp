@@ -12,6 +12,7 @@
 #include <granum/inverse/inference.hpp>
 #include <granum/plot/chart.hpp>
 
+#include "../errors.hpp"
 #include "specimens.hpp"
 
 namespace laboratory {
@@ -56,11 +57,11 @@ inline Comparison compare(const Grains& grains, const std::string& folder, doubl
                              {"network, dense", {}},
                              {"network, compressed with friction", {}}}};
   const char* states = &grains == &glass ? "/beads_states.csv" : "/quartz_states.csv";
-  const Packings packings = read_packings(folder + states);
+  const std::vector<Entry> packings = read_record(folder + states);
   for (const Measured& m : c.measured) {
     State state = spheres(grains, void_ratio_of(n), m.pressure);
-    const Packing& dense = packing_at(packings, "dense", m.pressure);
-    const Packing& loose = packing_at(packings, "loose", m.pressure);
+    const Packing dense = packing_at(packings, "dense", m.pressure);
+    const Packing loose = packing_at(packings, "loose", m.pressure);
     state.coordination_number = dense.coordination_number;
     c.estimates[0].moduli.push_back(uniform_strain_moduli(state));
     c.estimates[1].moduli.push_back(relaxed_moduli(state, dense.mechanical_coordination_number));
@@ -72,14 +73,13 @@ inline Comparison compare(const Grains& grains, const std::string& folder, doubl
   return c;
 }
 
-/// Largest |model/measured - 1| of G from a pressure on.
-inline double largest_miss(const Comparison& c, std::size_t estimate, double from) {
-  double worst = 0;
+/// |model/measured - 1| of G from a pressure on.
+inline Errors misses(const Comparison& c, std::size_t estimate, double from) {
+  Errors all;
   for (std::size_t k = 0; k < c.measured.size(); ++k)
     if (c.measured[k].pressure > from)
-      worst =
-          std::max(worst, std::abs(c.estimates[estimate].moduli[k].shear / c.measured_moduli(k).shear - 1));
-  return worst;
+      all.add(c.estimates[estimate].moduli[k].shear / c.measured_moduli(k).shear - 1);
+  return all;
 }
 
 /// s of modulus ~ p^s by least squares in logarithms; what was not measured is left out.
@@ -113,12 +113,11 @@ inline void print(const Comparison& c, double Moduli::*modulus, const char* symb
   std::printf("   %.3f", exponent_of(c.measured, moduli));
   for (const Estimate& estimate : c.estimates) {
     std::printf("\n  %-36s", estimate.name);
-    for (std::size_t k = 0; k < c.measured.size(); ++k) {
-      print_number(estimate.moduli[k].*modulus / moduli[k], 2);
-    }
     std::vector<double> own;
-    for (const Moduli& both : estimate.moduli)
-      own.push_back(both.*modulus);
+    for (std::size_t k = 0; k < c.measured.size(); ++k) {
+      own.push_back(estimate.moduli[k].*modulus);
+      print_number(own.back() / moduli[k], 2);
+    }
     std::printf("   %.3f", exponent_of(c.measured, own));
   }
   std::printf("\n");
@@ -129,26 +128,20 @@ inline granum::plot::Chart chart(const Comparison& c, double Moduli::*modulus, c
   plot::Chart picture{.title = std::string(c.grains == &glass ? "Dry glass beads" : "Dry Ottawa sand") +
                                ", Domenico (1977)",
                       .x = {.title = "p' [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
-                      .y = {.title = symbol + " [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
-                      .series = {}};
+                      .y = {.title = symbol + " [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6}};
   plot::Series points{.name = "measured, porosity 0.36 to 0.40",
                       .mark = plot::Mark::marker,
-                      .x = {},
-                      .y = {},
                       .style = 0,
                       .colour = plot::Colour::measured};
-  for (std::size_t k = 0; k < c.measured.size(); ++k) {
-    points.x.push_back(c.measured[k].pressure);
-    points.y.push_back(c.measured_moduli(k).*modulus);
-    points.y_error.push_back(
+  for (std::size_t k = 0; k < c.measured.size(); ++k)
+    points.add(
+        c.measured[k].pressure, c.measured_moduli(k).*modulus,
         (c.measured_moduli(k, least_porosity).*modulus - c.measured_moduli(k, most_porosity).*modulus) / 2);
-  }
   for (std::size_t k = 0; k < c.estimates.size(); ++k) {
     const bool network = k >= 3;
     plot::Series series{.name = c.estimates[k].name,
                         .mark = network ? plot::Mark::marker : plot::Mark::line,
                         .x = points.x,
-                        .y = {},
                         .style = network ? k - 1 : k + 1,
                         .tone = network ? plot::Tone::hollow : plot::Tone::full};
     for (const Moduli& moduli : c.estimates[k].moduli)
@@ -159,18 +152,14 @@ inline granum::plot::Chart chart(const Comparison& c, double Moduli::*modulus, c
   return picture;
 }
 
-/// V_s at every other pressure, inferred from that at one: the largest relative miss for each. The void ratio
-/// is that of the porosity at the pressure that is known.
-struct Foretold {
-  std::vector<double> from;  ///< [Pa]
-  std::vector<double> worst; ///< the largest of |V_s/measured - 1|
-  double largest() const { return *std::max_element(worst.begin(), worst.end()); }
-};
-
-inline Foretold foretell(const Grains& grains, const std::vector<Measured>& measured,
-                         granum::inverse::GrowthRule growth, double n = porosity) {
+/// V_s at every other pressure, inferred from that at one: the relative misses for each, the largest
+/// printed. The void ratio is that of the porosity at the pressure that is known.
+/// \return   all misses
+inline Errors foretell(const char* text, const Grains& grains, const std::vector<Measured>& measured,
+                       granum::inverse::GrowthRule growth, double n = porosity) {
   namespace inverse = granum::inverse;
-  Foretold all;
+  Errors all;
+  std::printf("  %-44s", text);
   for (const Measured& known : measured) {
     const State state = spheres(grains, void_ratio_of(n), known.pressure);
     const inverse::Observation one{inverse::Quantity::V_s, {known.V_s, 0.01 * known.V_s}, state};
@@ -178,23 +167,16 @@ inline Foretold foretell(const Grains& grains, const std::vector<Measured>& meas
         inverse::infer(std::span(&one, 1), {.grain_density = grains.density, .growth = growth});
     if (!answer.together)
       continue;
-    double worst = 0;
+    Errors here;
     for (const Measured& other : measured) {
-      State there = spheres(grains, answer.together->void_ratio_at(other.pressure), other.pressure);
-      const double V_s = answer.together->predict(inverse::Quantity::V_s, there).value;
-      worst = std::max(worst, std::abs(V_s / other.V_s - 1));
+      const State there = spheres(grains, answer.together->void_ratio_at(other.pressure), other.pressure);
+      here.add(answer.together->predict(inverse::Quantity::V_s, there).value / other.V_s - 1);
     }
-    all.from.push_back(known.pressure);
-    all.worst.push_back(worst);
+    std::printf(" %5.1f%%", 100 * here.worst());
+    all.add(here);
   }
+  std::printf("   largest %.1f %%\n", 100 * all.worst());
   return all;
-}
-
-inline void print(const Foretold& all, const char* text) {
-  std::printf("  %-44s", text);
-  for (const double worst : all.worst)
-    std::printf(" %5.1f%%", 100 * worst);
-  std::printf("   largest %.1f %%\n", 100 * all.largest());
 }
 
 } // namespace laboratory

@@ -15,6 +15,7 @@
 #include <granum/sands/known_sands.hpp>
 #include <granum/sands/pooled_law.hpp>
 
+#include "../errors.hpp"
 #include "specimens.hpp"
 
 namespace laboratory {
@@ -51,24 +52,15 @@ inline granum::Measured foretold_speed(const Grains& grains, const granum::inver
   return fit.predict(Quantity::V_s, spheres(grains, void_ratio_of(porosity), pressure));
 }
 
-/// Of predicted V_s against measured ones: the largest |V_s/measured - 1|, and the largest over the stated
-/// error of both.
-struct Miss {
-  double relative = 0, in_errors = 0;
-};
-inline Miss worst_of(const Miss& a, const Miss& b) {
-  return {std::max(a.relative, b.relative), std::max(a.in_errors, b.in_errors)};
-}
-inline Miss miss_of(const Grains& grains, const granum::inverse::Inference& fit,
-                    std::span<const Measured> asked) {
-  Miss worst;
+/// Relative ones of predicted V_s, with the stated error of both.
+inline Errors misses_of(const Grains& grains, const granum::inverse::Inference& fit,
+                        std::span<const Measured> asked) {
+  Errors misses;
   for (const Measured& m : asked) {
     const granum::Measured speed = foretold_speed(grains, fit, m.pressure);
-    const double miss = std::abs(speed.value / m.V_s - 1);
-    const double stated = std::hypot(speed.standard_error / speed.value, reading_error);
-    worst = worst_of(worst, {miss, miss / stated});
+    misses.add(speed.value / m.V_s - 1, std::hypot(speed.standard_error / speed.value, reading_error));
   }
-  return worst;
+  return misses;
 }
 
 inline void print_numbers(const granum::inverse::Inference& fit, const State& first) {
@@ -85,38 +77,31 @@ inline void print_numbers(const granum::inverse::Inference& fit, const State& fi
   std::printf("\n");
 }
 
-/// How the upper half of the pressures and the lower one are foretold from each other.
-struct HalfByHalf {
-  Miss upper, lower;
-
-  [[nodiscard]] Miss worst() const { return worst_of(upper, lower); }
-};
-inline HalfByHalf half_by_half(const Grains& grains, std::span<const Measured> measured, const char* contacts,
-                               granum::inverse::GrowthRule growth = granum::inverse::GrowthRule::packings) {
+/// The upper half of the pressures and the lower one foretold from each other: misses, printed.
+inline Errors half_by_half(const char* what, const Grains& grains, std::span<const Measured> measured,
+                           const char* contacts,
+                           granum::inverse::GrowthRule growth = granum::inverse::GrowthRule::packings) {
   const auto lower = measured.first(measured.size() / 2), upper = measured.subspan(measured.size() / 2);
   const auto fit = [&](std::span<const Measured> known) {
     return ask(grains, observed(grains, known), contacts, growth).together.value();
   };
-  return {.upper = miss_of(grains, fit(lower), upper), .lower = miss_of(grains, fit(upper), lower)};
+  const Errors above = misses_of(grains, fit(lower), upper), below = misses_of(grains, fit(upper), lower);
+  std::printf("  %-22s upper %.1f %% (%.1f stated errors), lower %.1f %% (%.1f)", what, 100 * above.worst(),
+              above.worst_in_stated(), 100 * below.worst(), below.worst_in_stated());
+  Errors both = above;
+  both.add(below);
+  return both;
 }
 
-inline void print_misses(const char* what, const HalfByHalf& misses) {
-  std::printf("  %-22s upper %.1f %% (%.1f stated errors), lower %.1f %% (%.1f)", what,
-              100 * misses.upper.relative, misses.upper.in_errors, 100 * misses.lower.relative,
-              misses.lower.in_errors);
-}
-
-/// The worst misses of every kind of contacts.
-inline std::vector<Miss> print_contacts(const Grains& grains, const std::vector<Measured>& measured) {
+/// The misses of every kind of contacts.
+inline std::vector<Errors> print_contacts(const Grains& grains, const std::vector<Measured>& measured) {
   using granum::inverse::GrowthRule;
   std::printf("\n%s, V_s and V_p: contacts implied by one half of the pressures, V_s tried on the other\n",
               grains.name);
-  std::vector<Miss> worst;
+  std::vector<Errors> all;
   for (const char* kind : contact_kinds) {
     const auto fit = ask(grains, observed(grains, measured), kind).together.value();
-    const HalfByHalf misses = half_by_half(grains, measured, kind);
-    worst.push_back(misses.worst());
-    print_misses(kind, misses);
+    all.push_back(half_by_half(kind, grains, measured, kind));
     std::printf("; all: chi^2 %.1f of %zu;", fit.chi_square(), fit.degrees_of_freedom());
     print_numbers(fit, spheres(grains, void_ratio_of(porosity), measured.front().pressure));
     const auto upper = std::span(measured).subspan(measured.size() / 2);
@@ -126,10 +111,10 @@ inline std::vector<Miss> print_contacts(const Grains& grains, const std::vector<
   }
   for (const auto& [what, growth] : {std::pair{"rough, z* fixed", GrowthRule::fixed},
                                      std::pair{"rough, growth fitted", GrowthRule::fitted}}) {
-    print_misses(what, half_by_half(grains, measured, "rough", growth));
+    half_by_half(what, grains, measured, "rough", growth);
     std::printf("\n");
   }
-  return worst;
+  return all;
 }
 
 /// A published law of a sand at four pressures, with the Poisson's ratio that sands are measured to have.
@@ -163,32 +148,24 @@ inline granum::plot::Chart contact_chart(const Grains& grains, const std::vector
   namespace plot = granum::plot;
   plot::Chart picture{.title = "Dry Ottawa sand: contacts implied by its lower five pressures",
                       .x = {.title = "p' [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
-                      .y = {.title = "V_s [m/s]", .scale = plot::Scale::logarithmic, .unit = 1},
-                      .series = {}};
+                      .y = {.title = "V_s [m/s]", .scale = plot::Scale::logarithmic, .unit = 1}};
   const std::span all(measured);
   const auto lower = all.first(all.size() / 2);
   const char* const names[] = {"smooth spheres", "rough spheres", "power law"};
   for (std::size_t k = 0; k < std::size(contact_kinds); ++k) {
     const auto answer = ask(grains, observed(grains, lower), contact_kinds[k]);
-    plot::Series line{.name = names[k], .mark = plot::Mark::line, .x = {}, .y = {}, .style = k};
+    plot::Series line{.name = names[k], .mark = plot::Mark::line, .style = k};
     for (int step = 0; step <= 40; ++step) {
       const double p = measured.front().pressure *
                        std::pow(measured.back().pressure / measured.front().pressure, step / 40.0);
-      line.x.push_back(p);
-      line.y.push_back(foretold_speed(grains, answer.together.value(), p).value);
+      line.add(p, foretold_speed(grains, answer.together.value(), p).value);
     }
     picture.series.push_back(std::move(line));
   }
-  plot::Series points{.name = "measured",
-                      .mark = plot::Mark::marker,
-                      .x = {},
-                      .y = {},
-                      .style = 0,
-                      .colour = plot::Colour::measured};
-  for (const Measured& m : measured) {
-    points.x.push_back(m.pressure);
-    points.y.push_back(m.V_s);
-  }
+  plot::Series points{
+      .name = "measured", .mark = plot::Mark::marker, .style = 0, .colour = plot::Colour::measured};
+  for (const Measured& m : measured)
+    points.add(m.pressure, m.V_s);
   picture.series.push_back(std::move(points));
   return picture;
 }

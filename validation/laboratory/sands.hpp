@@ -6,33 +6,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/plot/chart.hpp>
 #include <granum/sands/known_sands.hpp>
 
+#include "../errors.hpp"
 #include "specimens.hpp"
 
 namespace laboratory {
 
-/// Lowest and highest of several answers, and how many there are.
-struct Range {
-  double low = std::numeric_limits<double>::infinity(), high = 0;
-  int count = 0;
-
-  void add(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-    ++count;
-  }
-  [[nodiscard]] double middle() const { return std::sqrt(low * high); }
-};
-
 /// G of the laws whose tests reach that state [Pa].
-inline Range measured_range(double void_ratio, double pressure) {
-  Range range;
+inline Errors measured_range(double void_ratio, double pressure) {
+  Errors range;
   for (const granum::sands::MeasuredLaw& law : granum::sands::measured_laws()) {
     const granum::sands::TestedRange& tested = law.tested;
     if (void_ratio < tested.void_ratio_low || void_ratio > tested.void_ratio_high ||
@@ -59,10 +46,10 @@ inline double relaxed_shear_modulus(const State& state, const granum::effective:
 }
 
 /// G of rung 3 from the loosest to the densest packing of that void ratio.
-inline Range model_range(bool cones, double void_ratio, double pressure) {
+inline Errors model_range(bool cones, double void_ratio, double pressure) {
   const State state = grains_of_sand(cones, void_ratio, pressure);
   const granum::effective::ContactPrior prior = granum::effective::contact_prior(state);
-  Range range;
+  Errors range;
   range.add(relaxed_shear_modulus(state, prior.loosest));
   range.add(relaxed_shear_modulus(state, prior.densest));
   return range;
@@ -91,9 +78,10 @@ inline void print_sands() {
               "  %-5s %16s %19s %19s | s: %11s %17s %17s\n",
               "e", "measured", "spheres / measured", "cones / measured", "measured", "spheres", "cones");
   for (const double e : {0.55, 0.60, 0.65, 0.70, 0.75, 0.80}) {
-    const Range sand = measured_range(e, 100e3);
-    const Range sphere = model_range(false, e, 100e3), cone = model_range(true, e, 100e3);
-    Range s;
+    const Errors sand = measured_range(e, 100e3);
+    const Errors sphere = model_range(false, e, 100e3), cone = model_range(true, e, 100e3);
+    const double middle = std::sqrt(sand.lowest() * sand.highest());
+    Errors s;
     for (const granum::sands::MeasuredLaw& law : granum::sands::measured_laws()) {
       const auto G = [&](double p) {
         return granum::sands::shear_modulus(law, {.void_ratio = e, .mean_stress = p}).shear_modulus;
@@ -105,9 +93,9 @@ inline void print_sands() {
     };
     std::printf("  %-5.2f %5.0f to %-4.0f (%d) %8.2f to %-8.2f %8.2f to %-8.2f | %6.2f to %.2f"
                 " %8.2f (frozen %.2f) %5.2f (frozen %.2f)\n",
-                e, sand.low / 1e6, sand.high / 1e6, sand.count, sphere.low / sand.middle(),
-                sphere.high / sand.middle(), cone.low / sand.middle(), cone.high / sand.middle(), s.low,
-                s.high, s_of(false, true), s_of(false, false), s_of(true, true), s_of(true, false));
+                e, sand.lowest() / 1e6, sand.highest() / 1e6, sand.count(), sphere.lowest() / middle,
+                sphere.highest() / middle, cone.lowest() / middle, cone.highest() / middle, s.lowest(),
+                s.highest(), s_of(false, true), s_of(false, false), s_of(true, true), s_of(true, false));
   }
 }
 
@@ -117,12 +105,11 @@ inline granum::plot::Chart sand_chart(double void_ratio) {
   plot::Chart picture{.title = "Sands and packings of quartz grains, e = 0." +
                                std::to_string(std::lround(100 * void_ratio)),
                       .x = {.title = "p' [kPa]", .scale = plot::Scale::logarithmic, .unit = 1e3},
-                      .y = {.title = "G [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6},
-                      .series = {}};
+                      .y = {.title = "G [MPa]", .scale = plot::Scale::logarithmic, .unit = 1e6}};
   struct Band {
     const char* name;
     plot::Colour colour;
-    Range (*range_at)(double void_ratio, double pressure);
+    Errors (*range_at)(double void_ratio, double pressure);
   };
   const Band bands[] = {{"measured sands, lowest and highest law", plot::Colour::measured, measured_range},
                         {"spheres, loosest and densest", plot::Colour::sphere,
@@ -131,17 +118,14 @@ inline granum::plot::Chart sand_chart(double void_ratio) {
                          [](double e, double p) { return model_range(true, e, p); }}};
   for (std::size_t style = 0; style < std::size(bands); ++style) {
     const auto& [name, colour, range_at] = bands[style];
-    plot::Series low{
-        .name = name, .mark = plot::Mark::line, .x = {}, .y = {}, .style = style, .colour = colour};
+    plot::Series low{.name = name, .mark = plot::Mark::line, .style = style, .colour = colour};
     plot::Series high = low;
     high.name.clear();
     for (int k = 0; k <= 20; ++k) {
       const double p = lowest_stress * std::pow(highest_stress / lowest_stress, k / 20.0) * (1 - 1e-12);
-      const Range range = range_at(void_ratio, std::max(p, lowest_stress));
-      low.x.push_back(p);
-      high.x.push_back(p);
-      low.y.push_back(range.low);
-      high.y.push_back(range.high);
+      const Errors range = range_at(void_ratio, std::max(p, lowest_stress));
+      low.add(p, range.lowest());
+      high.add(p, range.highest());
     }
     picture.series.push_back(std::move(low));
     picture.series.push_back(std::move(high));

@@ -3,18 +3,17 @@
 #pragma once
 
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <granum/contact/power_law.hpp>
 #include <granum/effective/state.hpp>
-#include <granum/io/csv/table.hpp>
+
+#include "../record.hpp"
 
 namespace laboratory {
 
-using granum::Dimension;
 using granum::effective::State;
 
 /// Grains as they are taken to be; none of the numbers is fitted.
@@ -54,64 +53,37 @@ struct Measured {
   }
 };
 
-inline double number(const std::string& field) { return field.empty() ? State::unset : std::stod(field); }
-
 inline std::vector<Measured> read_measured(const std::string& path, const std::string& specimen) {
-  const granum::io::CsvTable table = granum::io::read_csv(path);
-  const std::size_t p = table.column("p", Dimension::pressure).index;
-  const std::size_t V_p = table.column(specimen + "_Vp", Dimension::speed).index;
-  const std::size_t V_s = table.column(specimen + "_Vs", Dimension::speed).index;
   std::vector<Measured> all;
-  for (std::size_t k = 0; k < table.row_count(); ++k) {
-    const std::vector<std::string>& fields = table.fields(k);
-    const Measured row{number(fields[p]) * 1e6, number(fields[V_p]), number(fields[V_s])};
-    if (!std::isnan(row.V_s))
-      all.push_back(row);
-  }
+  for (const Entry& row : read_record(path))
+    if (const double V_s = row(specimen + "_Vs_m/s"); !std::isnan(V_s))
+      all.push_back({row("p_MPa") * 1e6, row(specimen + "_Vp_m/s"), V_s});
   return all;
 }
 
 /// A packing of `granum verify`, mean of its seeds.
 struct Packing {
-  double void_ratio = 0;
-  double coordination_number = 0;
-  double mechanical_coordination_number = 0;
-  double shear_modulus = 0; ///< of the network [Pa]
-  double bulk_modulus = 0;  ///< of the network [Pa]
+  double coordination_number = 0, mechanical_coordination_number = 0;
+  double shear_modulus = 0, bulk_modulus = 0; ///< of the network [Pa]
 };
 
-/// By density ("dense", "loose") and pressure in Pa, rounded.
-using Packings = std::map<std::pair<std::string, long>, Packing>;
-
-inline Packings read_packings(const std::string& path) {
-  const granum::io::CsvTable table = granum::io::read_csv(path);
-  const auto pure = [&](const char* name) { return table.numbers(name, Dimension::dimensionless); };
-  const auto pressure = table.numbers("p", Dimension::pressure);
-  const auto G = table.numbers("G_network", Dimension::pressure);
-  const auto K = table.numbers("K_network", Dimension::pressure);
-  const auto e = pure("e"), C_n = pure("C_n"), z = pure("z_star");
-  std::map<std::pair<std::string, long>, int> seeds;
-  for (std::size_t k = 0; k < table.row_count(); ++k)
-    ++seeds[{table.fields(k)[1], std::lround(pressure[k])}];
-  Packings all;
-  for (std::size_t k = 0; k < table.row_count(); ++k) {
-    const std::pair key(table.fields(k)[1], std::lround(pressure[k]));
-    const double share = 1.0 / seeds[key];
-    Packing& mean = all[key];
-    mean.void_ratio += share * e[k];
-    mean.coordination_number += share * C_n[k];
-    mean.mechanical_coordination_number += share * z[k];
-    mean.shear_modulus += share * G[k];
-    mean.bulk_modulus += share * K[k];
-  }
-  return all;
-}
-
-inline const Packing& packing_at(const Packings& all, const std::string& density, double pressure) {
-  const auto found = all.find({density, std::lround(pressure)});
-  if (found == all.end())
+/// Of one density ("dense", "loose") at one pressure.
+inline Packing packing_at(const std::vector<Entry>& record, const std::string& density, double pressure) {
+  std::vector<Entry> seeds;
+  for (const Entry& row : record)
+    if (row.text("density") == density && std::lround(row("p_Pa")) == std::lround(pressure))
+      seeds.push_back(row);
+  if (seeds.empty())
     throw std::runtime_error("no " + density + " packing at " + std::to_string(pressure) + " Pa");
-  return found->second;
+  const double share = 1.0 / static_cast<double>(seeds.size());
+  Packing mean;
+  for (const Entry& row : seeds) {
+    mean.coordination_number += share * row("C_n");
+    mean.mechanical_coordination_number += share * row("z_star");
+    mean.shear_modulus += share * row("G_network_Pa");
+    mean.bulk_modulus += share * row("K_network_Pa");
+  }
+  return mean;
 }
 
 } // namespace laboratory

@@ -9,7 +9,6 @@
 // check: exit code 0 if the library still says what was recorded, stated errors cover actual ones, and
 // README.md has the lines.
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -41,27 +40,11 @@ std::vector<Row> of_rung(const std::vector<Row>& rows, double rung, const std::s
   return select(rows, [&](const Row& r) { return r.rung == rung && r.known == known; });
 }
 
-/// The rung that a packing's row is compared with.
-class Networks {
- public:
-  explicit Networks(const std::vector<Row>& rows) {
-    for (const Row& row : rows)
-      if (row.rung == 4)
-        values_[row.specimen.name()] = row.value;
-  }
-  [[nodiscard]] Moduli errors(const Row& row) const {
-    return ladder::errors(row.value, values_.at(row.specimen.name()));
-  }
-
- private:
-  std::map<std::string, Moduli> values_;
-};
-
-double rms(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values)
-    sum += value * value;
-  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
+/// Errors against rung 4 of the same packing.
+Moduli errors(const std::vector<Row>& rows, const Row& row) {
+  const auto network = std::ranges::find_if(
+      rows, [&](const Row& r) { return r.rung == 4 && r.specimen.name() == row.specimen.name(); });
+  return ladder::errors(row.value, network->value);
 }
 
 double median(std::vector<double> values) {
@@ -72,8 +55,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-template <class Of>
-std::vector<double> each(const std::vector<Row>& rows, const Of& of) {
+std::vector<double> each(const std::vector<Row>& rows, double (*of)(const Row&)) {
   std::vector<double> values;
   for (const Row& row : rows)
     values.push_back(of(row));
@@ -83,6 +65,13 @@ std::vector<double> each(const std::vector<Row>& rows, const Of& of) {
 double actual_error(const Row& row) { return ladder::largest(row.error); }
 double stated_error(const Row& row) { return ladder::largest(row.stated); }
 double cost(const Row& row) { return row.cost; }
+
+double rms(const std::vector<Row>& rows, double (*of)(const Row&)) {
+  Errors all;
+  for (const Row& row : rows)
+    all.add(of(row));
+  return all.rms();
+}
 
 // ---- the lines of README.md ----
 
@@ -121,9 +110,9 @@ const std::vector<Kind>& kinds() {
 std::string error_cell(const std::vector<Row>& rows) {
   if (rows.empty())
     return "";
-  std::string text = percent_text(rms(each(rows, actual_error)));
+  std::string text = percent_text(rms(rows, actual_error));
   if (rows.front().rung <= 3)
-    text += ", stated " + percent_text(rms(each(rows, stated_error)));
+    text += ", stated " + percent_text(rms(rows, stated_error));
   return text;
 }
 
@@ -164,7 +153,6 @@ plot::Chart panel(const std::string& title) {
   return {.title = title,
           .x = {"processor time of one evaluation [s]", plot::Scale::logarithmic, 1},
           .y = {"error, largest of K, G_hh, G_vh [%]", plot::Scale::logarithmic, 0.01},
-          .series = {},
           .width = 330,
           .height = 340,
           .legend_below = true};
@@ -175,20 +163,18 @@ plot::Chart closed_forms(const std::vector<Row>& rows) {
   for (const Kind& kind : {kinds()[0], kinds()[1]}) {
     plot::Series line{.name = std::string("stated error, ") + kind.name,
                       .mark = plot::Mark::line,
-                      .x = {},
-                      .y = {},
                       .style = picture.series.size(),
                       .tone = plot::Tone::grey};
     for (const double rung : {0.0, 1.0, 2.0, 3.0}) {
       const std::vector<Row> own = select(of_rung(rows, rung, "all"), kind.has);
-      line.x.push_back(median(each(own, cost)));
-      line.y.push_back(rms(each(own, stated_error)));
+      line.add(median(each(own, cost)), rms(own, stated_error));
     }
     picture.series.push_back(line);
   }
-  picture.series.push_back(points("rung 0", of_rung(rows, 0, "all"), 0, plot::Colour::uniform_strain));
-  picture.series.push_back(points("rung 1", of_rung(rows, 1, "all"), 1, plot::Colour::uniform_strain));
-  picture.series.push_back(points("rung 2", of_rung(rows, 2, "all"), 2, plot::Colour::uniform_strain));
+  for (const std::size_t rung : {0U, 1U, 2U})
+    picture.series.push_back(points("rung " + std::to_string(rung),
+                                    of_rung(rows, static_cast<double>(rung), "all"), rung,
+                                    plot::Colour::uniform_strain));
   picture.series.push_back(points("rung 3, z* known", of_rung(rows, 3, "all"), 3, plot::Colour::closed_form));
   picture.series.push_back(
       points("rung 3, z* from C_n", of_rung(rows, 3, "C_n"), 0, plot::Colour::closed_form));
@@ -206,42 +192,26 @@ plot::Chart of_packings(const std::vector<Row>& rows) {
   for (const Row& row : of_rung(rows, 4, "packing"))
     network_cost[row.specimen.name()] = row.cost;
   plot::Series network = points("rung 4: network", probes, 1, plot::Colour::measured);
-  network.x = each(probes, [&](const Row& r) { return network_cost.at(r.specimen.name()); });
+  for (std::size_t k = 0; k < probes.size(); ++k)
+    network.x[k] = network_cost.at(probes[k].specimen.name());
   picture.series = {network, points("rung 5: DEM probe", probes, 2, plot::Colour::measured)};
   picture.finding = "Network and probe differ by less than 0.5 % and cost hundredths to tenths of a second.";
   return picture;
 }
 
-/// Two panels: between a microsecond and a hundredth of a second there is nothing.
-std::string picture(const std::vector<Row>& rows) {
-  const plot::Chart both[] = {closed_forms(rows), of_packings(rows)};
-  return plot::svg(both);
-}
-
 // ---- the questions ----
 
-/// Errors over the stated ones.
-struct Coverage {
-  std::vector<double> ratios;
-
-  void add(const Moduli& error, const Moduli& stated) {
-    for (std::size_t k = 0; k < error.size(); ++k)
-      ratios.push_back(std::abs(error[k]) / stated[k]);
-  }
-  [[nodiscard]] double beyond(double limit) const {
-    const auto count = std::count_if(ratios.begin(), ratios.end(), [limit](double r) { return r > limit; });
-    return static_cast<double>(count) / static_cast<double>(ratios.size());
-  }
-  [[nodiscard]] std::string text() const {
-    return std::to_string(ratios.size()) + " values, " + percent_text(beyond(1)) +
-           " beyond the stated error, " + percent_text(beyond(2)) + " beyond twice, " +
-           percent_text(beyond(3)) + " beyond three times";
-  }
-};
+void add(Errors& errors, const Moduli& error, const Moduli& stated) {
+  for (std::size_t k = 0; k < error.size(); ++k)
+    errors.add(error[k], stated[k]);
+}
 
 /// A standard error: of normal errors 32 % would lie beyond one and 5 % beyond two.
-void require_coverage(Claims& claims, const std::string& what, const Coverage& coverage) {
-  claims.require(coverage.beyond(2) <= 0.1 && coverage.beyond(3) <= 0.02, what + ": " + coverage.text());
+void require_coverage(Claims& claims, const std::string& what, const Errors& e) {
+  claims.require(e.two() >= 0.9 && e.three() >= 0.98,
+                 what + ": " + std::to_string(e.count()) + " values, " + percent_text(1 - e.one()) +
+                     " beyond the stated error, " + percent_text(1 - e.two()) + " beyond twice, " +
+                     percent_text(1 - e.three()) + " beyond three times");
 }
 
 bool same(const Moduli& first, const Moduli& second) {
@@ -262,13 +232,11 @@ Row restated(Row row) {
 }
 
 std::string restated_table(const std::vector<Row>& rows) {
-  const Networks networks(rows);
-  const std::vector<std::string>& names = ladder::headings();
-  std::string text = io::csv_line({names.begin(), names.end()});
+  std::string text = ladder::csv_headings();
   for (Row row : rows) {
     if (row.rung <= 3) {
       row = restated(row);
-      row.error = networks.errors(row);
+      row.error = errors(rows, row);
     }
     text += ladder::csv_line(row);
   }
@@ -298,27 +266,26 @@ void check_library(Claims& claims, const std::vector<Row>& rows) {
 }
 
 void check_table(Claims& claims, const std::vector<Row>& rows) {
-  const Networks networks(rows);
   bool errors_follow = true;
   for (const Row& row : rows)
     if (row.rung < 4)
       for (std::size_t k = 0; k < row.error.size(); ++k)
-        errors_follow = errors_follow && std::abs(networks.errors(row)[k] - row.error[k]) <
-                                             1e-5 * (1 + std::abs(row.error[k]));
+        errors_follow = errors_follow &&
+                        std::abs(errors(rows, row)[k] - row.error[k]) < 1e-5 * (1 + std::abs(row.error[k]));
   claims.require(errors_follow, "the errors are those of the moduli");
   for (const char* known : {"all", "C_n"})
     for (const double rung : {0.0, 1.0, 2.0, 3.0}) {
-      Coverage coverage;
+      Errors coverage;
       for (const Row& row : of_rung(rows, rung, known))
-        coverage.add(row.error, row.stated);
-      if (!coverage.ratios.empty())
+        add(coverage, row.error, row.stated);
+      if (coverage.count() > 0)
         require_coverage(claims, "rung " + short_text(rung) + ", known: " + known, coverage);
     }
   const auto worst_probe = each(of_rung(rows, 5, "packing"), actual_error);
   claims.require(*std::max_element(worst_probe.begin(), worst_probe.end()) < 0.01,
                  "probe within 1 % of network");
-  const double relaxed = rms(each(of_rung(rows, 3, "all"), actual_error));
-  const double strained = rms(each(of_rung(rows, 2, "all"), actual_error));
+  const double relaxed = rms(of_rung(rows, 3, "all"), actual_error),
+               strained = rms(of_rung(rows, 2, "all"), actual_error);
   claims.require(relaxed < strained / 10, "rung 3 has a tenth of the error of rung 2 at most: " +
                                               percent_text(relaxed) + " and " + percent_text(strained));
   double last = 0;
@@ -332,30 +299,24 @@ void check_table(Claims& claims, const std::vector<Row>& rows) {
 
 /// The packings that rung 3 is calibrated on, at the k_t/k_n that they were made with.
 void check_calibration_packings(Claims& claims, const std::string& path) {
-  std::map<std::string, std::array<Coverage, 4>> coverage;
-  int packings = 0;
-  for (const relaxation::Packing& p : relaxation::read_packings(path)) {
-    ++packings;
-    const auto own = std::find_if(p.networks.begin(), p.networks.end(), [](const relaxation::Network& n) {
-      return n.ratio == ladder::tangential_ratio;
-    });
-    for (const char* known : {"all", "C_n"}) {
+  std::map<std::string, Errors> coverage;
+  const auto packings = relaxation::read_packings(path);
+  for (const relaxation::Packing& p : packings) {
+    const auto own = std::ranges::find(p.networks, relaxation::no_slip_ratio, &relaxation::Network::ratio);
+    for (const std::string known : {"all", "C_n"}) {
       effective::State measured = p.state;
       measured.mechanical_coordination_number = p.mechanical_coordination;
       const auto assessed = ladder::ladder_of(measured, known);
       for (const std::size_t k : {0u, 1u, 2u, 3u})
         if (const auto& rung = assessed.rungs[k]; rung.stiffness)
-          coverage[known][k].add(
+          add(coverage["rung " + std::to_string(k) + ", known: " + known],
               ladder::errors(ladder::moduli(*rung.stiffness), ladder::moduli(own->stiffness)),
               ladder::triple(*rung.relative_error));
     }
   }
-  claims.require(packings > 300, "packings of the calibration: " + std::to_string(packings));
-  for (const auto& [known, of_rungs] : coverage)
-    for (std::size_t k = 0; k < of_rungs.size(); ++k)
-      if (!of_rungs[k].ratios.empty())
-        require_coverage(claims, "calibration packings, rung " + std::to_string(k) + ", known: " + known,
-                         of_rungs[k]);
+  claims.require(packings.size() > 300, "packings of the calibration: " + std::to_string(packings.size()));
+  for (const auto& [what, errors] : coverage)
+    require_coverage(claims, "calibration packings, " + what, errors);
 }
 
 void check_readme(Claims& claims, const std::vector<Row>& rows, const std::string& path) {
@@ -367,41 +328,35 @@ void check_readme(Claims& claims, const std::vector<Row>& rows, const std::strin
     claims.require(lines.count(line) > 0, "README.md has: " + line);
 }
 
-int run(int argc, char** argv) {
-  const std::string what = argc > 2 ? argv[1] : "";
-  if (what == "lines" || what == "picture" || what == "restate") {
-    const std::vector<Row> rows = ladder::read(argv[2]);
-    if (what == "picture")
-      std::printf("%s", picture(rows).c_str());
-    else if (what == "restate")
-      std::printf("%s", restated_table(rows).c_str());
-    else
-      for (const std::string& line : summary(rows))
-        std::printf("%s\n", line.c_str());
-    return 0;
-  }
-  if (what != "check" || argc != 5) {
-    std::fprintf(stderr,
-                 "usage: %s check table.csv states.csv README.md, or lines|picture|restate table.csv\n",
-                 argv[0]);
-    return 2;
-  }
-  const std::vector<Row> rows = ladder::read(argv[2]);
-  Claims claims;
-  check_library(claims, rows);
-  check_table(claims, rows);
-  check_calibration_packings(claims, argv[3]);
-  check_readme(claims, rows, argv[4]);
-  return claims.failed() == 0 ? 0 : 1;
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return program(
+      argc, argv,
+      {
+          {"check", "table.csv states.csv README.md",
+           [](const Arguments& files) {
+             const std::vector<Row> rows = ladder::read(files[0]);
+             Claims claims;
+             check_library(claims, rows);
+             check_table(claims, rows);
+             check_calibration_packings(claims, files[1]);
+             check_readme(claims, rows, files[2]);
+             return claims.exit_code();
+           }},
+          {"lines", "table.csv",
+           [](const Arguments& files) {
+             for (const std::string& line : summary(ladder::read(files[0])))
+               std::printf("%s\n", line.c_str());
+           }},
+          {"picture", "table.csv",
+           [](const Arguments& files) {
+             // Two panels: between a microsecond and a hundredth of a second there is nothing.
+             const std::vector<Row> rows = ladder::read(files[0]);
+             const plot::Chart both[] = {closed_forms(rows), of_packings(rows)};
+             std::printf("%s", plot::svg(both).c_str());
+           }},
+          {"restate", "table.csv",
+           [](const Arguments& files) { std::printf("%s", restated_table(ladder::read(files[0])).c_str()); }},
+      });
 }

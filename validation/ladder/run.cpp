@@ -6,21 +6,17 @@
 // Rungs 0 to 3 know what was measured on the packing, and once more only C_n; rung 4 solves its contact
 // network, rung 5 probes it by DEM (first seed). Costs are processor time. Some minutes with 1,500 grains.
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
-#include <exception>
 #include <fstream>
 
-#include <granum/analysis/measure.hpp>
 #include <granum/contact/grains.hpp>
-#include <granum/dem/engine.hpp>
-#include <granum/dem/quasistatic.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/network/linear_response.hpp>
-#include <granum/triaxial/probe.hpp>
-#include <granum/triaxial/specimen.hpp>
 
+#include "../claims.hpp"
+#include "../relaxation/recording.hpp"
+#include "../relaxation/specimens.hpp"
 #include "table.hpp"
 
 namespace {
@@ -31,44 +27,33 @@ using ladder::Row;
 using ladder::Specimen;
 using triaxial::Density;
 
-constexpr double kPa = 1e3;
-
-struct Stage {
-  double pressure;         // [Pa]
-  double stress_ratio = 0; // (stress_v - stress_h)/p
-};
+using relaxation::kPa;
 
 /// One way to make a specimen, and the states of it that are asked about.
 struct Case {
   const char* contact;
-  Density density;
-  std::vector<Stage> path;
+  relaxation::Preparation preparation;
 };
 
-const std::vector<Case>& cases() {
-  const std::vector<Stage> isotropic{{10 * kPa}, {100 * kPa}};
-  const std::vector<Stage> sheared{{10 * kPa}, {100 * kPa}, {100 * kPa, 0.4}, {100 * kPa, 0.8}};
-  static const std::vector<Case> all{
-      {"sphere", Density::dense, isotropic}, {"sphere", Density::loose, sheared},
-      {"cone", Density::dense, isotropic},   {"cone", Density::loose, isotropic},
-      {"flat", Density::dense, isotropic},   {"flat", Density::loose, isotropic},
-  };
+std::vector<Case> cases(std::size_t grains) {
+  const std::vector<relaxation::Stage> isotropic{{10 * kPa}, {100 * kPa}};
+  const std::vector<relaxation::Stage> sheared{{10 * kPa}, {100 * kPa}, {100 * kPa, 0.4}, {100 * kPa, 0.8}};
+  std::vector<Case> all;
+  for (const char* contact : {"sphere", "cone", "flat"})
+    for (const Density density : {Density::dense, Density::loose})
+      all.push_back(
+          {contact,
+           {.name = density == Density::dense ? "dense" : "loose",
+            .density = density,
+            .friction_coefficient = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient(),
+            .path = density == Density::loose && contact == std::string("sphere") ? sheared : isotropic,
+            .grains = grains,
+            .max_steps = triaxial::compression_options().max_steps}});
   return all;
 }
 
 /// None of the seeds that rung 3 is calibrated on.
 constexpr std::uint64_t first_seed = 11, last_seed = 12;
-
-triaxial::SpecimenRecipe recipe(const Case& c, std::uint64_t seed, std::size_t grains) {
-  return {
-      .material = {.law = relaxation::detail::law(c.contact, ladder::grain_radius),
-                   .tangential_ratio = ladder::tangential_ratio,
-                   .friction_coefficient = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient()},
-      .radius = ladder::grain_radius,
-      .grains = grains,
-      .seed = seed,
-      .first_pressure = 10 * kPa};
-}
 
 // ---- costs ----
 
@@ -123,10 +108,7 @@ double closed_form_cost(std::size_t rung, const effective::State& s) {
 
 class Table {
  public:
-  explicit Table(const std::string& path) : out_(path) {
-    const auto& names = ladder::headings();
-    out_ << io::csv_line({names.begin(), names.end()});
-  }
+  explicit Table(const std::string& path) : out_(path) { out_ << ladder::csv_headings(); }
   void add(Row row, const Moduli& reference) {
     row.error = ladder::errors(row.value, reference);
     out_ << ladder::csv_line(row) << std::flush;
@@ -186,30 +168,25 @@ Row probe_row(const Specimen& specimen, const dem::Specimen& frozen, const dem::
           .cost = cost_of([&modulus] { sink = modulus(ShearMode::vh); }, 5)};
 }
 
-Specimen measure(const Case& c, std::uint64_t seed, const Stage& stage, const dem::Specimen& frozen,
-                 const packing::Assembly& assembly) {
-  const analysis::Measurement measured = analysis::measure(assembly);
-  const analysis::Microstructure micro = measured.microstructure();
-  const Mat3& stress = measured.stress.value().symmetric;
-  return {.contact = c.contact,
-          .preparation = c.density == Density::dense ? "dense" : "loose",
-          .seed = static_cast<double>(seed),
-          .grains = static_cast<double>(assembly.grain_count()),
-          .pressure = stage.pressure,
-          .stress_ratio = stage.stress_ratio,
-          .void_ratio = dem::void_ratio(frozen),
-          .C_n = micro.coordination_number,
-          .z_star = micro.mechanical_coordination_number,
-          .a = micro.fabric_anisotropy,
-          .stress_v = stress(2, 2),
-          .stress_h = (stress(0, 0) + stress(1, 1)) / 2};
-}
-
-void run_stage(Table& table, const Case& c, std::uint64_t seed, const Stage& stage,
+void run_stage(Table& table, const Case& c, std::uint64_t seed, const relaxation::Stage& stage,
                const dem::Specimen& state, const dem::Material& material) {
   const triaxial::FrozenState frozen = triaxial::freeze_in_place(state, material);
   const packing::Assembly assembly = dem::contact_network(frozen.state(), material);
-  const Specimen specimen = measure(c, seed, stage, frozen.state(), assembly);
+  const analysis::Measurement measured = analysis::measure(assembly);
+  const analysis::Microstructure micro = measured.microstructure();
+  const Mat3& stress = measured.stress.value().symmetric;
+  const Specimen specimen{.contact = c.contact,
+                          .preparation = c.preparation.name,
+                          .seed = static_cast<double>(seed),
+                          .grains = static_cast<double>(assembly.grain_count()),
+                          .pressure = stage.pressure,
+                          .stress_ratio = stage.stress_ratio,
+                          .void_ratio = dem::void_ratio(frozen.state()),
+                          .C_n = micro.coordination_number,
+                          .z_star = micro.mechanical_coordination_number,
+                          .a = micro.fabric_anisotropy,
+                          .stress_v = stress(2, 2),
+                          .stress_h = (stress(0, 0) + stress(1, 1)) / 2};
   const Network network = solve_network(specimen, assembly);
   add_closed_forms(table, specimen, network.row.value);
   table.add(network.row, network.row.value);
@@ -220,40 +197,29 @@ void run_stage(Table& table, const Case& c, std::uint64_t seed, const Stage& sta
   std::fprintf(stderr, "%s\n", specimen.name().c_str());
 }
 
-void run_specimen(Table& table, const Case& c, std::uint64_t seed, std::size_t grains) {
-  const triaxial::SpecimenRecipe specimen = recipe(c, seed, grains);
-  dem::Specimen state =
-      triaxial::start_of_compression(triaxial::frictionless_specimen(specimen).state, c.density, specimen);
-  for (const Stage& stage : c.path) {
-    const double stress_h = stage.pressure * (1 - stage.stress_ratio / 3);
-    const double stress_v = stage.pressure * (1 + 2 * stage.stress_ratio / 3);
-    dem::Engine engine(std::move(state), specimen.material);
-    const dem::QuasistaticReport report =
-        dem::equilibrate(engine, {stress_h, stress_h, stress_v}, triaxial::compression_options());
-    if (report.outcome == dem::Outcome::unstable)
-      throw std::runtime_error("a stage became unstable");
-    engine.rest();
-    state = engine.state();
-    run_stage(table, c, seed, stage, state, specimen.material);
+void run_specimen(Table& table, const Case& c, std::uint64_t seed) {
+  triaxial::SpecimenRecipe recipe = relaxation::recipe(
+      relaxation::detail::law(c.contact, ladder::grain_radius), ladder::grain_radius, c.preparation, seed);
+  recipe.material.tangential_ratio =
+      relaxation::no_slip_ratio; // its last digit decides the bits of the record
+  dem::Specimen state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
+                                                       c.preparation.density, recipe);
+  for (std::size_t k = 0; k < c.preparation.path.size(); ++k) {
+    state = relaxation::at_stage(std::move(state), c.preparation, k, recipe.material);
+    run_stage(table, c, seed, c.preparation.path[k], state, recipe.material);
   }
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 3) {
-    std::fprintf(stderr, "usage: %s table.csv [grains]\n", argv[0]);
-    return 2;
-  }
-  const std::size_t grains = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1500;
-  try {
-    Table table(argv[1]);
-    for (std::uint64_t seed = first_seed; seed <= last_seed; ++seed)
-      for (const Case& c : cases())
-        run_specimen(table, c, seed, grains);
-    return table.good() ? 0 : 3;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return program(argc, argv, {{"", "table.csv [grains]", [](const Arguments& arguments) {
+                                 const std::size_t grains =
+                                     arguments.size() > 1 ? std::stoul(arguments[1]) : 1500;
+                                 Table table(arguments[0]);
+                                 for (std::uint64_t seed = first_seed; seed <= last_seed; ++seed)
+                                   for (const Case& c : cases(grains))
+                                     run_specimen(table, c, seed);
+                                 return table.good();
+                               }}});
 }

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <granum/core/text.hpp>
@@ -34,8 +33,8 @@ inline Moduli triple(const granum::effective::ModulusErrors& e) { return {e.bulk
 
 /// One frozen packing.
 struct Specimen {
-  std::string contact;
-  std::string preparation; ///< dense or loose
+  std::string contact = {};
+  std::string preparation = {}; ///< dense or loose
   double seed = 0;
   double grains = 0;
   double pressure = 0;     ///< nominal mean stress [Pa]
@@ -56,8 +55,8 @@ struct Specimen {
 };
 
 struct Row {
-  Specimen specimen;
-  std::string known; ///< "all", or "C_n": neither rattlers nor fabric were measured
+  Specimen specimen = {};
+  std::string known = {}; ///< "all", or "C_n": neither rattlers nor fabric were measured
   double rung = 0;
   Moduli value = unknown;
   Moduli error = unknown;     ///< against the network [1]
@@ -65,12 +64,11 @@ struct Row {
   double cost = State::unset; ///< processor time of one evaluation, median [s]
 };
 
-inline constexpr double tangential_ratio = 0.918918918918919;
-
 /// The packing as it was measured.
 inline State state_of(const Specimen& s) {
   return {.law = relaxation::detail::law(s.contact, grain_radius),
-          .tangential_ratio = tangential_ratio,
+
+          .tangential_ratio = relaxation::no_slip_ratio,
           .radius = grain_radius,
           .void_ratio = s.void_ratio,
           .coordination_number = s.C_n,
@@ -124,56 +122,66 @@ inline double largest(const Moduli& values) {
 
 // ---- the file ----
 
-inline const std::vector<std::string>& headings() {
-  static const std::vector<std::string> names{
-      "contact",    "preparation", "seed",     "grains",      "p_Pa",        "stress_ratio",
-      "e",          "C_n",         "z_star",   "a",           "stress_v_Pa", "stress_h_Pa",
-      "known",      "rung",        "K_Pa",     "G_hh_Pa",     "G_vh_Pa",     "error_K",
-      "error_G_hh", "error_G_vh",  "stated_K", "stated_G_hh", "stated_G_vh", "cost_s"};
-  return names;
-}
+inline constexpr std::pair<const char*, double Specimen::*> numbers_of_specimen[] = {
+    {"seed", &Specimen::seed},
+    {"grains", &Specimen::grains},
+    {"p_Pa", &Specimen::pressure},
+    {"stress_ratio", &Specimen::stress_ratio},
+    {"e", &Specimen::void_ratio},
+    {"C_n", &Specimen::C_n},
+    {"z_star", &Specimen::z_star},
+    {"a", &Specimen::a},
+    {"stress_v_Pa", &Specimen::stress_v},
+    {"stress_h_Pa", &Specimen::stress_h}};
+inline constexpr std::pair<std::array<const char*, 3>, Moduli Row::*> moduli_of_row[] = {
+    {{"K_Pa", "G_hh_Pa", "G_vh_Pa"}, &Row::value},
+    {{"error_K", "error_G_hh", "error_G_vh"}, &Row::error},
+    {{"stated_K", "stated_G_hh", "stated_G_vh"}, &Row::stated}};
 
-/// Seven digits: packings are given to no more by their own scatter.
-inline std::string digits(double value) {
-  return std::isnan(value) ? std::string() : granum::short_text(value, 7);
+/// Headings and cells of a row. Seven digits: packings are given to no more by their own scatter.
+inline std::vector<std::pair<std::string, std::string>> cells_of(const Row& row) {
+  const auto digits = [](double value) {
+    return std::isnan(value) ? std::string() : granum::short_text(value, 7);
+  };
+  std::vector<std::pair<std::string, std::string>> cells{{"contact", row.specimen.contact},
+                                                         {"preparation", row.specimen.preparation}};
+  for (const auto& [heading, of] : numbers_of_specimen)
+    cells.emplace_back(heading, digits(row.specimen.*of));
+  cells.emplace_back("known", row.known);
+  cells.emplace_back("rung", digits(row.rung));
+  for (const auto& [names, of] : moduli_of_row)
+    for (std::size_t k = 0; k < names.size(); ++k)
+      cells.emplace_back(names[k], digits((row.*of)[k]));
+  cells.emplace_back("cost_s", granum::short_text(row.cost, 3));
+  return cells;
 }
-
+inline std::string csv_headings() {
+  std::vector<granum::io::CsvCell> line;
+  for (const auto& [heading, cell] : cells_of({}))
+    line.emplace_back(heading);
+  return granum::io::csv_line(line);
+}
 inline std::string csv_line(const Row& row) {
-  const Specimen& s = row.specimen;
-  std::vector<granum::io::CsvCell> cells{s.contact, s.preparation};
-  for (const double value : {s.seed, s.grains, s.pressure, s.stress_ratio, s.void_ratio, s.C_n, s.z_star, s.a,
-                             s.stress_v, s.stress_h})
-    cells.emplace_back(digits(value));
-  cells.emplace_back(row.known);
-  cells.emplace_back(digits(row.rung));
-  for (const Moduli& three : {row.value, row.error, row.stated})
-    for (const double value : three)
-      cells.emplace_back(digits(value));
-  cells.emplace_back(granum::short_text(row.cost, 3));
-  return granum::io::csv_line(cells);
+  std::vector<granum::io::CsvCell> line;
+  for (const auto& [heading, cell] : cells_of(row))
+    line.emplace_back(cell);
+  return granum::io::csv_line(line);
 }
 
-inline std::vector<Row> read(const std::filesystem::path& path) {
-  const granum::io::CsvTable table = granum::io::read_csv(path);
-  if (table.headings() != headings())
-    throw std::runtime_error(path.string() + ": other columns than this program writes");
+inline std::vector<Row> read(const std::string& path) {
   std::vector<Row> rows;
-  for (std::size_t k = 0; k < table.row_count(); ++k) {
-    const std::vector<std::string>& f = table.fields(k);
-    const auto number = [&f](std::size_t column) {
-      return granum::parse_number(f[column]).value_or(State::unset);
-    };
-    const auto three = [&number](std::size_t column) -> Moduli {
-      return {number(column), number(column + 1), number(column + 2)};
-    };
-    rows.push_back({.specimen = {f[0], f[1], number(2), number(3), number(4), number(5), number(6), number(7),
-                                 number(8), number(9), number(10), number(11)},
-                    .known = f[12],
-                    .rung = number(13),
-                    .value = three(14),
-                    .error = three(17),
-                    .stated = three(20),
-                    .cost = number(23)});
+  for (const Entry& entry : read_record(path)) {
+    Row& row = rows.emplace_back();
+    row.specimen.contact = entry.text("contact");
+    row.specimen.preparation = entry.text("preparation");
+    for (const auto& [heading, of] : numbers_of_specimen)
+      row.specimen.*of = entry(heading);
+    row.known = entry.text("known");
+    row.rung = entry("rung");
+    for (const auto& [names, of] : moduli_of_row)
+      for (std::size_t k = 0; k < names.size(); ++k)
+        (row.*of)[k] = entry(names[k]);
+    row.cost = entry("cost_s");
   }
   return rows;
 }

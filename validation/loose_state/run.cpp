@@ -6,8 +6,6 @@
 //     loose_state table.csv [grains] [seeds]
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -18,6 +16,8 @@
 #include <granum/io/csv/table.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/triaxial/specimen.hpp>
+
+#include "../claims.hpp"
 
 namespace {
 
@@ -63,25 +63,16 @@ Sample compressed(const dem::Specimen& packing, const triaxial::SpecimenRecipe& 
   return sample;
 }
 
-/// Mean and its standard error over the seeds.
-struct Mean {
-  double value = 0;
-  double error = 0;
-};
-
+/// Over the seeds.
 template <class Of>
 Mean mean(const std::vector<Sample>& samples, const Of& of) {
-  const double count = static_cast<double>(samples.size());
-  Mean out;
+  std::vector<double> values;
   for (const Sample& sample : samples)
-    out.value += of(sample) / count;
-  for (const Sample& sample : samples)
-    out.error += (of(sample) - out.value) * (of(sample) - out.value);
-  out.error = samples.size() > 1 ? std::sqrt(out.error / (count - 1) / count) : 0;
-  return out;
+    values.push_back(of(sample));
+  return mean_of(values);
 }
 
-int run(const std::string& path, std::size_t grains, std::size_t seeds) {
+void run(const std::string& path, std::size_t grains, std::size_t seeds) {
   std::vector<dem::Specimen> packings;
   for (std::size_t k = 0; k < seeds; ++k)
     packings.push_back(triaxial::frictionless_specimen(recipe(grains, k + 1)).state);
@@ -113,23 +104,13 @@ int run(const std::string& path, std::size_t grains, std::size_t seeds) {
     std::fflush(stdout);
     io::write_file(path, io::csv_text(csv), io::Existing::replace);
   }
-  return 0;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 4) {
-    std::fprintf(stderr, "usage: loose_state table.csv [grains] [seeds]\n");
-    return 2;
-  }
-  const auto number = [&](int k, unsigned long usual) {
-    return argc > k ? std::strtoul(argv[k], nullptr, 10) : usual;
-  };
-  try {
-    return run(argv[1], number(2, 1000), number(3, 3));
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "loose_state: %s\n", error.what());
-    return 1;
-  }
+  return program(argc, argv, {{"", "table.csv [grains] [seeds]", [](const Arguments& arguments) {
+                                 run(arguments[0], arguments.size() > 1 ? std::stoul(arguments[1]) : 1000,
+                                     arguments.size() > 2 ? std::stoul(arguments[2]) : 3);
+                               }}});
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Equations 3 to 8 of [Chung2014] as printed, against the contact law of two grains.
-#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <numbers>
 #include <string>
 
 #include <granum/contact/power_law.hpp>
+
+#include "../claims.hpp"
+#include "../record.hpp"
 
 namespace {
 
@@ -78,48 +79,28 @@ std::map<std::string, double> measured() {
   return values;
 }
 
-/// Reads one number of a CSV line and moves on behind its comma.
-bool number(const char*& at, const char* end, double& value) {
-  const auto [next, error] = std::from_chars(at, end, value);
-  at = next < end ? next + 1 : end;
-  return error == std::errc();
+bool compare(const std::vector<Entry>& reference) {
+  std::map<std::string, double> values = measured();
+  bool passed = true;
+  std::printf("%-46s %22s %22s %10s\n", "quantity", "expected", "found", "off by");
+  for (const Entry& row : reference) {
+    const std::string& name = row.text("quantity");
+    const double found = values.at(name), off = std::abs(found / row("expected") - 1);
+    const bool good = off <= row("relative_tolerance");
+    std::printf("%-46s %22.16g %22.16g %10.1e%s\n", name.c_str(), row("expected"), found, off,
+                good ? "" : "  WRONG");
+    passed = passed && good;
+    values.erase(name);
+  }
+  for (const auto& [name, value] : values)
+    std::printf("%-46s has no reference\n", name.c_str());
+  return passed && values.empty();
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: paper_constants reference.csv\n");
-    return 2;
-  }
-  std::ifstream file(argv[1]);
-  std::string line;
-  if (!std::getline(file, line) || line != "quantity,expected,relative_tolerance") {
-    std::fprintf(stderr, "%s: cannot be read, or its header is not the expected one\n", argv[1]);
-    return 2;
-  }
-  std::map<std::string, double> values = measured();
-  bool passed = true;
-  std::printf("%-46s %22s %22s %10s\n", "quantity", "expected", "found", "off by");
-  while (std::getline(file, line)) {
-    const std::string name = line.substr(0, line.find(','));
-    const char* at = line.data() + std::min(name.size() + 1, line.size());
-    double expected = 0, tolerance = 0;
-    if (!number(at, line.data() + line.size(), expected) ||
-        !number(at, line.data() + line.size(), tolerance) || !values.contains(name)) {
-      std::fprintf(stderr, "%s: line '%s' is not understood\n", argv[1], line.c_str());
-      return 2;
-    }
-    const double found = values.at(name), off = std::abs(found / expected - 1);
-    const bool good = off <= tolerance;
-    std::printf("%-46s %22.16g %22.16g %10.1e%s\n", name.c_str(), expected, found, off,
-                good ? "" : "  WRONG");
-    passed = passed && good;
-    values.erase(name);
-  }
-  for (const auto& [name, value] : values) {
-    std::printf("%-46s has no reference\n", name.c_str());
-    passed = false;
-  }
-  return passed ? 0 : 1;
+  return program(argc, argv, {{"", "reference.csv", [](const Arguments& files) {
+                                 return compare(read_record(files[0]));
+                               }}});
 }

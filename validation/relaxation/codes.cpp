@@ -42,8 +42,8 @@ void append(Record& record, const std::vector<std::string>& of) {
   const analysis::Measurement measured =
       analysis::measure(assembly, {.grain_shear_modulus = grain.shear_modulus,
                                    .stiffness_from = packing::StiffnessFrom::force});
-  // With the stiffnesses of the contacts at their forces. Springs of one stiffness are those of flat contacts:
-  // K over that of a closed form does not ask how stiff.
+  // With the stiffnesses of the contacts at their forces. Springs of one stiffness are those of flat
+  // contacts: K over that of a closed form does not ask how stiff.
   const contact::PowerLaw law = relaxation::detail::law(contact, measured.sizes.equivalent);
   if (contact == "sphere")
     assign_hertz_stiffness(assembly, grain, ratio, packing::StiffnessFrom::force);
@@ -73,12 +73,10 @@ void append(Record& record, const std::vector<std::string>& of) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "codes.csv lammps|yade sphere|flat SIZES PREPARATION SEED GRAINS CONTACTS",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.size() != 8)
-                     return {};
-                   Record record(arguments[0], 7);
-                   append(record, {arguments.begin() + 1, arguments.end()});
-                   return 0;
-                 });
+  return program(argc, argv,
+                 {{"", "codes.csv lammps|yade sphere|flat SIZES PREPARATION SEED GRAINS CONTACTS",
+                   [](const Arguments& arguments) {
+                     Record record(arguments[0], 7);
+                     append(record, {arguments.begin() + 1, arguments.end()});
+                   }}});
 }

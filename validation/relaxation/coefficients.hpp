@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "../constants.hpp"
-#include "effective/relaxation_coefficients.hpp"
 #include "stiff_contacts.hpp"
 #include "uneven_fits.hpp"
 
@@ -124,150 +123,62 @@ inline Result fit_everything(const Records& r) {
 
 // ---- the header ----
 
-inline constexpr const char* header_intro =
-    R"(// Written by `relaxation_fit coefficients` in validation/relaxation, whose README says from which files; the
-// test "validation: relaxation" fits them again and compares. Not to be edited by hand.
-// clang-format off
-#pragma once
-
-#include <array>
-
-namespace granum::effective::kernel {
-
-template <class T>
-using ShearCoefficients = std::array<T, 8>;
-template <class T>
-using BulkCoefficients = std::array<T, 6>;
-template <class T>
-using StretchCoefficients = std::array<T, 2>;
-template <class T>
-using UnevennessCoefficients = std::array<T, 7>;
-template <class T>
-using DenseUnevenness = std::array<T, 5>;
-
-)";
-
 /// Coefficients and their covariances: entries near 0 have no digits of their own, they are compared with the
 /// errors.
-template <int n, std::size_t m>
-void add_fit(std::vector<Constant>& all, const std::string& name, const Fit<n>& fit,
-             const Numbers<double, n>& recorded, const double (&recorded_covariance)[m][m]) {
-  const std::string size = std::to_string(n);
-  all.push_back({"inline constexpr std::array<double, " + size + "> " + name + "_coefficients{\n    ",
-                 joined(fit.coefficients), joined(recorded)});
-  std::string before =
-      "inline constexpr double " + name + "_covariance[" + size + "][" + size + "] = {\n    {";
-  for (std::size_t k = 0; k < m; ++k, before = "    {") {
+template <int n>
+void add_fit(std::vector<Constant>& all, const std::string& name, const Fit<n>& fit) {
+  all.push_back({name + "_coefficients{", joined(fit.coefficients)});
+  std::string before = name + "_covariance[" + std::to_string(n) + "][" + std::to_string(n) + "] = {";
+  for (std::size_t k = 0; k < fit.coefficients.size(); ++k, before = "{") {
     std::vector<double> scales;
-    for (std::size_t j = 0; j < m; ++j)
-      scales.push_back(100 * std::sqrt(recorded_covariance[k][k] * recorded_covariance[j][j]));
-    all.push_back({before, joined(fit.covariance[k]), joined(recorded_covariance[k]),
-                   k + 1 < m ? "},\n" : "}};\n", 5, scales});
+    for (std::size_t j = 0; j < fit.coefficients.size(); ++j)
+      scales.push_back(10 * fit.error(k) * fit.error(j));
+    all.push_back({before, joined(fit.covariance[k]), 5, scales});
   }
 }
 
-inline void add_scatter(std::vector<Constant>& all, const std::string& name, const ScatterParts& parts,
-                        const Scatter& sizes, const kernel::FactorScatter& recorded) {
-  const auto pair = [](const auto& s) { return joined(s.base, s.gain); };
-  all.push_back({"inline constexpr FactorScatter " + name + "{\n    {", pair(parts.recipes),
-                 pair(recorded.recipes), "}, {"});
-  all.push_back({"", pair(parts.packings), pair(recorded.packings), "}, {"});
-  all.push_back({"", pair(sizes), pair(recorded.sizes), "}};\n"});
+inline std::vector<double> numbers_of(const ScatterParts& parts, const Scatter& sizes) {
+  return joined(parts.recipes.base, parts.recipes.gain, parts.packings.base, parts.packings.gain, sizes.base,
+                sizes.gain);
 }
 
-inline void add_gaps(std::vector<Constant>& all, const std::string& name, const ClosingGaps& gaps,
-                     const std::array<double, 7>& recorded) {
-  const auto& [growth, rattlers, scatter] = gaps;
-  all.push_back({"// ",
-                 joined(growth.error(0), growth.error(1), growth.error(2), growth.error(3), rattlers.error(0),
-                        rattlers.error(1)),
-                 std::vector<double>(6), "\n", 2, std::vector<double>(6, INFINITY)}); // a comment
-  all.push_back({"inline constexpr std::array<double, 7> " + name + "_gaps{\n    ",
-                 joined(growth.coefficients, rattlers.coefficients, scatter), joined(recorded)});
-}
-
+/// The numbers of src/effective/relaxation_coefficients.hpp, in its order.
 inline std::vector<Constant> constants_of(const Result& r) {
   std::vector<Constant> all;
-  const auto array = [&](const std::string& before, const auto& fitted, const auto& recorded) {
-    all.push_back({before, joined(fitted), joined(recorded)});
-  };
-  const auto number = [&](const std::string& before, double fitted, double recorded) {
-    all.push_back({before + " = ", {fitted}, {recorded}, ";\n"});
-  };
-  add_fit(all, "shear", r.equal.shear, kernel::shear_coefficients, kernel::shear_covariance);
-  add_fit(all, "bulk", r.equal.bulk, kernel::bulk_coefficients, kernel::bulk_covariance);
-  add_fit(all, "stretch", r.stretch, kernel::stretch_coefficients, kernel::stretch_covariance);
-  array(R"(
-/// Coefficients of gain_by_unevenness, for G and K.
-inline constexpr UnevennessCoefficients<double> shear_gain{
-    )",
-        r.shear_known.gain, kernel::shear_gain);
-  array("inline constexpr UnevennessCoefficients<double> bulk_gain{\n    ", r.bulk_known.gain,
-        kernel::bulk_gain);
-  array(
-      R"(/// Coefficients of unevenness_of_dense, and the scatter about it: of equal grains, of others over the
-/// root of the relative variance of the lengths of branches.
-inline constexpr DenseUnevenness<double> dense_unevenness{
-    )",
-      r.dense_forces.coefficients, kernel::dense_unevenness);
-  array("inline constexpr std::array<double, 2> dense_unevenness_scatter{", r.dense_forces.scatter,
-        kernel::dense_unevenness_scatter);
-  all.back().after +=
-      R"(/// Relative scatter about a factor: base, and gain times d ln/dz* (shear) or d ln/d ln r (bulk), in
-/// quadrature; of recipes about the curve, of the packings of one recipe, and what unequal grains add: of
-/// G over the root of the relative variance of the lengths of branches, of K over bulk_size_measure.
-struct Scatter {
-  double base;
-  double gain;
-};
-struct FactorScatter {
-  Scatter recipes, packings, sizes;
-};
-)";
-  add_scatter(all, "shear_scatter", r.equal.shear.scatter, r.sizes.shear, kernel::shear_scatter);
-  add_scatter(all, "bulk_scatter", r.equal.bulk.scatter, {r.sizes.bulk, 0}, kernel::bulk_scatter);
-  all.back().after += "/// The same where the unevenness of forces is known.\n";
-  add_scatter(all, "shear_scatter_known", r.shear_known.scatter, r.shear_known.sizes,
-              kernel::shear_scatter_known);
-  add_scatter(all, "bulk_scatter_known", r.bulk_known.scatter, r.bulk_known.sizes,
-              kernel::bulk_scatter_known);
-  number(
-      R"(/// Shift of z* in G at the isostatic point and its standard error, over the relative variance of the
-/// lengths of branches.
-inline constexpr double size_shift)",
-      r.sizes.shift, kernel::size_shift);
-  number("inline constexpr double size_shift_error", r.sizes.shift_error, kernel::size_shift_error);
-  number(R"(/// What unequal grains lose of K, and its standard error.
-inline constexpr double size_loss)",
-         r.sizes.loss, kernel::size_loss);
-  number("inline constexpr double size_loss_error", r.sizes.loss_error, kernel::size_loss_error);
-  number(R"(/// Scatter of K between codes: this times the looseness.
-inline constexpr double bulk_codes)",
-         r.bulk_codes, kernel::bulk_codes);
-  number(R"(/// Scatter of ln C33/C11 over ln of the stretch.
-inline constexpr double stretch_scatter)",
-         r.stretch_scatter, kernel::stretch_scatter);
-  number(R"(/// Further errors under unequal stresses, over |ln(stress_v/stress_h)|.
-inline constexpr double shear_by_stress)",
-         r.shear_by_stress, kernel::shear_by_stress);
-  number("inline constexpr double bulk_by_stress", r.bulk_by_stress, kernel::bulk_by_stress);
-  all.back().after += R"(
-/// Where the packings of the fit end: what G loses by b = 1, and the power of what K loses by the scatter of
-/// forces; the further errors of G and K there, over 1 - h. Of power laws, of rough spheres.
-)";
+  add_fit(all, "shear", r.equal.shear);
+  add_fit(all, "bulk", r.equal.bulk);
+  add_fit(all, "stretch", r.stretch);
   const auto& [power_laws, rough] = r.beyond;
-  array("inline constexpr std::array<double, 2> power_law_losses{",
-        joined(power_laws.shear_loss, power_laws.scatter_power), kernel::power_law_losses);
-  array("inline constexpr std::array<double, 2> power_law_errors{", power_laws.errors,
-        kernel::power_law_errors);
-  array("inline constexpr std::array<double, 2> rough_losses{", joined(rough.shear_loss, rough.scatter_power),
-        kernel::rough_losses);
-  array("inline constexpr std::array<double, 2> rough_errors{", rough.errors, kernel::rough_errors);
-  all.back().after += R"(
-/// z_0, A, q, s, c, k and the scatter of z* of a ClosingGapLaw; in the comments the standard errors.
-)";
-  add_gaps(all, "dense", r.dense, kernel::dense_gaps);
-  add_gaps(all, "loose", r.loose, kernel::loose_gaps);
+  const std::vector<Constant> others{
+      {"shear_gain{", joined(r.shear_known.gain)},
+      {"bulk_gain{", joined(r.bulk_known.gain)},
+      {"dense_unevenness{", joined(r.dense_forces.coefficients)},
+      {"dense_unevenness_scatter{", joined(r.dense_forces.scatter)},
+      {"shear_scatter{", numbers_of(r.equal.shear.scatter, r.sizes.shear)},
+      {"bulk_scatter{", numbers_of(r.equal.bulk.scatter, {r.sizes.bulk, 0})},
+      {"shear_scatter_known{", numbers_of(r.shear_known.scatter, r.shear_known.sizes)},
+      {"bulk_scatter_known{", numbers_of(r.bulk_known.scatter, r.bulk_known.sizes)},
+      {"size_shift = ", {r.sizes.shift}},
+      {"size_shift_error = ", {r.sizes.shift_error}},
+      {"size_loss = ", {r.sizes.loss}},
+      {"size_loss_error = ", {r.sizes.loss_error}},
+      {"bulk_codes = ", {r.bulk_codes}},
+      {"stretch_scatter = ", {r.stretch_scatter}},
+      {"shear_by_stress = ", {r.shear_by_stress}},
+      {"bulk_by_stress = ", {r.bulk_by_stress}},
+      {"power_law_losses{", joined(power_laws.shear_loss, power_laws.scatter_power)},
+      {"power_law_errors{", joined(power_laws.errors)},
+      {"rough_losses{", joined(rough.shear_loss, rough.scatter_power)},
+      {"rough_errors{", joined(rough.errors)}};
+  all.insert(all.end(), others.begin(), others.end());
+  for (const ClosingGaps* gaps : {&r.dense, &r.loose}) {
+    const auto& [growth, rattlers, scatter] = *gaps;
+    std::vector<double> errors; // in a comment
+    for (std::size_t k = 0; k < 6; ++k)
+      errors.push_back(k < 4 ? growth.error(k) : rattlers.error(k - 4));
+    all.push_back({"\n// ", errors, 2});
+    all.push_back({"_gaps{", joined(growth.coefficients, rattlers.coefficients, scatter)});
+  }
   return all;
 }
 

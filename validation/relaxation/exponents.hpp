@@ -24,8 +24,8 @@ inline double own_shear_modulus(const Packing& p) {
   throw std::runtime_error("no network of the specimen's own stiffness");
 }
 
-/// s at the middle of a path from 10 kPa, where friction came on, to 100 kPa: the growth of C_n and z* given by
-/// its two ends, or by a closing-gap law alone. Dense packings have the forces that the preparation left.
+/// s at the middle of a path from 10 kPa, where friction came on, to 100 kPa: the growth of C_n and z* given
+/// by its two ends, or by a closing-gap law alone. Dense packings have the forces that the preparation left.
 inline double predicted_exponent(const Packing& first, const Packing& last,
                                  const granum::effective::ClosingGapLaw* law = nullptr) {
   namespace effective = granum::effective;
@@ -69,7 +69,8 @@ inline double fitted_exponent(const std::vector<const Packing*>& path) {
 }
 
 /// Prints s of every specimen with states from 10 to 100 kPa.
-/// \return   largest difference between the fitted s and the predicted one, growth given, of dense and loose ones
+/// \return   largest difference between the fitted s and the predicted one, growth given, of dense and loose
+/// ones
 inline std::map<std::string, double> compare_exponents(const std::vector<Packing>& packings) {
   namespace effective = granum::effective;
   std::printf("exponent s of G, 10 to 100 kPa: network by its ends, by the fit of verify; by the growth "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fits the relaxation factors to the recorded networks.
 //
-//     relaxation_fit coefficients FILES   writes src/effective/relaxation_coefficients.hpp
+//     relaxation_fit coefficients FILES   writes the numbers of src/effective/relaxation_coefficients.hpp
 //     relaxation_fit check FILES          fits again, compares with that file, and asks whether errors, also
 //                                         on packings left out of the fit, are in reach
 //     relaxation_fit picture FILES        SVG: factors of the networks and of the library
@@ -22,6 +22,8 @@ namespace {
 
 using namespace relaxation;
 using granum::short_text;
+
+const std::string header = HEADERS "/relaxation_coefficients.hpp"; // of the library
 
 const Choice is_unequal = [](const Packing& p) { return p.sizes != "equal"; };
 
@@ -194,7 +196,7 @@ void check_stiff_contacts(const std::vector<StiffNetwork>& stiff, const Result& 
 
 int check(const Records& records, const Result& result) {
   Claims claims;
-  const std::string other = first_other(constants_of(result), 1e-5);
+  const std::string other = first_other(header, constants_of(result), 1e-5);
   claims.require(other.empty(), "the numbers of the library are those of these data" +
                                     (other.empty() ? "" : ", but not those after: " + other));
   check_factors(records, result, claims);
@@ -206,28 +208,27 @@ int check(const Records& records, const Result& result) {
   return claims.exit_code();
 }
 
+/// Of all records, and the fits to them.
+template <class Run>
+Command command(const char* name, const Run& run) {
+  return {name, "states.csv unequal.csv gradations.csv codes.csv exponents.csv rough.csv",
+          [run](const Arguments& files) {
+            const Records records(files);
+            return run(records, fit_everything(records));
+          }};
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv,
-                 "coefficients|check|picture|besides states.csv unequal.csv gradations.csv codes.csv "
-                 "exponents.csv rough.csv",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.size() != 7)
-                     return {};
-                   const std::string& asked = arguments[0];
-                   const Records records({arguments.begin() + 1, arguments.end()});
-                   const Result result = fit_everything(records);
-                   if (asked == "check")
-                     return check(records, result);
-                   if (asked == "coefficients")
-                     print_header(header_intro, constants_of(result));
-                   else if (asked == "picture")
-                     std::fputs(picture(records.packings).c_str(), stdout);
-                   else if (asked == "besides")
-                     print_besides(records, result);
-                   else
-                     return {};
-                   return 0;
-                 });
+  return program(
+      argc, argv,
+      {
+          command("check", check),
+          command("coefficients",
+                  [](const Records&, const Result& result) { write_header(header, constants_of(result)); }),
+          command("picture", [](const Records& records,
+                                const Result&) { std::fputs(picture(records.packings).c_str(), stdout); }),
+          command("besides", print_besides),
+      });
 }

@@ -24,8 +24,8 @@ struct Task {
 };
 
 /// Compresses the specimen along its path, as far as the record lacks stages; `describe` fills the row of one
-/// that it lacks, with the frozen state and the task. States that do not come to rest, or whose grains have not
-/// met, are named on the error stream and left out.
+/// that it lacks, with the frozen state and the task. States that do not come to rest, or whose grains have
+/// not met, are named on the error stream and left out.
 template <class Describe>
 void record_path(const Task& task, Packings& packings, Record& record, const Describe& describe) {
   const auto& [shape, preparation, recipe, keys, pressure_limit] = task;

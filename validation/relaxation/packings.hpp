@@ -14,7 +14,8 @@ namespace relaxation {
 using granum::effective::State;
 using granum::elastic::TransverselyIsotropic;
 
-/// k_t/k_n of contacts that do not slip, of grains of Poisson's ratio 0.15, and all that networks are solved with.
+/// k_t/k_n of contacts that do not slip, of grains of Poisson's ratio 0.15, and all that networks are solved
+/// with.
 inline constexpr double no_slip_ratio = 0.918918918918919;
 inline constexpr double solved_ratios[] = {0, 0.03, 0.1, 0.3, 0.6, no_slip_ratio, 1};
 

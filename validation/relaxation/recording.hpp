@@ -97,8 +97,8 @@ inline void add_networks(Row& row, packing::Assembly assembly, double own_ratio)
   row.add({{"C44_prestress_Pa", known * (c(3, 3) + c(4, 4)) / 2}, {"C66_prestress_Pa", known * c(5, 5)}});
 }
 
-/// K and G of whole networks over those of uniform strain as in closed forms, which count some of the contacts
-/// and take k_n at their mean force.
+/// K and G of whole networks over those of uniform strain as in closed forms, which count some of the
+/// contacts and take k_n at their mean force.
 class CountedPacking {
  public:
   CountedPacking(const packing::Assembly& assembly, const contact::NormalLaw& law)
@@ -113,7 +113,7 @@ class CountedPacking {
     if (!law_.constant_exponent())
       row.add("b", law_.exponent_at_force(mean_force_));
     for (const double ratio : ratios)
-      if (law_.constant_exponent()) // k_n ~ f^b in place of the own law: the stiffness at the mean force stays
+      if (law_.constant_exponent()) // k_n ~ f^b: the stiffness at the mean force stays
         for (const double b : {0.0, 1.0 / 3, 0.5, 2.0 / 3, 0.8, 1.0})
           add_moduli(row, short_number(b), ratio,
                      [&](double force) { return at_mean_ * std::pow(force / mean_force_, b); });

@@ -3,8 +3,8 @@
 // with it, fits the gain to half of them and judges it by the others.
 //
 //     relaxation_rolling make rolling.csv [threads]
-//     relaxation_rolling coefficients rolling.csv > src/effective/rolling_coefficients.hpp
-//     relaxation_rolling check rolling.csv
+//     relaxation_rolling coefficients rolling.csv      writes the numbers of
+//     src/effective/rolling_coefficients.hpp relaxation_rolling check rolling.csv
 //
 // Rows are appended as of relaxation_run: a run that is started again skips the states that the file holds.
 // k_r is the rolling stiffness of a contact over k_n R*^2, R* = R_i R_j/(R_i + R_j), the same for all.
@@ -109,39 +109,15 @@ void describe(Row& row, const dem::Specimen& frozen, const Task& task) {
 
 // ---- the fit
 
-constexpr const char* header_intro =
-    R"(// Written by `relaxation_rolling coefficients rolling.csv` in validation/relaxation; the test "validation:
-// relaxation rolling" fits them again and compares. Not to be edited by hand.
-// clang-format off
-#pragma once
-
-#include <array>
-
-namespace granum::effective::kernel {
-
-template <class T>
-using RollingShear = std::array<T, 5>;
-template <class T>
-using RollingBulk = std::array<T, 3>;
-
-)";
+const std::string header = HEADERS "/rolling_coefficients.hpp"; // of the library
 
 std::vector<Constant> constants_of(const std::vector<Rolled>& all) {
-  namespace kernel = effective::kernel;
   const RollingFit fit = fit_rolling(all);
   for (std::size_t k = 0; k < 8; ++k)
     std::fprintf(stderr, "standard error %.2g\n", k < 5 ? fit.shear.error(k) : fit.bulk.error(k - 5));
-  return {{R"(/// Coefficients of rolled_coupling and of left_of_bulk_loss.
-inline constexpr RollingShear<double> rolling_shear{
-    )",
-           joined(fit.shear.coefficients), joined(kernel::rolling_shear)},
-          {"inline constexpr RollingBulk<double> rolling_bulk{\n    ", joined(fit.bulk.coefficients),
-           joined(kernel::rolling_bulk)},
-          {R"(/// Errors of G and K of packings left out of the fit, over the root of the share of the modulus
-/// that rolling resistance makes.
-inline constexpr std::array<double, 2> rolling_errors{
-    )",
-           joined(rolling_errors(all, fit)), joined(kernel::rolling_errors)}};
+  return {{"rolling_shear{", joined(fit.shear.coefficients)},
+          {"rolling_bulk{", joined(fit.bulk.coefficients)},
+          {"rolling_errors{", joined(rolling_errors(all, fit))}};
 }
 
 /// Gains of relaxed() beside those of the networks, and its stated errors of the moduli themselves; printed.
@@ -179,7 +155,7 @@ RollingErrors errors_of_library(const std::string& what, const std::vector<Rolle
 
 int check(const std::vector<Rolled>& all) {
   Claims claims;
-  claims.require(first_other(constants_of(all), 1e-5).empty(),
+  claims.require(first_other(header, constants_of(all), 1e-5).empty(),
                  "the library's coefficients are those of the record");
   RollingErrors left;
   for (const double r : rolled_tangential_ratios)
@@ -217,22 +193,16 @@ int check(const std::vector<Rolled>& all) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "make rolling.csv [threads], or coefficients|check rolling.csv",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.size() < 2)
-                     return {};
-                   const auto& [asked, path] = std::tie(arguments[0], arguments[1]);
-                   if (asked == "make") {
-                     Record record(path, 5);
-                     record_all(tasks(), arguments.size() > 2 ? std::stoul(arguments[2]) : 1, record,
-                                describe);
-                     return 0;
-                   }
-                   if (asked == "check")
-                     return check(read_rolled(path));
-                   if (asked != "coefficients")
-                     return {};
-                   print_header(header_intro, constants_of(read_rolled(path)));
-                   return 0;
-                 });
+  return program(
+      argc, argv,
+      {
+          {"make", "rolling.csv [threads]",
+           [](const Arguments& arguments) {
+             Record record(arguments[0], 5);
+             record_all(tasks(), arguments.size() > 1 ? std::stoul(arguments[1]) : 1, record, describe);
+           }},
+          {"check", "rolling.csv", [](const Arguments& files) { return check(read_rolled(files[0])); }},
+          {"coefficients", "rolling.csv",
+           [](const Arguments& files) { write_header(header, constants_of(read_rolled(files[0]))); }},
+      });
 }

@@ -238,18 +238,16 @@ void describe(const std::string& asked, Row& row, const dem::Specimen& frozen,
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(
-      argc, argv,
-      "equal|unseen|unequal|exponents|rough FILE.csv [threads [first letters of the preparations]]",
-      [](const std::vector<std::string>& arguments) -> std::optional<int> {
-        if (arguments.size() < 2 || arguments.size() > 4 || !kinds.contains(arguments[0]))
-          return {};
-        Record record(arguments[1], arguments[0] == "unequal" ? 7 : 6);
-        record_all(tasks_of(arguments[0], arguments.size() > 3 ? arguments[3] : ""),
-                   arguments.size() > 2 ? std::stoul(arguments[2]) : 1, record,
-                   [&](Row& row, const dem::Specimen& frozen, const Task& task) {
-                     describe(arguments[0], row, frozen, task.recipe.material);
-                   });
-        return 0;
-      });
+  std::vector<Command> commands;
+  for (const auto& [asked, kind] : kinds)
+    commands.emplace_back(asked, "FILE.csv [threads] [first-letters-of-the-preparations]",
+                          [asked = asked](const Arguments& arguments) {
+                            Record record(arguments[0], asked == "unequal" ? 7 : 6);
+                            record_all(tasks_of(asked, arguments.size() > 2 ? arguments[2] : ""),
+                                       arguments.size() > 1 ? std::stoul(arguments[1]) : 1, record,
+                                       [&](Row& row, const dem::Specimen& frozen, const Task& task) {
+                                         describe(asked, row, frozen, task.recipe.material);
+                                       });
+                          });
+  return program(argc, argv, commands);
 }

@@ -108,9 +108,9 @@ inline std::vector<StiffNetwork> chosen_of(const std::vector<StiffNetwork>& all,
   return some;
 }
 
-/// Means alone, from these networks, which lie beyond: the loss of G that makes errors smallest, to which they
-/// are proportional, and the power of what K is spared of the scatter of forces, by golden section. Each recipe
-/// weighs the same.
+/// Means alone, from these networks, which lie beyond: the loss of G that makes errors smallest, to which
+/// they are proportional, and the power of what K is spared of the scatter of forces, by golden section.
+/// Each recipe weighs the same.
 inline kernel::GoingOn fit_going_on(const std::vector<StiffNetwork>& networks, const EqualFit& equal,
                                     double from) {
   const std::map<std::string, double> counts = counts_of(networks);

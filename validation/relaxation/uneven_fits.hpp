@@ -110,8 +110,8 @@ inline KnownForces fit_known_forces(Of of, const std::vector<Packing>& packings,
   return known;
 }
 
-/// As coverage_of, with the gains and what they leave: each preparation of the judged packings left out of all
-/// fits in turn, of equal grains and of unequal ones.
+/// As coverage_of, with the gains and what they leave: each preparation of the judged packings left out of
+/// all fits in turn, of equal grains and of unequal ones.
 inline ErrorsOfBoth coverage_of_left_out_forces(const std::vector<Packing>& packings,
                                                 const std::vector<Packing>& unequal,
                                                 const std::vector<Packing>& gradations,

@@ -67,10 +67,7 @@ int check(const std::vector<Packing>& packings, const std::vector<Packing>& of_v
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "third_seed.csv verify_seeds.csv",
-                 [](const std::vector<std::string>& files) -> std::optional<int> {
-                   if (files.size() != 2)
-                     return {};
-                   return check(read_packings(files[0]), read_verify_states(files[1]));
-                 });
+  return program(argc, argv, {{"", "third_seed.csv verify_seeds.csv", [](const Arguments& files) {
+                                 return check(read_packings(files[0]), read_verify_states(files[1]));
+                               }}});
 }

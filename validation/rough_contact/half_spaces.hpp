@@ -104,10 +104,6 @@ class HalfSpaces {
     throw std::runtime_error("the pressure of this approach was not found");
   }
 
-  /// Of the outermost node's pressure over the innermost's: what is cut off.
-  [[nodiscard]] double cut() const { return std::exp(log_pressure_[v_.size() - 1] - log_pressure_[0]); }
-  [[nodiscard]] Eigen::Index size() const { return v_.size(); }
-
  private:
   [[nodiscard]] Eigen::Index panels() const { return ends_.size() - 1; }
 

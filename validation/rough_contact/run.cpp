@@ -4,14 +4,14 @@
 //   rough_contact phi.csv          exit code 0 if all of it holds
 //   rough_contact phi.csv record   writes phi.csv first
 #include <cstdio>
-#include <cstring>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 
 #include <granum/contact/rough_sphere.hpp>
 
+#include "../claims.hpp"
+#include "../record.hpp"
 #include "half_spaces.hpp"
 
 using namespace rough_contact;
@@ -27,7 +27,7 @@ struct Row {
 
 double X_of_row(int row) { return 0.003 * std::pow(100 / 0.003, row / (rows - 1.0)); }
 
-void record(const char* path) {
+void record(const std::string& path) {
   std::ofstream file(path);
   file << "X,stiffness over Hertz,the same on twice as fine panels\n";
   for (int row = 0; row < rows; ++row) {
@@ -39,16 +39,10 @@ void record(const char* path) {
   }
 }
 
-std::vector<Row> read(const char* path) {
-  std::ifstream file(path);
+std::vector<Row> read(const std::string& path) {
   std::vector<Row> all;
-  std::string line;
-  std::getline(file, line);
-  for (char comma; std::getline(file, line);) {
-    Row row{};
-    if (std::istringstream(line) >> row.X >> comma >> row.ratio)
-      all.push_back(row);
-  }
+  for (const Entry& entry : read_record(path))
+    all.push_back({entry("X"), entry("stiffness over Hertz")});
   return all;
 }
 
@@ -100,18 +94,8 @@ void claim(bool holds, const char* what, double value, double reach) {
 }
 void at_most(const char* what, double value, double reach) { claim(value <= reach, what, value, reach); }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  if (argc < 2)
-    return 2;
-  if (argc > 2 && std::strcmp(argv[2], "record") == 0)
-    record(argv[1]);
-  const std::vector<Row> data = read(argv[1]);
-  if (data.size() != rows) {
-    std::printf("%s has %zu rows, not %d\n", argv[1], data.size(), rows);
-    return 3;
-  }
+int check(const std::vector<Row>& data) {
+  claim(data.size() == rows, "all rows are recorded", 0, 0);
   double solved = 0, refined = 0, of_library = 0, least = 1, most = 0;
   bool falls = true, b_falls = true;
   double last_b = 1;
@@ -148,4 +132,18 @@ int main(int argc, char** argv) {
   at_most("the library's formula against the record", of_library, 2e-4);
   at_most("its largest error over that of the fit, less 1", std::abs(of_library / fitted.worst - 1), 0.02);
   return failures == 0 ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return program(argc, argv,
+                 {
+                     {"", "phi.csv", [](const Arguments& files) { return check(read(files[0])); }},
+                     {"", "phi.csv record",
+                      [](const Arguments& arguments) {
+                        record(arguments[0]);
+                        return check(read(arguments[0]));
+                      }},
+                 });
 }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <map>
 #include <optional>
@@ -22,6 +21,8 @@
 #include <granum/io/csv/table.hpp>
 #include <granum/sands/known_sands.hpp>
 #include <granum/sands/pooled_law.hpp>
+
+#include "../claims.hpp"
 
 namespace {
 
@@ -82,51 +83,39 @@ double answered_void_ratio(const sands::Sand& sand, double void_ratio) {
 /// log10 of estimate over measured, sand by sand.
 using Misses = std::map<std::string, std::vector<double>>;
 
-struct Score {
-  double bias, rms;
-};
-
-Score score_of(const Misses& misses) {
-  double mean = 0, square = 0;
-  for (const auto& [sand, values] : misses) {
-    double sum = 0, squares = 0;
-    for (const double value : values) {
-      sum += value;
-      squares += value * value;
-    }
-    mean += sum / static_cast<double>(values.size());
-    square += squares / static_cast<double>(values.size());
-  }
-  const auto n = static_cast<double>(misses.size());
-  return {std::pow(10, mean / n), std::sqrt(square / n)};
-}
-
-/// Share of values that are at most so large, each sand with the same weight.
-double covered_by(const Misses& misses, double largest) {
-  double share = 0;
-  for (const auto& [sand, values] : misses) {
-    std::size_t within = 0;
+/// The mean of a function of the misses, each sand with the same weight.
+template <class Of>
+double mean(const Misses& misses, const Of& of) {
+  double sum = 0;
+  for (const auto& [sand, values] : misses)
     for (const double value : values)
-      within += std::abs(value) <= largest;
-    share += static_cast<double>(within) / static_cast<double>(values.size());
-  }
-  return share / static_cast<double>(misses.size());
+      sum += of(value) / static_cast<double>(values.size());
+  return sum / static_cast<double>(misses.size());
 }
-
+double bias_of(const Misses& misses) {
+  return std::pow(10, mean(misses, [](double x) { return x; }));
+}
+double rms_of(const Misses& misses) {
+  return std::sqrt(mean(misses, [](double x) { return x * x; }));
+}
+/// Share of values that are at most so large.
+double covered_by(const Misses& misses, double largest) {
+  return mean(misses, [=](double x) { return std::abs(x) <= largest ? 1 : 0; });
+}
 double covered(const Misses& misses, double factor) { return covered_by(misses, std::log10(factor)); }
 
 void print(const char* name, const Misses& misses) {
   if (misses.empty())
     return;
-  const Score score = score_of(misses);
   std::size_t tests = 0;
   for (const auto& [sand, values] : misses)
     tests += values.size();
   std::printf("  %-28s %3zu %5zu   %5.3f   %5.3f   %3.0f %% %3.0f %% %3.0f %%\n", name, misses.size(), tests,
-              score.bias, score.rms, 100 * covered(misses, 1.15), 100 * covered(misses, 1.4),
+              bias_of(misses), rms_of(misses), 100 * covered(misses, 1.15), 100 * covered(misses, 1.4),
               100 * covered(misses, 1.96));
 }
 
+/// \param    estimate   of a test; none: left out
 Misses misses_of(const std::vector<Test>& tests,
                  const std::function<std::optional<double>(const Test&)>& estimate) {
   Misses misses;
@@ -137,43 +126,50 @@ Misses misses_of(const std::vector<Test>& tests,
 }
 
 void print_levels(const std::vector<Test>& tests) {
-  std::printf("                             sands tests    bias     rms   within 1.15, 1.4, 1.96\n");
-  const auto pooled = [&](const char* name,
-                          const std::function<std::optional<sands::Sand>(const Test&)>& known) {
-    print(name, misses_of(tests, [&](const Test& t) -> std::optional<double> {
-            const std::optional<sands::Sand> sand = known(t);
-            return sand ? std::optional(sands::extrapolated_shear_modulus(
-                              *sand, answered_void_ratio(*sand, t.void_ratio), t.mean_stress))
-                        : std::nullopt;
-          }));
+  using Known = std::optional<sands::Sand>;
+  static const auto limited = [](const Test& t) {
+    return t.known.least_void_ratio && t.known.largest_void_ratio;
   };
-  pooled("pooled: e alone", [](const Test&) { return std::optional(sands::Sand{}); });
-  pooled("pooled: e, C_u",
-         [](const Test& t) { return std::optional(sands::Sand{.uniformity = t.known.uniformity}); });
-  const auto limited = [](const Test& t) { return t.known.least_void_ratio && t.known.largest_void_ratio; };
-  pooled("pooled: D_r", [&](const Test& t) -> std::optional<sands::Sand> {
-    return limited(t) && D_r_of(t) >= 0 && D_r_of(t) <= 1.2
-               ? std::optional(sands::Sand{.relative_density = D_r_of(t)})
-               : std::nullopt;
-  });
-  pooled("pooled: D_r, C_u", [&](const Test& t) -> std::optional<sands::Sand> {
-    if (!limited(t) || !t.known.uniformity)
-      return std::nullopt;
-    return sands::Sand{.uniformity = t.known.uniformity, .relative_density = D_r_of(t)};
-  });
-  pooled("pooled: e, e_min, e_max", [&](const Test& t) {
-    return limited(t) ? std::optional(sands::Sand{.least_void_ratio = t.known.least_void_ratio,
-                                                  .largest_void_ratio = t.known.largest_void_ratio})
-                      : std::nullopt;
-  });
-  pooled("pooled: all of these",
-         [&](const Test& t) { return limited(t) ? std::optional(t.known) : std::nullopt; });
+  const struct {
+    const char* name;
+    Known (*known)(const Test&);
+  } levels[] = {
+      {"pooled: e alone", [](const Test&) { return Known(sands::Sand{}); }},
+      {"pooled: e, C_u", [](const Test& t) { return Known({.uniformity = t.known.uniformity}); }},
+      {"pooled: D_r",
+       [](const Test& t) {
+         return limited(t) && D_r_of(t) >= 0 && D_r_of(t) <= 1.2 ? Known({.relative_density = D_r_of(t)})
+                                                                 : Known();
+       }},
+      {"pooled: D_r, C_u",
+       [](const Test& t) {
+         return limited(t) && t.known.uniformity
+                    ? Known({.uniformity = t.known.uniformity, .relative_density = D_r_of(t)})
+                    : Known();
+       }},
+      {"pooled: e, e_min, e_max",
+       [](const Test& t) {
+         return limited(t) ? Known({.least_void_ratio = t.known.least_void_ratio,
+                                    .largest_void_ratio = t.known.largest_void_ratio})
+                           : Known();
+       }},
+      {"pooled: all of these", [](const Test& t) { return limited(t) ? Known(t.known) : Known(); }},
+  };
+  std::printf("                             sands tests    bias     rms   within 1.15, 1.4, 1.96\n");
+  for (const auto& [name, known] : levels)
+    print(name, misses_of(tests, [known = known](const Test& t) -> std::optional<double> {
+            const Known sand = known(t);
+            if (!sand)
+              return {};
+            return sands::extrapolated_shear_modulus(*sand, answered_void_ratio(*sand, t.void_ratio),
+                                                     t.mean_stress);
+          }));
   for (const sands::MeasuredLaw& law : sands::measured_laws())
     print(law.key, misses_of(tests, [&](const Test& t) {
             sands::SandState state{.void_ratio = t.void_ratio, .mean_stress = t.mean_stress};
             state.uniformity = t.known.uniformity.value_or(state.uniformity);
             state.d50 = t.known.d50.value_or(state.d50);
-            return std::optional(sands::shear_modulus(law, state).shear_modulus);
+            return sands::shear_modulus(law, state).shear_modulus;
           }));
 }
 
@@ -190,18 +186,18 @@ void print_sands(const std::vector<Test>& tests) {
     by_sand[test.sand].push_back(test);
   std::vector<double> biases, best_biases;
   for (const auto& [name, of_sand] : by_sand) {
-    const auto score = [&](bool all) {
-      return score_of(misses_of(of_sand, [all](const Test& t) {
+    const auto misses = [&, &tests_of_it = of_sand](bool all) {
+      return misses_of(tests_of_it, [all](const Test& t) {
         const sands::Sand known = all ? t.known : sands::Sand{.uniformity = t.known.uniformity};
-        return std::optional(sands::pooled_shear_modulus(known, t.void_ratio, t.mean_stress));
-      }));
+        return sands::pooled_shear_modulus(known, t.void_ratio, t.mean_stress);
+      });
     };
-    const Score graded = score(false), best = score(true);
-    biases.push_back(graded.bias);
-    best_biases.push_back(best.bias);
+    const Misses graded = misses(false), best = misses(true);
+    biases.push_back(bias_of(graded));
+    best_biases.push_back(bias_of(best));
     std::printf("  %-10s C_u %4.2f  %3zu tests  %5.3f  %5.3f   %5.3f  %5.3f\n", name.c_str(),
-                of_sand.front().known.uniformity.value_or(0), of_sand.size(), graded.bias, graded.rms,
-                best.bias, best.rms);
+                of_sand.front().known.uniformity.value_or(0), of_sand.size(), bias_of(graded), rms_of(graded),
+                bias_of(best), rms_of(best));
   }
   for (const double factor : {1.08, 1.15, 1.25, 1.4})
     std::printf("  bias within %.2f: %2zu, %2zu of %zu sands\n", factor, within(biases, factor),
@@ -283,7 +279,7 @@ void print_fits(const std::vector<Test>& tests) {
     std::printf("  %-12s %6.1f", form.name, std::exp(all[0]) / 1e6);
     for (Eigen::Index k = 1; k < all.size(); ++k)
       std::printf("  %+.3f", form.by_void_ratio ? all[k] : all[k] / std::log(10.0));
-    std::printf("   rms %.3f\n", score_of(misses).rms);
+    std::printf("   rms %.3f\n", rms_of(misses));
   }
 }
 
@@ -318,7 +314,7 @@ void print_forecasts(const std::vector<Test>& tests) {
     for (const auto& [sand, sum] : stated)
       variance += sum / static_cast<double>(misses[sand].size());
     const double error = std::sqrt(variance / static_cast<double>(stated.size())) / std::log(10.0);
-    const double rms = score_of(misses).rms;
+    const double rms = rms_of(misses);
     std::printf("  %4.1f to %-4.1f %6zu   %5.3f  %5.3f  %4.2f  %3.0f %% %3.0f %%\n", edges[k], edges[k + 1],
                 pairs, rms, error, rms / error, 100 * covered_by(deviations, 1),
                 100 * covered_by(deviations, 2));
@@ -328,21 +324,13 @@ void print_forecasts(const std::vector<Test>& tests) {
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: sands <table.csv>\n");
-    return 2;
-  }
-  try {
-    const std::vector<Test> tests = read_tests(argv[1]);
-    if (tests.empty())
-      throw FileError(argv[1], 0, "holds no test with p, e and G");
-    print_levels(tests);
-    print_sands(tests);
-    print_fits(tests);
-    print_forecasts(tests);
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "sands: %s\n", error.what());
-    return 2;
-  }
+  return program(argc, argv, {{"", "table.csv", [](const Arguments& files) {
+                                 const std::vector<Test> tests = read_tests(files[0]);
+                                 if (tests.empty())
+                                   throw FileError(files[0], 0, "holds no test with p, e and G");
+                                 print_levels(tests);
+                                 print_sands(tests);
+                                 print_fits(tests);
+                                 print_forecasts(tests);
+                               }}});
 }

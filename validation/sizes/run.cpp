@@ -10,12 +10,13 @@
 
 #include <granum/analysis/measure.hpp>
 #include <granum/contact/grains.hpp>
-#include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/io/lammps/files.hpp>
 #include <granum/sizes/contact_means.hpp>
 #include <granum/sizes/distribution.hpp>
+
+#include "../claims.hpp"
 
 using namespace granum;
 
@@ -36,13 +37,6 @@ double shear_modulus(effective::State state, const sizes::ContactMeans& means, d
   return elastic::isotropic_projection(
              elastic::voigt(effective::uniform_strain_stiffness(effective::uniform_contacts(state))))
       .shear_modulus();
-}
-
-double mean_of(const std::vector<double>& numbers) {
-  double sum = 0;
-  for (const double x : numbers)
-    sum += x;
-  return sum / static_cast<double>(numbers.size());
 }
 
 /// Whether it is within the limit; the text says by how much it is off [%].
@@ -83,7 +77,7 @@ bool check(const Packing& which, const std::string& folder) {
       {.grain_shear_modulus = quartz.shear_modulus, .stiffness_from = packing::StiffnessFrom::force},
       {.closed_forms = true, .network = network::ResponseOptions{}});
   const double affine = a.network->isotropic_affine().shear_modulus();
-  const double x0 = a.counts.mechanical.rattler_fraction, mean = mean_of(assembly.radius);
+  const double x0 = a.counts.mechanical.rattler_fraction, mean = mean_of(assembly.radius).value;
   const sizes::ContactMeans counted = sizes::with_reference(a.sizes.contacts, mean / a.sizes.equivalent);
   const auto drawn = sizes::parse_distribution(which.sizes);
   const sizes::ContactMeans expected = sizes::expected_contact_means(drawn, x0);
@@ -123,17 +117,13 @@ bool check(const Packing& which, const std::string& folder) {
 } // namespace
 
 int main(int argc, char** argv) {
-  const Packing packings[] = {{"lognormal_dense", "lognormal:0.35"},
-                              {"uniform_dense", "uniform:1:3"},
-                              {"lognormal_loose", "lognormal:0.35"},
-                              {"uniform_loose", "uniform:1:3"}};
-  bool good = argc == 2;
-  try {
-    for (const Packing& packing : packings)
-      good = argc == 2 && check(packing, argv[1]) && good;
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return good ? 0 : 1;
+  return program(argc, argv, {{"", "FOLDER", [](const Arguments& arguments) {
+                                 bool good = true;
+                                 for (const Packing& packing : {Packing{"lognormal_dense", "lognormal:0.35"},
+                                                                Packing{"uniform_dense", "uniform:1:3"},
+                                                                Packing{"lognormal_loose", "lognormal:0.35"},
+                                                                Packing{"uniform_loose", "uniform:1:3"}})
+                                   good = check(packing, arguments[0]) && good;
+                                 return good;
+                               }}});
 }

@@ -227,21 +227,13 @@ void print_loops(const std::vector<Loops>& all) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "table|check|picture states.csv | loops loops.csv",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.size() != 2)
-                     return {};
-                   const auto& [what, path] = std::tie(arguments[0], arguments[1]);
-                   if (what == "check")
-                     return check(read(path));
-                   if (what == "loops")
-                     print_loops(read_loops(path));
-                   else if (what == "picture")
-                     std::printf("%s", plot::svg(picture(read(path))).c_str());
-                   else if (what == "table")
-                     print_table(read(path));
-                   else
-                     return {};
-                   return 0;
-                 });
+  return program(
+      argc, argv,
+      {
+          {"table", "states.csv", [](const Arguments& files) { print_table(read(files[0])); }},
+          {"check", "states.csv", [](const Arguments& files) { return check(read(files[0])); }},
+          {"picture", "states.csv",
+           [](const Arguments& files) { std::printf("%s", plot::svg(picture(read(files[0]))).c_str()); }},
+          {"loops", "loops.csv", [](const Arguments& files) { print_loops(read_loops(files[0])); }},
+      });
 }

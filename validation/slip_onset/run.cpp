@@ -218,17 +218,17 @@ void record(const Asked& asked, const std::string& path) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return program(argc, argv, "states.csv GRAINS SEED dense|loose PRESSURE_Pa LARGEST_STRAIN|loops",
-                 [](const std::vector<std::string>& arguments) -> std::optional<int> {
-                   if (arguments.size() != 6 || (arguments[3] != "dense" && arguments[3] != "loose"))
-                     return {};
-                   const bool loops = arguments[5] == "loops";
-                   (loops ? record_loops : record)({.grains = std::stoul(arguments[1]),
-                                                    .seed = std::stoul(arguments[2]),
-                                                    .dense = arguments[3] == "dense",
-                                                    .pressure = std::stod(arguments[4]),
-                                                    .largest_strain = loops ? 0 : std::stod(arguments[5])},
-                                                   arguments[0]);
-                   return 0;
-                 });
+  return program(argc, argv,
+                 {{"", "states.csv GRAINS SEED dense|loose PRESSURE_Pa LARGEST_STRAIN|loops",
+                   [](const Arguments& arguments) {
+                     const bool loops = arguments[5] == "loops";
+                     if (arguments[3] != "dense" && arguments[3] != "loose")
+                       throw std::runtime_error(arguments[3] + " is neither dense nor loose");
+                     (loops ? record_loops : record)({.grains = std::stoul(arguments[1]),
+                                                      .seed = std::stoul(arguments[2]),
+                                                      .dense = arguments[3] == "dense",
+                                                      .pressure = std::stod(arguments[4]),
+                                                      .largest_strain = loops ? 0 : std::stod(arguments[5])},
+                                                     arguments[0]);
+                   }}});
 }

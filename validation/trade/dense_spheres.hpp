@@ -5,13 +5,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
+#include <granum/io/csv/table.hpp>
+#include <granum/io/output_file.hpp>
 #include <granum/stress/stress.hpp>
 #include <granum/triaxial/specimen.hpp>
 
+#include "../claims.hpp"
 #include "../relaxation/specimens.hpp"
 
 namespace trade {
@@ -53,20 +57,27 @@ inline double angle_at(stress::ShearPath path, double eta) {
   return stress::mobilised_friction_angle(stress::stress_on_path(path, pressure, eta)) / degree;
 }
 
-/// With its standard error.
-struct Mean {
-  double value = 0, error = 0;
+/// Of a command line.
+struct Asked {
+  std::string table; ///< to be written; or empty
+  std::uint64_t specimens = 3;
+  std::size_t grains = 1000;
+  double last = 0; ///< a further number
 };
+inline Asked asked(const Arguments& arguments, double usual) {
+  const auto has = [&](std::size_t k) { return arguments.size() > k; };
+  const Asked found{.table = has(0) ? arguments[0] : "",
+                    .specimens = has(1) ? std::stoull(arguments[1]) : 3,
+                    .grains = has(2) ? std::stoull(arguments[2]) : 1000,
+                    .last = has(3) ? std::stod(arguments[3]) : usual};
+  if (found.specimens < 1 || found.grains < 40)
+    throw InvalidArgument("less than one specimen of 40 grains");
+  return found;
+}
 
-inline Mean mean_of(const std::vector<double>& values) {
-  const double count = static_cast<double>(values.size());
-  double sum = 0, squares = 0;
-  for (const double value : values) {
-    sum += value;
-    squares += value * value;
-  }
-  const double mean = sum / count;
-  return {mean, count > 1 ? std::sqrt(std::max(0.0, squares / count - mean * mean) / (count - 1)) : 0};
+inline void write(const Asked& asked, const io::CsvContent& table) {
+  if (!asked.table.empty())
+    io::write_file(asked.table, io::csv_text(table), io::Existing::replace);
 }
 
 } // namespace trade

@@ -11,14 +11,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <fstream>
 #include <string>
 #include <vector>
 
-#include <granum/core/error.hpp>
-#include <granum/stress/stress.hpp>
 #include <granum/triaxial/shear_test.hpp>
 
 #include "dense_spheres.hpp"
@@ -34,9 +29,7 @@ constexpr std::array drags{1e-4, 1e-2,
                            0.5}; ///< beside the default; the last is limited as ShearTest limits it
 
 /// A friction angle of each kind [deg]: at the peak, and of the mean q/p' around three axial strains.
-struct Angles {
-  std::array<double, 4> value{};
-};
+using Angles = std::array<double, 4>;
 constexpr std::array names{"peak", "1 %", "2 %", "3 %"};
 constexpr std::array strains{0.01, 0.02, 0.029};
 constexpr double around = 0.00105; ///< half of the width over which q/p' is averaged
@@ -61,10 +54,10 @@ Angles sheared(const dem::Specimen& start, const dem::Material& material,
       ++count[k];
     }
   }
-  Angles angles;
-  angles.value[0] = stress::mobilised_friction_angle(test.peak().stress) / degree;
+  Angles angles{};
+  angles[0] = stress::mobilised_friction_angle(test.peak().stress) / degree;
   for (std::size_t k = 0; k < strains.size(); ++k)
-    angles.value[k + 1] = angle_at(options.path, sum[k] / count[k]);
+    angles[k + 1] = angle_at(options.path, sum[k] / count[k]);
   return angles;
 }
 
@@ -84,7 +77,7 @@ std::vector<Row> study(std::uint64_t specimens, std::size_t grains, double lowes
         rows.push_back({walls, seed, path, rate, drag_share, sheared(start, recipe.material, options)});
         std::fprintf(stderr, "%s, specimen %llu, %s, rate %g, drag %g: %.2f degrees\n",
                      walls ? "walls" : "periodic", static_cast<unsigned long long>(seed),
-                     std::string(stress::name(path)).c_str(), rate, drag_share, rows.back().angles.value[0]);
+                     std::string(stress::name(path)).c_str(), rate, drag_share, rows.back().angles[0]);
       };
       for (const stress::ShearPath path : stress::all_shear_paths) {
         for (const double rate : rates)
@@ -97,19 +90,26 @@ std::vector<Row> study(std::uint64_t specimens, std::size_t grains, double lowes
   return rows;
 }
 
-void write(const std::string& file, const std::vector<Row>& rows, std::size_t grains) {
-  std::ofstream out(file);
-  out << "boundary,grains,seed,path,inertial_number,drag_share,peak_deg,one_per_cent_deg,two_per_cent_deg,"
-         "three_per_cent_deg\n";
+io::CsvContent table_of(const std::vector<Row>& rows, std::size_t grains) {
+  io::CsvContent table;
+  table.headings = {"boundary",
+                    "grains",
+                    "seed",
+                    "path",
+                    "inertial_number",
+                    "drag_share",
+                    "peak_deg",
+                    "one_per_cent_deg",
+                    "two_per_cent_deg",
+                    "three_per_cent_deg"};
   for (const Row& row : rows) {
-    out << (row.walls ? "walls" : "periodic") << ',' << grains << ',' << row.seed << ','
-        << stress::name(row.path) << ',' << row.rate << ',' << row.drag_share;
-    for (const double angle : row.angles.value)
-      out << ',' << angle;
-    out << '\n';
+    auto& cells = table.rows.emplace_back(std::vector<io::CsvCell>{
+        std::string(row.walls ? "walls" : "periodic"), static_cast<double>(grains),
+        static_cast<double>(row.seed), std::string(stress::name(row.path)), row.rate, row.drag_share});
+    for (const double angle : row.angles)
+      cells.emplace_back(short_text(angle, 6));
   }
-  if (!out.flush())
-    throw FileError(file, 0, "cannot be written");
+  return table;
 }
 
 /// Angles at a rate and drag minus those of the same specimen and path at the reference rate, in the mean.
@@ -123,7 +123,7 @@ Mean difference(const std::vector<Row>& rows, bool walls, bool compression, cons
     for (const Row& b : rows)
       if (b.walls == walls && b.seed == a.seed && b.path == a.path && b.rate == reference &&
           b.drag_share == preset.drag_share)
-        differences.push_back(a.angles.value[kind] - b.angles.value[kind]);
+        differences.push_back(a.angles[kind] - b.angles[kind]);
   }
   return mean_of(differences);
 }
@@ -158,21 +158,13 @@ bool report(const std::vector<Row>& rows) {
 } // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const auto specimens = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 3;
-    const auto grains = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1000;
-    const double lowest = argc > 4 ? std::atof(argv[4]) : rates.back();
-    if (argc > 5 || specimens < 1 || grains < 40 || !(lowest > 0 && lowest < preset.inertial_number)) {
-      std::fprintf(stderr, "usage: %s [table.csv [specimens [grains, 40 or more [lowest rate, below %g]]]]\n",
-                   argv[0], preset.inertial_number);
-      return 2;
-    }
-    const std::vector<Row> rows = study(specimens, grains, lowest);
-    if (argc > 1)
-      write(argv[1], rows, grains);
-    return report(rows) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "trade_shear_rate: %s\n", error.what());
-    return 1;
-  }
+  return program(argc, argv,
+                 {{"", "[table.csv] [specimens] [grains] [lowest-rate]", [](const Arguments& arguments) {
+                     const Asked found = asked(arguments, rates.back());
+                     if (!(found.last > 0 && found.last < preset.inertial_number))
+                       throw InvalidArgument("the lowest rate is not below the default one");
+                     const std::vector<Row> rows = study(found.specimens, found.grains, found.last);
+                     write(found, table_of(rows, found.grains));
+                     return report(rows);
+                   }}});
 }

@@ -6,12 +6,8 @@
 //
 // By default 3 specimens of 1000 grains in steps of 0.025, and no table. A path ends at the last stress that
 // the specimen holds: at the next one it does not come to rest. Exit code: 0, 1 an error, 2 usage.
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -82,29 +78,24 @@ std::vector<Row> study(std::uint64_t specimens, std::size_t grains, double step)
   return rows;
 }
 
-void write(const std::string& file, const std::vector<Row>& rows, std::size_t grains, double step) {
-  std::ofstream out(file);
-  out << "grains,eta_step,seed,path,held_deg,held_axial_strain,left_axial_strain,driven_peak_deg\n";
-  for (const Row& r : rows)
-    out << grains << ',' << step << ',' << r.seed << ',' << stress::name(r.path) << ',' << r.held_angle << ','
-        << r.held_strain << ',' << r.left_strain << ',' << r.driven_angle << '\n';
-  if (!out.flush())
-    throw FileError(file, 0, "cannot be written");
+io::CsvContent table_of(const std::vector<Row>& rows, std::size_t grains, double step) {
+  io::CsvContent table;
+  table.headings = {
+      "grains",         "eta_step", "seed", "path", "held_deg", "held_axial_strain", "left_axial_strain",
+      "driven_peak_deg"};
+  for (const Row& r : rows) {
+    auto& cells = table.rows.emplace_back(std::vector<io::CsvCell>{
+        static_cast<double>(grains), step, static_cast<double>(r.seed), std::string(stress::name(r.path))});
+    for (const double number : {r.held_angle, r.held_strain, r.left_strain, r.driven_angle})
+      cells.emplace_back(short_text(number, 6));
+  }
+  return table;
 }
 
 /// Printed by the paper for dense spheres [deg].                                      [Chung2014, Table 4]
 double printed(stress::ShearPath path) {
-  switch (path) {
-  case stress::ShearPath::txc:
-    return 26;
-  case stress::ShearPath::rtxc:
-    return 25.7;
-  case stress::ShearPath::rtxe:
-    return 28;
-  case stress::ShearPath::txe:
-    return 28.5;
-  }
-  return NAN;
+  using enum stress::ShearPath;
+  return path == txc ? 26 : path == rtxc ? 25.7 : path == rtxe ? 28 : 28.5;
 }
 
 void report(const std::vector<Row>& rows) {
@@ -125,22 +116,13 @@ void report(const std::vector<Row>& rows) {
 } // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const auto specimens = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 3;
-    const auto grains = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1000;
-    const double step = argc > 4 ? std::atof(argv[4]) : 0.025;
-    if (argc > 5 || specimens < 1 || grains < 40 || !(step > 0 && step < 1)) {
-      std::fprintf(stderr, "usage: %s [table.csv [specimens [grains, 40 or more [step of q/p', below 1]]]]\n",
-                   argv[0]);
-      return 2;
-    }
-    const std::vector<Row> rows = study(specimens, grains, step);
-    if (argc > 1)
-      write(argv[1], rows, grains, step);
-    report(rows);
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "trade_stress_steps: %s\n", error.what());
-    return 1;
-  }
+  return program(argc, argv, {{"", "[table.csv] [specimens] [grains] [step]", [](const Arguments& arguments) {
+                                 const Asked found = asked(arguments, 0.025);
+                                 if (!(found.last > 0 && found.last < 1))
+                                   throw InvalidArgument("the step of q/p' is not between 0 and 1");
+                                 const std::vector<Row> rows =
+                                     study(found.specimens, found.grains, found.last);
+                                 write(found, table_of(rows, found.grains, found.last));
+                                 report(rows);
+                               }}});
 }

@@ -8,13 +8,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <granum/contact/grains.hpp>
+#include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/hardin/fit.hpp>
 #include <granum/network/linear_response.hpp>
@@ -22,6 +22,7 @@
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 
+#include "../claims.hpp"
 #include "../relaxation/specimens.hpp"
 
 namespace {
@@ -73,21 +74,6 @@ std::optional<Figures> compressed(dem::Specimen state, const dem::Material& mate
   return figures;
 }
 
-struct Mean {
-  double value = 0, error = 0;
-};
-
-Mean mean_of(const std::vector<Figures>& differences, std::size_t k) {
-  const double count = static_cast<double>(differences.size());
-  double sum = 0, squares = 0;
-  for (const Figures& d : differences) {
-    sum += d[k];
-    squares += d[k] * d[k];
-  }
-  const double mean = sum / count;
-  return {mean, std::sqrt((squares / count - mean * mean) / (count - 1))};
-}
-
 /// What the second share of the stability limit adds to the figures of the first.
 std::vector<Figures> differences(std::uint64_t specimens, double first, double second) {
   const contact::PowerLaw law = contact::PowerLaw::sphere(relaxation::grain, 0.5e-3);
@@ -108,12 +94,18 @@ std::vector<Figures> differences(std::uint64_t specimens, double first, double s
 
 /// \return   whether s is the same within three standard errors
 bool report(const std::vector<Figures>& differences) {
+  const auto mean = [&](std::size_t k) {
+    std::vector<double> values;
+    for (const Figures& d : differences)
+      values.push_back(d[k]);
+    return mean_of(values);
+  };
   for (std::size_t k = 0; k < pressures.size(); ++k) {
-    const Mean G = mean_of(differences, 2 * k), z = mean_of(differences, 2 * k + 1);
+    const Mean G = mean(2 * k), z = mean(2 * k + 1);
     std::printf("  %4g kPa  G %+.2f +- %.2f %%  z* %+.4f +- %.4f\n", pressures[k] / kPa, 100 * G.value,
                 100 * G.error, z.value, z.error);
   }
-  const Mean s = mean_of(differences, 2 * pressures.size());
+  const Mean s = mean(2 * pressures.size());
   std::printf("  s %+.4f +- %.4f\n", s.value, s.error);
   return std::abs(s.value) <= 3 * s.error;
 }
@@ -121,22 +113,18 @@ bool report(const std::vector<Figures>& differences) {
 } // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const auto specimens = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 64;
-    const double first = argc > 2 ? std::atof(argv[2]) : dem::default_time_step_fraction;
-    const double second = argc > 3 ? std::atof(argv[3]) : 0.2;
-    if (argc > 4 || specimens < 2 || !(first > 0 && first <= 1 && second > 0 && second <= 1)) {
-      std::fprintf(stderr,
-                   "usage: %s [specimens, 2 or more [two shares of the stability limit, in (0, 1]]]\n",
-                   argv[0]);
-      return 2;
-    }
-    const std::vector<Figures> found = differences(specimens, first, second);
-    std::printf("%g of the stability limit less %g: %zu specimens of %llu\n", second, first, found.size(),
-                specimens);
-    return report(found) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "trade_time_step: %s\n", error.what());
-    return 1;
-  }
+  return program(
+      argc, argv,
+      {{"", "[specimens] [share-of-the-stability-limit] [another]", [](const Arguments& arguments) {
+          const auto specimens = !arguments.empty() ? std::stoull(arguments[0]) : 64;
+          const double first =
+                           arguments.size() > 1 ? std::stod(arguments[1]) : dem::default_time_step_fraction,
+                       second = arguments.size() > 2 ? std::stod(arguments[2]) : 0.2;
+          if (specimens < 2 || !(first > 0 && first <= 1 && second > 0 && second <= 1))
+            throw InvalidArgument("less than two specimens, or a share that is not in (0, 1]");
+          const std::vector<Figures> found = differences(specimens, first, second);
+          std::printf("%g of the stability limit less %g: %zu specimens of %llu\n", second, first,
+                      found.size(), specimens);
+          return report(found);
+        }}});
 }
