@@ -15,7 +15,7 @@ TEST_CASE("uniform field: closed forms in the fabric") {
     for (const double r : {0.3, 0.919, 1.2}) {
       CAPTURE(a);
       CAPTURE(r);
-      const double k_t = r * k_n, D = 35 * (3 - a);
+      const double k_t = r * k_n;
       const UniformContacts c{
           .prefactor = P, .normal_stiffness = k_n, .tangential_stiffness = k_t, .fabric_anisotropy = a};
       const auto V = effective::uniform_strain_stiffness(c); // its constants: test_directional.cpp
