@@ -72,24 +72,3 @@ TEST_CASE("a packing twice has the stress, C_n and stiffness of one") {
       CHECK(std::abs(off[k] - std::round(off[k])) < 1e-12);
   }
 }
-
-TEST_CASE("contacts of one pair through several images stay in the order of their branches") {
-  ImportedPacking p;
-  p.periodic = {true, true, true};
-  p.id = {1, 2};
-  p.assembly = {.cell = Mat3::diagonal(2, 2, 4),
-                .position = {{0.1, 0.5, 0.5}, {1.9, 0.5, 0.5}},
-                .radius = {1.2, 1.2},
-                .contacts = {{.i = 0, .j = 1, .branch = {-0.2, -2, 0}, .normal_force = 1},
-                             {.i = 0, .j = 1, .branch = {-0.2, 2, 0}, .normal_force = 1}}};
-  std::size_t pairs = 0;
-  const ImportedPacking two = doubled(p, 0);
-  for (std::size_t k = 1; k < two.assembly.contacts.size(); ++k) {
-    const packing::Contact &before = two.assembly.contacts[k - 1], &here = two.assembly.contacts[k];
-    if (before.i != here.i || before.j != here.j)
-      continue;
-    ++pairs;
-    CHECK(before.branch.y < here.branch.y);
-  }
-  CHECK(pairs == 2);
-}

@@ -153,7 +153,7 @@ TEST_CASE("LAMMPS: a column map overrides the names, and forces as one vector ar
   CHECK(dump_refused(atoms, contacts, "radius=c_r").starts_with("g:9:"));
 }
 
-TEST_CASE("LAMMPS: rows out of order, and twice") {
+TEST_CASE("LAMMPS: rows out of order, twice, and neighbours without contact") {
   const std::size_t begin = contacts.find("1 1 2 1 1"), end = contacts.find("ITEM: TIMESTEP", 1);
   const std::string row1 = contacts.substr(begin, contacts.find("2 2 3 1 1") - begin);
   const std::string three = with(contacts.substr(0, end), "ENTRIES\n2\n", "ENTRIES\n3\n");
@@ -163,6 +163,13 @@ TEST_CASE("LAMMPS: rows out of order, and twice") {
   CHECK(packing.has(Finding::unsorted));
   const std::string other = with(row1, "0.0235294118 -0.0235294118", "0.0235 -0.0235");
   CHECK(dump_refused(atoms, three + other).starts_with("c:12:"));
+  // a neighbour that is no contact, among forces
+  const std::string no_force =
+      with(contacts, "0.0235294118 -0.0235294118 0 0 0 -0.0114329834 0 0.0114329834", "0 0 0 0 0 0 0 0");
+  const ImportedPacking open = first(with(atoms, "0.0019999 0.002 0.002 ", "0.002001 0.002 0.002 "),
+                                     with(no_force, "-0.0009999 0 0", "-0.001001 0 0"));
+  CHECK(open.assembly.contacts.size() == 1);
+  CHECK(open.has(Finding::open_contacts));
 }
 
 TEST_CASE("LAMMPS: each field that is wrong is refused with path and line") {
