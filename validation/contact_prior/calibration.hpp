@@ -2,15 +2,7 @@
 // How the coefficients of the contact prior follow from the recorded packings of validation/relaxation.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
-
-#include "../errors.hpp"
+#include "../common.hpp"
 #include "../relaxation/least_squares.hpp"
 #include "../relaxation/reading.hpp"
 #include "effective/contact_prior_kernel.hpp"

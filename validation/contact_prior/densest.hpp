@@ -3,21 +3,10 @@
 // densest packing. What is fitted to them, and whether what is stated of z* holds for others.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <map>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include <granum/effective/contact_prior.hpp>
 #include <gsl/gsl_statistics_double.h>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "calibration.hpp"
 
 namespace contact_prior::densest {

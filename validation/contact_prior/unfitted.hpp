@@ -3,18 +3,11 @@
 // `granum verify`.
 #pragma once
 
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <set>
-#include <string>
-#include <vector>
-
 #include <granum/contact/rough_sphere.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/estimate/answer.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../infer/packings.hpp"
 #include "../relaxation/reading.hpp"
 

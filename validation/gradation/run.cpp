@@ -8,13 +8,9 @@
 // that the file holds already: it may be stopped at any time, and a state whose row was deleted is made
 // again. States that do not come to rest, or are looser than rung 3 has a stiffness for, are named on the
 // error stream and left out.
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include <granum/contact/grains.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../relaxation/making.hpp"
 #include "closed_forms.hpp"
 #include "studies/running/probes.hpp"

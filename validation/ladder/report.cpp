@@ -8,16 +8,11 @@
 //
 // check: exit code 0 if the library still says what was recorded, stated errors cover actual ones, and
 // README.md has the lines.
-#include <cstdio>
 #include <fstream>
-#include <functional>
-#include <iterator>
-#include <map>
-#include <set>
 
 #include <granum/plot/chart.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "table.hpp"
 
 namespace {

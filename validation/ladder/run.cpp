@@ -5,7 +5,6 @@
 //
 // Rungs 0 to 3 know what was measured on the packing, and once more only C_n; rung 4 solves its contact
 // network, rung 5 probes it by DEM (first seed). Costs are processor time. Some minutes with 1,500 grains.
-#include <cstdio>
 #include <ctime>
 #include <fstream>
 
@@ -14,7 +13,7 @@
 #include <granum/elastic/isotropic.hpp>
 #include <granum/network/linear_response.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../relaxation/recording.hpp"
 #include "../relaxation/specimens.hpp"
 #include "table.hpp"

@@ -4,20 +4,13 @@
 // friction.
 //
 //     loose_state table.csv [grains] [seeds]
-#include <cmath>
-#include <cstdio>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include <granum/analysis/measure.hpp>
 #include <granum/contact/grains.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 
 namespace {
 

@@ -5,22 +5,15 @@
 //     mixtures table states.csv           the tables of README.md
 //     mixtures check states.csv           exit code 0 if the library's coefficients are those of the fit and
 //                                         packings that it has not seen lie within what is stated
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include <boost/math/tools/minima.hpp>
 #include <granum/analysis/measure.hpp>
-#include <granum/core/text.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/io/lammps/files.hpp>
 
-#include "../claims.hpp"
-#include "../record.hpp"
+#include "../common.hpp"
 #include "../relaxation/recording.hpp"
 #include "effective/mixture_kernel.hpp"
 

@@ -2,17 +2,11 @@
 // The exponent s of recorded paths: networks beside what the library says of their growth.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <map>
-#include <string>
-#include <vector>
-
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/hardin/fit.hpp>
 
+#include "../common.hpp"
 #include "packings.hpp"
 
 namespace relaxation {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include <granum/effective/relaxation.hpp>
 #include <granum/plot/chart.hpp>
 
+#include "../common.hpp"
 #include "factors.hpp"
 
 /// The recorded factors beside the library's, as a picture.

@@ -8,16 +8,10 @@
 //
 // Rows are appended as of relaxation_run: a run that is started again skips the states that the file holds.
 // k_r is the rolling stiffness of a contact over k_n R*^2, R* = R_i R_j/(R_i + R_j), the same for all.
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <string>
-#include <vector>
-
 #include <granum/contact/grains.hpp>
 #include <granum/packing/stiffness.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../constants.hpp"
 #include "making.hpp"
 #include "rolling_fits.hpp"

@@ -12,18 +12,11 @@
 // that the file holds already, so it may be stopped at any time; a specimen whose path was cut is compressed
 // anew, to the same bits. States that do not come to rest, or whose grains have not met, are named on the
 // error stream and left out.
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <map>
-#include <string>
-#include <vector>
-
 #include <granum/contact/grains.hpp>
 #include <granum/contact/normal_law.hpp>
 #include <granum/contact/rough_sphere.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "making.hpp"
 #include "reading.hpp"
 

@@ -2,25 +2,17 @@
 // How the specimens of validation/relaxation and of validation/gradation are made.
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <mutex>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include <granum/contact/normal_law.hpp>
 #include <granum/contact/power_law.hpp>
-#include <granum/core/text.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/sizes/distribution.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 
+#include "../common.hpp"
 #include "contact_counts.hpp"
 
 namespace relaxation {

@@ -5,13 +5,7 @@
 //     slip_onset_run states.csv GRAINS SEED dense|loose PRESSURE_Pa LARGEST_STRAIN
 // Appends its closed loops, whose areas are its damping, up to a loss of about 5 %:
 //     slip_onset_run loops.csv GRAINS SEED dense|loose PRESSURE_Pa loops
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include <granum/analysis/measure.hpp>
 #include <granum/dem/quasistatic.hpp>
@@ -21,7 +15,7 @@
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "states.hpp"
 
 namespace {

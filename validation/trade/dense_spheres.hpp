@@ -2,12 +2,6 @@
 // Dense spheres of Table 1 of the paper at 100 kPa, and friction angles of what is sheared from there.
 #pragma once
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/io/csv/table.hpp>
@@ -15,7 +9,7 @@
 #include <granum/stress/stress.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../relaxation/specimens.hpp"
 
 namespace trade {

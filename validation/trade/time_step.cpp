@@ -5,14 +5,6 @@
 //     trade_time_step [specimens, by default 64 [shares of the stability limit, by default 0.8 0.2]]
 //
 // Exit code: 0 if s is the same within three standard errors, 1 if not, 2 usage.
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
@@ -22,7 +14,7 @@
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../relaxation/specimens.hpp"
 
 namespace {
