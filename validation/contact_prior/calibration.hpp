@@ -158,6 +158,19 @@ void each_left_out(const std::vector<Packing>& packings, const Label& label, con
   }
 }
 
+/// Judges the packings of each kind, and all together.
+template <class Packing, class Kind, class Judge>
+auto judge_each(const std::string& what, const std::vector<Packing>& all, const Kind& kind_of,
+                const Judge& judge) {
+  std::map<std::string, std::vector<Packing>> kinds{{"together", all}};
+  for (const Packing& p : all)
+    kinds[kind_of(p)].push_back(p);
+  std::map<std::string, decltype(judge(what, all))> judged;
+  for (const auto& [kind, packings] : kinds)
+    judged.emplace(kind, judge(what + kind, packings));
+  return judged;
+}
+
 /// Scatters are errors of packings of which the fit has seen no other of the same preparation.
 inline Result fit_everything(const std::vector<Packing>& packings) {
   Result result{.contacts = fit_contacts(packings), .rattlers = fit_rattlers(packings)};
