@@ -103,8 +103,7 @@ void check_directional_case(Table& table, Draw& draw) {
           static_stiffness(packing, Hypothesis::uniform_stress));
 }
 
-// ---- derivatives, by differences of 50-digit values: five points at steps of 1e-6, whose error is 1e-24
-// ----
+// ---- derivatives, by differences of 50-digit values at five points, whose error is 1e-24 ----
 
 constexpr Modulus moduli[] = {Modulus::K, Modulus::G_hh, Modulus::G_vh, Modulus::E_v, Modulus::E_h};
 
@@ -142,9 +141,9 @@ void check_exponents(Table& table, const PackingCase& drawn, Hypothesis hypothes
   }
 }
 
-// ---- the kinematic force field: strains are drawn, the stresses they need worked out and rounded, and the
-// strains put right for what the rounding moved by one step of Newton's rule, whose error is the square of
-// that
+// ---- the kinematic force field ----
+// Strains are drawn, the stresses they need worked out and rounded, and the strains put right for what the
+// rounding moved by one step of Newton's rule, whose error is the square of that.
 
 /// Stiffness scale and moments at strains (v, h): k_n/k_ref = (h/v sin^2 + cos^2)^(1/alpha).
 struct Strained {

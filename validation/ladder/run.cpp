@@ -8,7 +8,6 @@
 #include <ctime>
 #include <fstream>
 
-#include <granum/contact/grains.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/network/linear_response.hpp>
@@ -44,7 +43,7 @@ std::vector<Case> cases(std::size_t grains) {
           {contact,
            {.name = density == Density::dense ? "dense" : "loose",
             .density = density,
-            .friction_coefficient = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient(),
+            .friction_coefficient = relaxation::usual_friction(),
             .path = density == Density::loose && contact == std::string("sphere") ? sheared : isotropic,
             .grains = grains,
             .max_steps = triaxial::compression_options().max_steps}});

@@ -42,8 +42,7 @@ analysis::Measurement measured(const std::filesystem::path& folder, const std::s
   return analysis::measure(packing.assembly, given, wanted);
 }
 
-/// \param    name   "dense_10_0.5": dense, G_g 1:10, half of the grains stiff; "dense_10_large": the large
-/// ones
+/// \param    name   "dense_10_0.5": dense, G_g 1:10, half of the grains stiff; "dense_10_large": large ones
 void append(relaxation::Record& record, const std::string& name, const std::string& state,
             const std::filesystem::path& folder) {
   const std::size_t first = name.find('_'), last = name.rfind('_');

@@ -10,7 +10,7 @@
 /// The recorded factors beside the library's, as a picture.
 namespace relaxation {
 
-/// G by k_t/k_n and K by the shape of the contacts: networks of isotropic packings, and the library's factor for
+/// G by k_t/k_n and K by the shape of contacts: networks of isotropic packings, and the library for
 /// k_n ~ f^b.
 inline std::string picture(const std::vector<Packing>& packings) {
   using granum::effective::Relaxation;
