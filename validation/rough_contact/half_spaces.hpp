@@ -14,7 +14,7 @@
 // stiffness is the derivative of the discrete equations, which is exact.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <granum/core/numerics.hpp>
 
 #include "../common.hpp"

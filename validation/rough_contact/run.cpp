@@ -5,6 +5,7 @@
 //   rough_contact phi.csv record   writes phi.csv first
 #include <fstream>
 
+#include <Eigen/QR>
 #include <granum/contact/rough_sphere.hpp>
 
 #include "../common.hpp"
