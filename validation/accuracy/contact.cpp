@@ -62,8 +62,7 @@ void check_case(Table& table, Draw& draw, const Case& c) {
 
 } // namespace
 
-void check_contact(Table& table, std::size_t samples) {
-  Draw draw(1);
+void check_contact(Table& table, Draw& draw, std::size_t samples) {
   for (int shape = 0; shape < 4; ++shape)
     for (std::size_t k = 0; k < (shape == 3 ? samples / 10 : samples / 4); ++k)
       check_case(table, draw, draw_case(draw, shape));

@@ -92,39 +92,33 @@ void check_likelihood(Table& table, Draw& draw) {
 
 } // namespace
 
-void check_fabric(Table& table, std::size_t samples) {
-  Draw draw(2);
-  for (std::size_t k = 0; k < samples; ++k) {
-    const double a = draw.anisotropy(), angle = draw.uniform(0, 3.14159);
-    const Real A = a;
-    const Moments m = fabric_moments(A);
-    const auto second = granum::fabric::second_moments(a);
-    const auto fourth = granum::fabric::fourth_moments(a);
-    const At at{table, "a in [-1, 1]", said({{"a", a}})};
-    at("fabric: second_moments", second.F33, m.m2);
-    at("fabric: second_moments", second.F11, m.n11());
-    at("fabric: fourth_moments", fourth.n3333, m.m4);
-    at("fabric: fourth_moments", fourth.n1111, 3 * m.n1122());
-    at("fabric: fourth_moments", fourth.n1122, m.n1122());
-    at("fabric: fourth_moments", fourth.n1133, m.n1133());
-    At{table, "a in [-1, 1], of the largest E", at.where + " " + said({{"gamma", angle}})}.of(
-        3 * (1 + abs(A)) / (4 * pi() * (3 - A)), "fabric: density", granum::fabric::density(angle, a),
-        3 * (1 + A * cos(2 * Real(angle))) / (4 * pi() * (3 - A)));
-    const double F33 = draw.uniform_or(0.2, 0.6, {0.2, 0.6, 0.5});
-    At{table, "F33 in [0.2, 0.6], of 1", said({{"F33", F33}})}.of(
-        1, "fabric: anisotropy_from_F33", granum::fabric::anisotropy_from_F33(F33),
-        5 * (3 * Real(F33) - 1) / (5 * Real(F33) + 1));
-  }
+void check_fabric(Table& table, Draw& draw, std::size_t /*sample*/) {
+  const double a = draw.anisotropy(), angle = draw.uniform(0, 3.14159);
+  const Real A = a;
+  const Moments m = fabric_moments(A);
+  const auto second = granum::fabric::second_moments(a);
+  const auto fourth = granum::fabric::fourth_moments(a);
+  const At at{table, "a in [-1, 1]", said({{"a", a}})};
+  at("fabric: second_moments", second.F33, m.m2);
+  at("fabric: second_moments", second.F11, m.n11());
+  at("fabric: fourth_moments", fourth.n3333, m.m4);
+  at("fabric: fourth_moments", fourth.n1111, 3 * m.n1122());
+  at("fabric: fourth_moments", fourth.n1122, m.n1122());
+  at("fabric: fourth_moments", fourth.n1133, m.n1133());
+  At{table, "a in [-1, 1], of the largest E", at.where + " " + said({{"gamma", angle}})}.of(
+      3 * (1 + abs(A)) / (4 * pi() * (3 - A)), "fabric: density", granum::fabric::density(angle, a),
+      3 * (1 + A * cos(2 * Real(angle))) / (4 * pi() * (3 - A)));
+  const double F33 = draw.uniform_or(0.2, 0.6, {0.2, 0.6, 0.5});
+  At{table, "F33 in [0.2, 0.6], of 1", said({{"F33", F33}})}.of(
+      1, "fabric: anisotropy_from_F33", granum::fabric::anisotropy_from_F33(F33),
+      5 * (3 * Real(F33) - 1) / (5 * Real(F33) + 1));
 }
 
-void check_distribution(Table& table, std::size_t samples) {
-  Draw draw(14);
-  for (std::size_t k = 0; k < samples; ++k) {
-    check_measures(table, draw);
-    check_polar(table, draw);
-    if (k % 200 == 0)
-      check_likelihood(table, draw);
-  }
+void check_distribution(Table& table, Draw& draw, std::size_t k) {
+  check_measures(table, draw);
+  check_polar(table, draw);
+  if (k % 200 == 0)
+    check_likelihood(table, draw);
 }
 
 } // namespace accuracy

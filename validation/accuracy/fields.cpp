@@ -103,8 +103,7 @@ void check_directional_case(Table& table, Draw& draw) {
           static_stiffness(packing, Hypothesis::uniform_stress));
 }
 
-// ---- derivatives, by differences of 50-digit values: five points at steps of 1e-6, whose error is 1e-24
-// ----
+// ---- derivatives, by differences of 50-digit values at five points, whose error is 1e-24 ----
 
 constexpr Modulus moduli[] = {Modulus::K, Modulus::G_hh, Modulus::G_vh, Modulus::E_v, Modulus::E_h};
 
@@ -142,9 +141,9 @@ void check_exponents(Table& table, const PackingCase& drawn, Hypothesis hypothes
   }
 }
 
-// ---- the kinematic force field: strains are drawn, the stresses they need worked out and rounded, and the
-// strains put right for what the rounding moved by one step of Newton's rule, whose error is the square of
-// that
+// ---- the kinematic force field ----
+// Strains are drawn, the stresses they need worked out and rounded, and the strains put right for what the
+// rounding moved by one step of Newton's rule, whose error is the square of that.
 
 /// Stiffness scale and moments at strains (v, h): k_n/k_ref = (h/v sin^2 + cos^2)^(1/alpha).
 struct Strained {
@@ -203,50 +202,35 @@ void check_kinematic_case(Table& table, Draw& draw) {
 
 } // namespace
 
-void check_uniform_field(Table& table, std::size_t samples) {
-  Draw draw(4);
-  for (std::size_t k = 0; k < samples; ++k) {
-    check_uniform_contacts(table, draw);
-    check_isotropic_state(table, draw);
+void check_uniform_field(Table& table, Draw& draw, std::size_t /*sample*/) {
+  check_uniform_contacts(table, draw);
+  check_isotropic_state(table, draw);
+}
+
+void check_directional(Table& table, Draw& draw, std::size_t /*sample*/) {
+  check_directional_case(table, draw);
+}
+
+void check_static_field(Table& table, Draw& draw, std::size_t /*sample*/) {
+  const PackingCase drawn = draw_packing(draw);
+  compare({table, far_forces, drawn.where, quadrature}, "free_spin(state)", free_spin(drawn.state).stiffness,
+          static_stiffness(drawn.packing, Hypothesis::free_spin));
+}
+
+void check_derivatives(Table& table, Draw& draw, std::size_t /*sample*/) {
+  PackingCase drawn = draw_packing(draw);
+  if (drawn.packing.r < 0.01) { // E and G of uniform stress vanish there
+    drawn.state.tangential_ratio = 0.5;
+    drawn.packing.r = 0.5;
   }
+  check_exponents(table, drawn, Hypothesis::uniform_strain, "uniform_strain_exponents",
+                  granum::effective::uniform_strain_exponents);
+  check_exponents(table, drawn, Hypothesis::free_spin, "free_spin_exponents",
+                  granum::effective::free_spin_exponents);
+  check_exponents(table, drawn, Hypothesis::uniform_stress, "uniform_stress_exponents",
+                  granum::effective::uniform_stress_exponents);
 }
 
-void check_directional(Table& table, std::size_t samples) {
-  Draw draw(5);
-  for (std::size_t k = 0; k < samples; ++k)
-    check_directional_case(table, draw);
-}
-
-void check_static_field(Table& table, std::size_t samples) {
-  Draw draw(7);
-  for (std::size_t k = 0; k < samples; ++k) {
-    const PackingCase drawn = draw_packing(draw);
-    compare({table, far_forces, drawn.where, quadrature}, "free_spin(state)",
-            free_spin(drawn.state).stiffness, static_stiffness(drawn.packing, Hypothesis::free_spin));
-  }
-}
-
-void check_derivatives(Table& table, std::size_t samples) {
-  using namespace granum::effective;
-  Draw draw(8);
-  for (std::size_t k = 0; k < samples; ++k) {
-    PackingCase drawn = draw_packing(draw);
-    if (drawn.packing.r < 0.01) { // E and G of uniform stress vanish there
-      drawn.state.tangential_ratio = 0.5;
-      drawn.packing.r = 0.5;
-    }
-    check_exponents(table, drawn, Hypothesis::uniform_strain, "uniform_strain_exponents",
-                    uniform_strain_exponents);
-    check_exponents(table, drawn, Hypothesis::free_spin, "free_spin_exponents", free_spin_exponents);
-    check_exponents(table, drawn, Hypothesis::uniform_stress, "uniform_stress_exponents",
-                    uniform_stress_exponents);
-  }
-}
-
-void check_kinematic(Table& table, std::size_t samples) {
-  Draw draw(9);
-  for (std::size_t k = 0; k < samples; ++k)
-    check_kinematic_case(table, draw);
-}
+void check_kinematic(Table& table, Draw& draw, std::size_t /*sample*/) { check_kinematic_case(table, draw); }
 
 } // namespace accuracy

@@ -98,20 +98,20 @@ struct At {
   }
 };
 
-/// One function a group of formulas; each adds its rows.
-void check_contact(Table& table, std::size_t samples);
-void check_fabric(Table& table, std::size_t samples);
-void check_elastic(Table& table, std::size_t samples);
-void check_uniform_field(Table& table, std::size_t samples);
-void check_directional(Table& table, std::size_t samples);
-void check_sphere_packs(Table& table, std::size_t samples);
-void check_sphere_models(Table& table, std::size_t samples);
-void check_static_field(Table& table, std::size_t samples);
-void check_derivatives(Table& table, std::size_t samples);
-void check_kinematic(Table& table, std::size_t samples);
-void check_relaxation(Table& table, std::size_t samples);
-void check_waves(Table& table, std::size_t samples);
-void check_tensors(Table& table, std::size_t samples);
-void check_distribution(Table& table, std::size_t samples);
+/// All samples of contacts, and one sample, of that number, of each other group of formulas.
+void check_contact(Table& table, Draw& draw, std::size_t samples);
+void check_fabric(Table& table, Draw& draw, std::size_t k);
+void check_elastic(Table& table, Draw& draw, std::size_t k);
+void check_uniform_field(Table& table, Draw& draw, std::size_t k);
+void check_directional(Table& table, Draw& draw, std::size_t k);
+void check_sphere_packs(Table& table, Draw& draw, std::size_t k);
+void check_sphere_models(Table& table, Draw& draw, std::size_t k);
+void check_static_field(Table& table, Draw& draw, std::size_t k);
+void check_derivatives(Table& table, Draw& draw, std::size_t k);
+void check_kinematic(Table& table, Draw& draw, std::size_t k);
+void check_relaxation(Table& table, Draw& draw, std::size_t k);
+void check_waves(Table& table, Draw& draw, std::size_t k);
+void check_tensors(Table& table, Draw& draw, std::size_t k);
+void check_distribution(Table& table, Draw& draw, std::size_t k);
 
 } // namespace accuracy

@@ -86,13 +86,10 @@ void check_relaxed(Table& table, Draw& draw) {
 
 } // namespace
 
-void check_relaxation(Table& table, std::size_t samples) {
-  Draw draw(10);
-  for (std::size_t k = 0; k < samples; ++k) {
-    check_factors(table, draw);
-    if (k % 200 == 0)
-      check_relaxed(table, draw);
-  }
+void check_relaxation(Table& table, Draw& draw, std::size_t k) {
+  check_factors(table, draw);
+  if (k % 200 == 0)
+    check_relaxed(table, draw);
 }
 
 } // namespace accuracy

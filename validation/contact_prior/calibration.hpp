@@ -2,15 +2,7 @@
 // How the coefficients of the contact prior follow from the recorded packings of validation/relaxation.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
-
-#include "../errors.hpp"
+#include "../common.hpp"
 #include "../relaxation/least_squares.hpp"
 #include "../relaxation/reading.hpp"
 #include "effective/contact_prior_kernel.hpp"
@@ -164,6 +156,19 @@ void each_left_out(const std::vector<Packing>& packings, const Label& label, con
       (label(p) == value ? left : kept).push_back(p);
     take(value, left, fit_contacts(kept).coefficients);
   }
+}
+
+/// Judges the packings of each kind, and all together.
+template <class Packing, class Kind, class Judge>
+auto judge_each(const std::string& what, const std::vector<Packing>& all, const Kind& kind_of,
+                const Judge& judge) {
+  std::map<std::string, std::vector<Packing>> kinds{{"together", all}};
+  for (const Packing& p : all)
+    kinds[kind_of(p)].push_back(p);
+  std::map<std::string, decltype(judge(what, all))> judged;
+  for (const auto& [kind, packings] : kinds)
+    judged.emplace(kind, judge(what + kind, packings));
+  return judged;
 }
 
 /// Scatters are errors of packings of which the fit has seen no other of the same preparation.

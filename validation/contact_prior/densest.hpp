@@ -3,21 +3,10 @@
 // densest packing. What is fitted to them, and whether what is stated of z* holds for others.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <map>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include <granum/effective/contact_prior.hpp>
 #include <gsl/gsl_statistics_double.h>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "calibration.hpp"
 
 namespace contact_prior::densest {
@@ -185,24 +174,21 @@ struct Judged {
   Errors z, without;
 };
 
-inline Judged judge(const std::vector<Packing>& all,
-                    const std::function<bool(const relaxation::Packing&)>& chosen) {
+inline Judged judge(const std::string& what, const std::vector<Packing>& all) {
   Judged judged;
   for (const Packing& a : all) {
-    if (!chosen(a.packing))
-      continue;
     granum::effective::State state = a.packing.state;
     state.coordination_number.reset();
     granum::effective::Preparation preparation{.kind = granum::effective::Preparation::Kind::friction,
                                                .friction_coefficient = a.packing.friction_coefficient};
     const auto add = [&](double e, double d, Errors& errors) { // d is felt as an uncertain input is
-      const auto z_at = [&](double densest_void_ratio) {
+      const auto prior_at = [&](double densest_void_ratio) {
         preparation.densest_void_ratio = densest_void_ratio;
         return granum::effective::contact_prior(state, preparation);
       };
-      const auto prior = z_at(e);
-      const double felt = (z_at(e + d).middle.mechanical_coordination_number -
-                           z_at(e - d).middle.mechanical_coordination_number) /
+      const auto prior = prior_at(e);
+      const double felt = (prior_at(e + d).middle.mechanical_coordination_number -
+                           prior_at(e - d).middle.mechanical_coordination_number) /
                           2;
       errors.add(prior.middle.mechanical_coordination_number - a.packing.mechanical_coordination,
                  std::hypot(prior.coordination_error, felt));
@@ -211,22 +197,8 @@ inline Judged judge(const std::vector<Packing>& all,
     preparation.pressure = std::min(a.densest.state.mean_stress(), state.mean_stress());
     add(a.densest.state.void_ratio, a.densest_deviation, judged.z);
   }
+  print_errors("  " + what, {{"z*", &judged.z}, {"by e alone", &judged.without}}, 1);
   return judged;
-}
-
-/// A line for each kind, and one for all.
-inline std::map<std::string, Judged>
-judge_each(const std::string& what, const std::vector<Packing>& all,
-           const std::function<std::string(const relaxation::Packing&)>& kind_of) {
-  std::map<std::string, Judged> kinds;
-  for (const Packing& a : all)
-    kinds[kind_of(a.packing)];
-  for (auto& [kind, judged] : kinds)
-    judged = judge(all, [&, name = kind](const relaxation::Packing& p) { return kind_of(p) == name; });
-  kinds["together"] = judge(all, [](const relaxation::Packing&) { return true; });
-  for (const auto& [kind, j] : kinds)
-    print_errors("  " + what + ", " + kind, {{"z*", &j.z}, {"by e alone", &j.without}}, 1);
-  return kinds;
 }
 
 /// Loose packings of verify with the mean void ratio of the densest ones of their shape, as if their own were
@@ -253,30 +225,30 @@ inline std::vector<Packing> above_mean(const std::vector<relaxation::Packing>& p
 
 /// \param    others   third_seed.csv, gradations.csv, and states of verify
 inline void check(const Files& files, const std::vector<std::string>& others, Claims& claims) {
-  const auto shape = [](const relaxation::Packing& p) {
-    return p.contact + (from_gas(p) ? ", from a gas" : ", opened");
+  const auto shape = [](const Packing& a) {
+    return a.packing.contact + (from_gas(a.packing) ? ", from a gas" : ", opened");
   };
-  const auto sizes = [](const relaxation::Packing& p) { return p.sizes; };
-  const auto code = [](const relaxation::Packing& p) { return code_of(p) + " " + p.sizes; };
+  const auto sizes = [](const Packing& a) { return a.packing.sizes; };
+  const auto code = [](const Packing& a) { return code_of(a.packing) + " " + a.packing.sizes; };
   std::printf("above the densest packing of the same grains: fitted ones\n");
-  judge_each("states", files.equal, shape);
-  judge_each("unequal", files.unequal, sizes);
-  judge_each("codes", files.codes, code);
+  judge_each("states, ", files.equal, shape, judge);
+  judge_each("unequal, ", files.unequal, sizes, judge);
+  judge_each("codes, ", files.codes, code, judge);
   std::printf("ones that were not fitted\n");
-  judge_each("second seed", files.codes_left, code);
-  claims.require_covered(
-      judge_each("third seed", above_densest(relaxation::read_packings(others[0])), shape).at("together").z,
-      "third seed, above the densest packing");
-  claims.require_covered(
-      judge_each("gradations", above_densest(relaxation::read_gradations(others[1])), sizes).at("together").z,
-      "gradations, above the densest packing");
+  judge_each("second seed, ", files.codes_left, code, judge);
+  const auto third =
+      judge_each("third seed, ", above_densest(relaxation::read_packings(others[0])), shape, judge);
+  claims.require_covered(third.at("together").z, "third seed, above the densest packing");
+  const auto graded =
+      judge_each("gradations, ", above_densest(relaxation::read_gradations(others[1])), sizes, judge);
+  claims.require_covered(graded.at("together").z, "gradations, above the densest packing");
   for (std::size_t k = 2; k < others.size(); ++k) {
     const std::vector<relaxation::Packing> packings = relaxation::read_verify_states(others[k]);
-    for (const auto& [what, all] : {std::pair{"verify", above_densest(packings)},
-                                    std::pair{"verify, mean densest", above_mean(packings)}})
-      for (const auto& [kind, j] :
-           judge_each(what, all, [](const relaxation::Packing& p) { return p.contact; }))
-        claims.require_covered(j.z, what + (", " + kind), 0.5, 0.88);
+    for (const auto& [what, all] : {std::pair{"verify, ", above_densest(packings)},
+                                    std::pair{"verify, mean densest, ", above_mean(packings)}})
+      for (const auto& [kind, j] : judge_each(
+               what, all, [](const Packing& a) { return a.packing.contact; }, judge))
+        claims.require_covered(j.z, what + kind, 0.5, 0.88);
   }
 }
 

@@ -9,13 +9,10 @@
 //                                      out, packings of others, rough ones and verify's lie where it says
 //     contact_prior_fit picture states.csv
 //                                      SVG: z* over the void ratio, and of packings beside the prior
-#include <cstdio>
-
 #include <granum/contact/power_law.hpp>
-#include <granum/core/text.hpp>
 #include <granum/effective/contact_prior.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../constants.hpp"
 #include "calibration.hpp"
 #include "densest.hpp"

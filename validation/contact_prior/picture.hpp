@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <string>
-#include <vector>
-
 #include <granum/contact/power_law.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/plot/chart.hpp>
 
+#include "../common.hpp"
 #include "calibration.hpp"
 #include "effective/contact_prior_coefficients.hpp"
 

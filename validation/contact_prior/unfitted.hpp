@@ -3,20 +3,14 @@
 // `granum verify`.
 #pragma once
 
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <set>
-#include <string>
-#include <vector>
-
 #include <granum/contact/rough_sphere.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/estimate/answer.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../infer/packings.hpp"
 #include "../relaxation/reading.hpp"
+#include "calibration.hpp"
 
 namespace contact_prior::unfitted {
 
@@ -100,12 +94,9 @@ struct Judged {
   Errors z, carried, shear;
 };
 
-inline Judged judge(const std::vector<Packing>& all, const std::string& what,
-                    const std::function<bool(const Packing&)>& chosen) {
+inline Judged judge(const std::string& what, const std::vector<Packing>& all) {
   Judged judged;
   for (const Packing& p : all) {
-    if (!chosen(p))
-      continue;
     // The range of a friction is one number; both ends are the middle.
     const auto prior = granum::effective::contact_prior(p.state, p.preparation);
     judged.z.add(prior.middle.mechanical_coordination_number - p.counts.mechanical_coordination_number,
@@ -131,20 +122,16 @@ inline Judged judge(const std::vector<Packing>& all, const std::string& what,
   return judged;
 }
 
-/// A line for each recipe, and one for all.
-inline Judged judge_each(const std::vector<Packing>& all) {
-  std::set<std::string> recipes;
-  for (const Packing& p : all)
-    recipes.insert(p.recipe);
-  for (const std::string& recipe : recipes)
-    judge(all, recipe, [&](const Packing& p) { return p.recipe == recipe; });
-  return judge(all, "together", [](const Packing&) { return true; });
+inline Judged judge_recipes(const std::vector<Packing>& all) {
+  return judge_each(
+             "", all, [](const Packing& p) { return p.recipe; }, judge)
+      .at("together");
 }
 
 inline void check_rough(const std::string& relaxation_path, const std::string& infer_path, Claims& claims) {
   std::printf("rough spheres, of which the prior has seen none\n");
   for (const std::vector<Packing>& all : {read_relaxation(relaxation_path), read_infer(infer_path)}) {
-    const Judged together = judge_each(all);
+    const Judged together = judge_recipes(all);
     claims.require_covered(together.z, "z* of rough packings");
     // Smooth packings of the recipes of infer/states.csv are covered no better.
     claims.require_covered(together.carried, "carried to larger pressures", 0.55, 0.85);
@@ -155,7 +142,7 @@ inline void check_rough(const std::string& relaxation_path, const std::string& i
 
 inline void check_verify(const std::string& path, Claims& claims) {
   std::printf("specimens of verify, of seeds that the prior has not seen\n");
-  claims.require_covered(judge_each(read_verify(path)).z, "z* of verify's specimens");
+  claims.require_covered(judge_recipes(read_verify(path)).z, "z* of verify's specimens");
 }
 
 } // namespace contact_prior::unfitted

@@ -5,20 +5,11 @@
 //     gradation_report check states.csv      exit code 0 if the routes agree and G falls with C_u at equal e
 //     gradation_report picture states.csv    the same as SVG
 //     gradation_report restate states.csv    the record again, with what the closed forms say of it now
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include <granum/plot/chart.hpp>
 #include <granum/sands/known_sands.hpp>
 #include <gsl/gsl_statistics_double.h>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "states.hpp"
 
 namespace {

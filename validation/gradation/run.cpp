@@ -8,13 +8,8 @@
 // that the file holds already: it may be stopped at any time, and a state whose row was deleted is made
 // again. States that do not come to rest, or are looser than rung 3 has a stiffness for, are named on the
 // error stream and left out.
-#include <numbers>
-#include <string>
-#include <vector>
 
-#include <granum/contact/grains.hpp>
-
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../relaxation/making.hpp"
 #include "closed_forms.hpp"
 #include "studies/running/probes.hpp"
@@ -32,7 +27,7 @@ constexpr double pressure = 100e3;      // [Pa]
 
 /// Dense, and compressed with more and more friction from a gas: from the densest to the loosest.
 std::vector<Preparation> preparations() {
-  const double mu = contact::Friction::from_angle(26.5 * std::numbers::pi / 180).coefficient();
+  const double mu = relaxation::usual_friction();
   const std::vector<relaxation::Stage> path{{pressure}};
   std::vector<Preparation> all{
       {.name = "dense", .density = triaxial::Density::dense, .friction_coefficient = mu, .path = path},

@@ -2,16 +2,9 @@
 // The recorded states of validation/gradation, and G of each gradation against the void ratio.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <string>
-#include <vector>
-
-#include <granum/core/text.hpp>
 #include <granum/sizes/distribution.hpp>
 
+#include "../common.hpp"
 #include "../relaxation/reading.hpp"
 #include "closed_forms.hpp"
 

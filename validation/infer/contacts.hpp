@@ -2,20 +2,13 @@
 // Contacts implied by V_s and V_p at four pressures, compared with those of own packings.
 #pragma once
 
-#include <cmath>
-#include <cstdio>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <granum/core/error.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/inverse/inference.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "packings.hpp"
 
 namespace implied {

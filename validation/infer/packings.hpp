@@ -2,15 +2,12 @@
 // Reads states.csv: packings whose contacts and moduli are known, which no fit has seen.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include <granum/contact/power_law.hpp>
 #include <granum/contact/rough_sphere.hpp>
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/state.hpp>
 
-#include "../record.hpp"
+#include "../common.hpp"
 
 namespace infer_packings {
 

@@ -4,16 +4,9 @@
 // pressures the truth.
 //     infer_run <validation/relaxation/states.csv> <validation/laboratory/beads_states.csv> [states.csv]
 // Exit code 0 only if what README.md promises holds.
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <map>
-#include <string>
-#include <vector>
-
 #include <granum/inverse/inference.hpp>
 
+#include "../common.hpp"
 #include "../relaxation/reading.hpp"
 #include "contacts.hpp"
 

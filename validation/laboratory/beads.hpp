@@ -2,17 +2,13 @@
 // Glass beads and Ottawa sand of Domenico (1977) beside spheres of glass and quartz, 2 to 34 MPa.
 #pragma once
 
-#include <algorithm>
-#include <cstdio>
-#include <optional>
-
 #include <granum/core/numerics.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/inverse/inference.hpp>
 #include <granum/plot/chart.hpp>
 
-#include "../errors.hpp"
+#include "../common.hpp"
 #include "specimens.hpp"
 
 namespace laboratory {

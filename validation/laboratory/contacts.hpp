@@ -2,20 +2,13 @@
 // What contacts measured speeds and moduli imply: fitted to one half of the pressures, tried on the other.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include <granum/elastic/waves.hpp>
 #include <granum/inverse/inference.hpp>
 #include <granum/plot/chart.hpp>
 #include <granum/sands/known_sands.hpp>
 #include <granum/sands/pooled_law.hpp>
 
-#include "../errors.hpp"
+#include "../common.hpp"
 #include "specimens.hpp"
 
 namespace laboratory {

@@ -3,16 +3,12 @@
 // from the void ratio by the contact prior.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
 #include <granum/effective/contact_prior.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/plot/chart.hpp>
 #include <granum/sands/known_sands.hpp>
 
-#include "../errors.hpp"
+#include "../common.hpp"
 #include "specimens.hpp"
 
 namespace laboratory {

@@ -2,15 +2,10 @@
 // What was measured, and granum's own packings of the same grains at the same pressures.
 #pragma once
 
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include <granum/contact/power_law.hpp>
 #include <granum/effective/state.hpp>
 
-#include "../record.hpp"
+#include "../common.hpp"
 
 namespace laboratory {
 

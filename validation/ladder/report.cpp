@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the recorded table says.
 //
-//     ladder_report check table.csv ../relaxation/states.csv README.md
+//     ladder_report check table.csv ../relaxation/states.csv
 //     ladder_report lines table.csv       errors and costs by rung, as the table of README.md
 //     ladder_report picture table.csv     error against cost, SVG
 //     ladder_report restate table.csv     the table again, with what rungs 0 to 3 say of it now
 //
-// check: exit code 0 if the library still says what was recorded, stated errors cover actual ones, and
-// README.md has the lines.
-#include <cstdio>
-#include <fstream>
-#include <functional>
-#include <iterator>
-#include <map>
-#include <set>
+// check: exit code 0 if the library still says what was recorded, and stated errors cover actual ones.
 
 #include <granum/plot/chart.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "table.hpp"
 
 namespace {
@@ -319,29 +312,19 @@ void check_calibration_packings(Claims& claims, const std::string& path) {
     require_coverage(claims, "calibration packings, " + what, errors);
 }
 
-void check_readme(Claims& claims, const std::vector<Row>& rows, const std::string& path) {
-  std::ifstream in(path);
-  std::set<std::string> lines;
-  for (std::string line; std::getline(in, line);)
-    lines.insert(line);
-  for (const std::string& line : summary(rows))
-    claims.require(lines.count(line) > 0, "README.md has: " + line);
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
   return program(
       argc, argv,
       {
-          {"check", "table.csv states.csv README.md",
+          {"check", "table.csv states.csv",
            [](const Arguments& files) {
              const std::vector<Row> rows = ladder::read(files[0]);
              Claims claims;
              check_library(claims, rows);
              check_table(claims, rows);
              check_calibration_packings(claims, files[1]);
-             check_readme(claims, rows, files[2]);
              return claims.exit_code();
            }},
           {"lines", "table.csv",

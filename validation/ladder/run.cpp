@@ -5,16 +5,14 @@
 //
 // Rungs 0 to 3 know what was measured on the packing, and once more only C_n; rung 4 solves its contact
 // network, rung 5 probes it by DEM (first seed). Costs are processor time. Some minutes with 1,500 grains.
-#include <cstdio>
 #include <ctime>
 #include <fstream>
 
-#include <granum/contact/grains.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/network/linear_response.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../relaxation/recording.hpp"
 #include "../relaxation/specimens.hpp"
 #include "table.hpp"
@@ -45,7 +43,7 @@ std::vector<Case> cases(std::size_t grains) {
           {contact,
            {.name = density == Density::dense ? "dense" : "loose",
             .density = density,
-            .friction_coefficient = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient(),
+            .friction_coefficient = relaxation::usual_friction(),
             .path = density == Density::loose && contact == std::string("sphere") ? sheared : isotropic,
             .grains = grains,
             .max_steps = triaxial::compression_options().max_steps}});

@@ -2,18 +2,10 @@
 // The table of validation/ladder: one row an assembly, rung and set of known inputs.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <granum/core/text.hpp>
 #include <granum/estimate/ladder.hpp>
 #include <granum/io/csv/table.hpp>
 
+#include "../common.hpp"
 #include "../relaxation/reading.hpp"
 
 namespace ladder {

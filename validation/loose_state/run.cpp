@@ -4,39 +4,18 @@
 // friction.
 //
 //     loose_state table.csv [grains] [seeds]
-#include <cmath>
-#include <cstdio>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include <granum/analysis/measure.hpp>
 #include <granum/contact/grains.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
+#include "../relaxation/specimens.hpp"
 
 namespace {
 
 using namespace granum;
-
-constexpr double radius = 0.5e-3; // R [m]
-constexpr double pressure = 10e3; // [Pa]
-
-triaxial::SpecimenRecipe recipe(std::size_t grains, std::uint64_t seed) {
-  const contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
-  return {.material = {.law = contact::PowerLaw::sphere(grain, radius),
-                       .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
-                       .friction_coefficient =
-                           contact::Friction::from_angle(26.5 * std::numbers::pi / 180).coefficient()},
-          .radius = radius,
-          .grains = grains,
-          .seed = seed,
-          .first_pressure = pressure};
-}
 
 /// One specimen at 10 kPa.
 struct Sample {
@@ -46,21 +25,14 @@ struct Sample {
 };
 
 Sample compressed(const dem::Specimen& packing, const triaxial::SpecimenRecipe& recipe) {
-  Sample sample;
-  const bool arrived = triaxial::isotropic_path(
-      triaxial::start_of_compression(packing, triaxial::Density::loose, recipe), recipe.material, {pressure},
-      triaxial::compression_options(), [&](const triaxial::Snapshot& snapshot) {
-        sample = {.micro = analysis::measure(dem::contact_network(snapshot.state, recipe.material),
-                                             {.law = recipe.material.law,
-                                              .tangential_ratio = recipe.material.tangential_ratio})
-                               .microstructure(),
-                  .void_ratio = dem::void_ratio(snapshot.state),
-                  .steps = snapshot.report.steps};
-        return snapshot.report.converged();
-      });
-  if (!arrived)
-    throw std::runtime_error("a specimen did not come to rest");
-  return sample;
+  const triaxial::Snapshot at =
+      relaxation::compressed(packing, triaxial::Density::loose, recipe, {recipe.first_pressure});
+  return {.micro = analysis::measure(
+                       dem::contact_network(at.state, recipe.material),
+                       {.law = recipe.material.law, .tangential_ratio = recipe.material.tangential_ratio})
+                       .microstructure(),
+          .void_ratio = dem::void_ratio(at.state),
+          .steps = at.report.steps};
 }
 
 /// Over the seeds.
@@ -75,7 +47,7 @@ Mean mean(const std::vector<Sample>& samples, const Of& of) {
 void run(const std::string& path, std::size_t grains, std::size_t seeds) {
   std::vector<dem::Specimen> packings;
   for (std::size_t k = 0; k < seeds; ++k)
-    packings.push_back(triaxial::frictionless_specimen(recipe(grains, k + 1)).state);
+    packings.push_back(triaxial::frictionless_specimen(relaxation::sphere_recipe(grains, k + 1)).state);
   io::CsvContent csv;
   csv.notes = {{"grains", std::to_string(grains)}, {"seeds", std::to_string(seeds)}};
   csv.headings = {"unjamming_strain", "agitation", "C_n", "C_n_error", "z_star",
@@ -87,7 +59,7 @@ void run(const std::string& path, std::size_t grains, std::size_t seeds) {
   for (const auto& [strain, agitation] : recipes) {
     std::vector<Sample> samples;
     for (std::size_t k = 0; k < seeds; ++k) {
-      triaxial::SpecimenRecipe one = recipe(grains, k + 1);
+      triaxial::SpecimenRecipe one = relaxation::sphere_recipe(grains, k + 1);
       one.unjamming_strain = strain;
       one.agitation = agitation;
       samples.push_back(compressed(packings[k], one));

@@ -5,22 +5,15 @@
 //     mixtures table states.csv           the tables of README.md
 //     mixtures check states.csv           exit code 0 if the library's coefficients are those of the fit and
 //                                         packings that it has not seen lie within what is stated
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include <boost/math/tools/minima.hpp>
 #include <granum/analysis/measure.hpp>
-#include <granum/core/text.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/io/lammps/files.hpp>
 
-#include "../claims.hpp"
-#include "../record.hpp"
+#include "../common.hpp"
 #include "../relaxation/recording.hpp"
 #include "effective/mixture_kernel.hpp"
 
@@ -49,8 +42,7 @@ analysis::Measurement measured(const std::filesystem::path& folder, const std::s
   return analysis::measure(packing.assembly, given, wanted);
 }
 
-/// \param    name   "dense_10_0.5": dense, G_g 1:10, half of the grains stiff; "dense_10_large": the large
-/// ones
+/// \param    name   "dense_10_0.5": dense, G_g 1:10, half of the grains stiff; "dense_10_large": large ones
 void append(relaxation::Record& record, const std::string& name, const std::string& state,
             const std::filesystem::path& folder) {
   const std::size_t first = name.find('_'), last = name.rfind('_');

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Equations 3 to 8 of [Chung2014] as printed, against the contact law of two grains.
-#include <cmath>
-#include <cstdio>
-#include <map>
-#include <numbers>
-#include <string>
-
 #include <granum/contact/power_law.hpp>
 
-#include "../claims.hpp"
-#include "../record.hpp"
+#include "../common.hpp"
 
 namespace {
 

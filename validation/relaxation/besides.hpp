@@ -3,18 +3,11 @@
 // where its stated errors grow.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include <granum/core/numerics.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
 
+#include "../common.hpp"
 #include "coefficients.hpp"
 #include "library_errors.hpp"
 

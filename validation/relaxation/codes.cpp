@@ -6,16 +6,12 @@
 // CODE is lammps or yade, whose files GRAINS and CONTACTS are; CONTACT is sphere (Hertz, G_g = 30 GPa,
 // nu_g = 0.15) or flat (linear springs between equal grains); SIZES, PREPARATION and SEED say what was made.
 // The row has the columns of unequal.csv; codes.sh makes the whole table.
-#include <limits>
-#include <stdexcept>
-#include <string>
-
 #include <granum/contact/grains.hpp>
 #include <granum/io/lammps/files.hpp>
 #include <granum/io/yade/files.hpp>
 #include <granum/packing/stiffness.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "reading.hpp"
 #include "recording.hpp"
 #include "specimens.hpp"

@@ -3,11 +3,7 @@
 // networks.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
+#include "../common.hpp"
 #include "../constants.hpp"
 #include "stiff_contacts.hpp"
 #include "uneven_fits.hpp"

@@ -2,17 +2,11 @@
 // The exponent s of recorded paths: networks beside what the library says of their growth.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <map>
-#include <string>
-#include <vector>
-
 #include <granum/effective/exponents.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/hardin/fit.hpp>
 
+#include "../common.hpp"
 #include "packings.hpp"
 
 namespace relaxation {
@@ -55,11 +49,8 @@ inline double predicted_exponent(const Packing& first, const Packing& last,
               effective::growth_between(measured(first), measured(last)));
 }
 
-/// s of a path, fitted as `granum verify` does.
-inline double fitted_exponent(const std::vector<const Packing*>& path) {
-  std::vector<granum::hardin::MeasuredModulus> rows;
-  for (const Packing* p : path)
-    rows.push_back({own_shear_modulus(*p), {p->pressure, p->pressure, p->state.void_ratio}});
+/// s of moduli, fitted as `granum verify` does.
+inline double fitted_exponent(const std::vector<granum::hardin::MeasuredModulus>& rows) {
   return granum::hardin::fit_exponent_sum(rows,
                                           {.atmospheric_pressure = 100e3,
                                            .void_ratio_function = granum::hardin::VoidRatioFunction::none,
@@ -69,8 +60,7 @@ inline double fitted_exponent(const std::vector<const Packing*>& path) {
 }
 
 /// Prints s of every specimen with states from 10 to 100 kPa.
-/// \return   largest difference between the fitted s and the predicted one, growth given, of dense and loose
-/// ones
+/// \return   largest difference of the fitted s from the predicted one, of dense and of loose ones
 inline std::map<std::string, double> compare_exponents(const std::vector<Packing>& packings) {
   namespace effective = granum::effective;
   std::printf("exponent s of G, 10 to 100 kPa: network by its ends, by the fit of verify; by the growth "
@@ -90,13 +80,16 @@ inline std::map<std::string, double> compare_exponents(const std::vector<Packing
     const double by_growth = predicted_exponent(first, last);
     std::printf("  %-24s %.3f", name.c_str(),
                 std::log(own_shear_modulus(last) / own_shear_modulus(first)) / std::log(10.0));
+    std::vector<granum::hardin::MeasuredModulus> rows;
+    for (const Packing* p : path)
+      rows.push_back({own_shear_modulus(*p), {p->pressure, p->pressure, p->state.void_ratio}});
     if (path.size() >= 3)
-      std::printf("  %.3f  %.3f", fitted_exponent(path), by_growth);
+      std::printf("  %.3f  %.3f", fitted_exponent(rows), by_growth);
     else
       std::printf("         %.3f", by_growth);
     if (const auto law = laws.find(first.preparation); law != laws.end() && path.size() >= 3) {
       double& largest = worst[first.preparation];
-      largest = std::max(largest, std::abs(by_growth - fitted_exponent(path)));
+      largest = std::max(largest, std::abs(by_growth - fitted_exponent(rows)));
       std::printf("  %.3f", predicted_exponent(first, last, &law->second));
     }
     std::printf("\n");

@@ -2,16 +2,9 @@
 // The fits of the relaxation factors to the recorded networks, and their errors.
 #pragma once
 
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <set>
-#include <string>
-#include <vector>
-
 #include <granum/effective/uniform_field.hpp>
 
-#include "../errors.hpp"
+#include "../common.hpp"
 #include "effective/relaxation_kernel.hpp"
 #include "effective/relaxed_constants.hpp"
 #include "least_squares.hpp"

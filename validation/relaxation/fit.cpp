@@ -8,10 +8,7 @@
 //     relaxation_fit besides FILES        what the void ratio and the stretch do, and errors by z*
 //
 // FILES: states.csv unequal.csv gradations.csv codes.csv exponents.csv rough.csv
-#include <cstdio>
-#include <set>
-
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "besides.hpp"
 #include "coefficients.hpp"
 #include "exponents.hpp"

@@ -2,12 +2,9 @@
 // The library's relaxed() beside the contact networks, and whether the errors that it states hold.
 #pragma once
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include <granum/effective/relaxation.hpp>
 
+#include "../common.hpp"
 #include "uneven_fits.hpp"
 
 namespace relaxation {

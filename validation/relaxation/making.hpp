@@ -2,12 +2,7 @@
 // Compresses specimens and records their states, on several threads.
 #pragma once
 
-#include <cstdio>
-#include <exception>
-#include <limits>
-#include <string>
-#include <vector>
-
+#include "../common.hpp"
 #include "recording.hpp"
 #include "specimens.hpp"
 #include "studies/running/work_sharing.hpp"

@@ -2,17 +2,11 @@
 // Reads recorded packings: those of this folder, of validation/gradation and of `granum verify`.
 #pragma once
 
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include <granum/contact/power_law.hpp>
-#include <granum/core/text.hpp>
 #include <granum/effective/state.hpp>
 #include <granum/effective/uniform_field.hpp>
 
-#include "../record.hpp"
+#include "../common.hpp"
 #include "effective/relaxation_kernel.hpp"
 #include "effective/relaxed_constants.hpp"
 #include "packings.hpp"

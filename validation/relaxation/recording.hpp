@@ -3,27 +3,19 @@
 // validation/gradation and validation/mixtures fill the same way.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <mutex>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include <granum/analysis/measure.hpp>
 #include <granum/analysis/parts.hpp>
-#include <granum/core/text.hpp>
 #include <granum/dem/specimen.hpp>
 #include <granum/elastic/isotropic.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/coordination.hpp>
 #include <granum/packing/forces.hpp>
 
+#include "../common.hpp"
 #include "contact_counts.hpp"
 #include "packings.hpp"
 

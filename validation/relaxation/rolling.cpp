@@ -8,16 +8,9 @@
 //
 // Rows are appended as of relaxation_run: a run that is started again skips the states that the file holds.
 // k_r is the rolling stiffness of a contact over k_n R*^2, R* = R_i R_j/(R_i + R_j), the same for all.
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <string>
-#include <vector>
-
-#include <granum/contact/grains.hpp>
 #include <granum/packing/stiffness.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../constants.hpp"
 #include "making.hpp"
 #include "rolling_fits.hpp"
@@ -33,7 +26,7 @@ constexpr std::uint64_t first_seed = 71000;
 /// Of grains as they are in relaxation_run.
 std::vector<Preparation> preparations() {
   using enum triaxial::Density;
-  const double mu = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient();
+  const double mu = usual_friction();
   const auto path = [](double low, double high) { return std::vector<Stage>{{low}, {high}}; };
   const std::vector<Stage> shear{{100 * kPa}, {100 * kPa, 0.4}, {100 * kPa, 0.75}};
   std::vector<Preparation> all{

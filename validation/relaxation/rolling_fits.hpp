@@ -2,14 +2,9 @@
 // The recorded networks with rolling resistance, and the fit of what that adds to G and K.
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include <granum/effective/relaxation.hpp>
 
-#include "../errors.hpp"
+#include "../common.hpp"
 #include "least_squares.hpp"
 #include "reading.hpp"
 #include "recording.hpp"

@@ -12,18 +12,10 @@
 // that the file holds already, so it may be stopped at any time; a specimen whose path was cut is compressed
 // anew, to the same bits. States that do not come to rest, or whose grains have not met, are named on the
 // error stream and left out.
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <map>
-#include <string>
-#include <vector>
-
-#include <granum/contact/grains.hpp>
 #include <granum/contact/normal_law.hpp>
 #include <granum/contact/rough_sphere.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "making.hpp"
 #include "reading.hpp"
 
@@ -57,7 +49,7 @@ std::vector<Shape> shapes(bool rough) {
 
 std::vector<Preparation> preparations() {
   using enum triaxial::Density;
-  const double mu = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient();
+  const double mu = usual_friction();
   const std::vector<Stage> low{{10 * kPa}, {30 * kPa}, {100 * kPa}};
   std::vector<Stage> wide = low;
   wide.insert(wide.end(), {{1 * MPa}, {10 * MPa}, {30 * MPa}, {100 * MPa}});
@@ -119,7 +111,7 @@ std::vector<Preparation> rough_preparations() {
     }
   // A roughness of 200 nm still touches where others are opened, by 0.3 %.
   all.push_back({.name = "opened",
-                 .friction_coefficient = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient(),
+                 .friction_coefficient = usual_friction(),
                  .path = path,
                  .opening = slight,
                  .grains = 2000,
@@ -132,7 +124,7 @@ std::vector<Preparation> rough_preparations() {
 /// cut leaves a balanced table.
 std::vector<Preparation> unequal_preparations() {
   using enum triaxial::Density;
-  const double mu = contact::Friction::from_angle(26.5 * M_PI / 180).coefficient();
+  const double mu = usual_friction();
   const std::vector<Stage> path{{30 * kPa}, {300 * kPa}};
   const std::vector<Stage> cycle{{100 * kPa}, {3 * MPa}, {100 * kPa}};
   const std::vector<Stage> compression{{100 * kPa, 0.4}, {100 * kPa, 0.7}};

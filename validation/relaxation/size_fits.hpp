@@ -3,10 +3,7 @@
 // gradations.csv too, with the factors of equal grains given; and whether stated errors hold.
 #pragma once
 
-#include <cmath>
-#include <string>
-#include <vector>
-
+#include "../common.hpp"
 #include "factors.hpp"
 
 namespace relaxation {

@@ -2,25 +2,18 @@
 // How the specimens of validation/relaxation and of validation/gradation are made.
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <mutex>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
+#include <granum/contact/grains.hpp>
 #include <granum/contact/normal_law.hpp>
 #include <granum/contact/power_law.hpp>
-#include <granum/core/text.hpp>
 #include <granum/dem/engine.hpp>
 #include <granum/dem/quasistatic.hpp>
 #include <granum/sizes/distribution.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 
+#include "../common.hpp"
 #include "contact_counts.hpp"
 
 namespace relaxation {
@@ -29,6 +22,8 @@ using namespace granum;
 
 inline constexpr contact::GrainMaterial grain{.shear_modulus = 30e9, .poisson_ratio = 0.15};
 inline constexpr double kPa = 1e3, MPa = 1e6;
+/// Of the grains of Table 1 of the paper [Chung2014].
+inline double usual_friction() { return contact::Friction::from_angle(26.5 * M_PI / 180).coefficient(); }
 
 /// Mean stress and stress ratio q/p of one state on a path.
 struct Stage {
@@ -92,6 +87,31 @@ inline triaxial::SpecimenRecipe recipe(const contact::NormalLaw& law, double rad
           .first_pressure = preparation.path.front().pressure,
           .unjamming_strain = preparation.opening.strain,
           .agitation = preparation.opening.agitation};
+}
+
+/// Spheres of Table 1 of the paper [Chung2014].
+inline triaxial::SpecimenRecipe sphere_recipe(std::size_t grains, std::uint64_t seed) {
+  return {.material = {.law = contact::PowerLaw::sphere(grain, 0.5e-3),
+                       .tangential_ratio = contact::mindlin_stiffness_ratio(grain.poisson_ratio),
+                       .friction_coefficient = usual_friction()},
+          .radius = 0.5e-3,
+          .grains = grains,
+          .seed = seed};
+}
+
+/// A frictionless specimen compressed with friction through these pressures: at rest under the last.
+inline triaxial::Snapshot compressed(const dem::Specimen& frictionless, triaxial::Density density,
+                                     const triaxial::SpecimenRecipe& recipe,
+                                     const std::vector<double>& pressures) {
+  triaxial::Snapshot last;
+  const auto keep = [&last](const triaxial::Snapshot& snapshot) {
+    last = snapshot;
+    return snapshot.report.converged();
+  };
+  if (!triaxial::isotropic_path(triaxial::start_of_compression(frictionless, density, recipe),
+                                recipe.material, pressures, triaxial::compression_options(), keep))
+    throw std::runtime_error("a specimen did not come to rest");
+  return last;
 }
 
 /// Specimens without friction at 10 kPa, each made once and then used by every preparation of its shape,

@@ -3,14 +3,7 @@
 // beyond b = 1/2 (exponents.csv), and packings of rough grains beyond b = 1/3 (rough.csv).
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
-
+#include "../common.hpp"
 #include "reading.hpp"
 #include "size_fits.hpp"
 

@@ -3,10 +3,7 @@
 // leave; and whether stated errors hold where forces are known.
 #pragma once
 
-#include <cmath>
-#include <string>
-#include <vector>
-
+#include "../common.hpp"
 #include "effective/unevenness_kernel.hpp"
 #include "size_fits.hpp"
 

@@ -5,9 +5,7 @@
 //
 // The second file is states.csv of a default `granum verify` of seeds that no fit has seen.
 // Exit code: 0 if the errors that relaxed() states cover the actual ones, 1 if not, 2 usage.
-#include <set>
-
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "library_errors.hpp"
 #include "reading.hpp"
 

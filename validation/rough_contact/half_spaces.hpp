@@ -14,15 +14,10 @@
 // stiffness is the derivative of the discrete equations, which is exact.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <stdexcept>
-#include <vector>
-
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <granum/core/numerics.hpp>
+
+#include "../common.hpp"
 
 namespace rough_contact {
 

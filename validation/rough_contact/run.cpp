@@ -3,15 +3,12 @@
 // contact::RoughSphere's formula to the solutions, and holds record, formula and limits to each other.
 //   rough_contact phi.csv          exit code 0 if all of it holds
 //   rough_contact phi.csv record   writes phi.csv first
-#include <cstdio>
 #include <fstream>
-#include <string>
-#include <utility>
 
+#include <Eigen/QR>
 #include <granum/contact/rough_sphere.hpp>
 
-#include "../claims.hpp"
-#include "../record.hpp"
+#include "../common.hpp"
 #include "half_spaces.hpp"
 
 using namespace rough_contact;

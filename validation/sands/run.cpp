@@ -5,24 +5,13 @@
 // Prints, for each law and each form of the pooled one, bias, root mean square of log10 and the share of
 // tests within factors, each sand with the same weight; then the pooled law by sand, its constants fitted
 // again, and forecasts from one test to another of one sand. Exit code 0 unless the table cannot be read.
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <map>
-#include <optional>
-#include <set>
-#include <string>
-#include <vector>
-
 #include <Eigen/Cholesky>
 #include <granum/core/error.hpp>
-#include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/sands/known_sands.hpp>
 #include <granum/sands/pooled_law.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 
 namespace {
 

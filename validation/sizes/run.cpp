@@ -3,11 +3,6 @@
 // grains? Packings of LAMMPS, and the sum over their contacts as the truth.
 //   sizes <folder of the packings>
 // Exit code 0 only if every number is within what README.md says.
-#include <cmath>
-#include <cstdio>
-#include <string>
-#include <vector>
-
 #include <granum/analysis/measure.hpp>
 #include <granum/contact/grains.hpp>
 #include <granum/effective/uniform_field.hpp>
@@ -16,7 +11,7 @@
 #include <granum/sizes/contact_means.hpp>
 #include <granum/sizes/distribution.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 
 using namespace granum;
 

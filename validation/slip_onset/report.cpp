@@ -5,19 +5,10 @@
 //     slip_onset_report check states.csv      exit code 0 if the closed form holds where README.md says so
 //     slip_onset_report picture states.csv    the same as SVG
 //     slip_onset_report loops loops.csv       damping of closed loops beside Masing's rule
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <numbers>
-#include <string>
-#include <vector>
-
-#include <granum/core/text.hpp>
 #include <granum/effective/slip.hpp>
 #include <granum/plot/chart.hpp>
 
-#include "../claims.hpp"
-#include "../record.hpp"
+#include "../common.hpp"
 #include "states.hpp"
 
 namespace {

@@ -5,13 +5,7 @@
 //     slip_onset_run states.csv GRAINS SEED dense|loose PRESSURE_Pa LARGEST_STRAIN
 // Appends its closed loops, whose areas are its damping, up to a loss of about 5 %:
 //     slip_onset_run loops.csv GRAINS SEED dense|loose PRESSURE_Pa loops
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include <granum/analysis/measure.hpp>
 #include <granum/dem/quasistatic.hpp>
@@ -21,7 +15,8 @@
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
+#include "../relaxation/specimens.hpp"
 #include "states.hpp"
 
 namespace {
@@ -43,17 +38,12 @@ dem::Specimen compressed(const triaxial::SpecimenRecipe& recipe, bool dense, dou
   for (double p = 10e3; p < 0.99 * pressure; p *= std::sqrt(10.0))
     pressures.push_back(p);
   pressures.push_back(pressure);
-  dem::Specimen state;
   const auto density = dense ? triaxial::Density::dense : triaxial::Density::loose;
-  const bool arrived = triaxial::isotropic_path(
-      triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state, density, recipe),
-      recipe.material, pressures, triaxial::compression_options(), [&](const triaxial::Snapshot& snapshot) {
-        state = snapshot.state;
-        return snapshot.report.converged();
-      });
-  if (!arrived)
-    throw std::runtime_error("a specimen did not come to rest");
-  return triaxial::freeze_in_place(state, recipe.material).state();
+  return triaxial::freeze_in_place(
+             relaxation::compressed(triaxial::frictionless_specimen(recipe).state, density, recipe, pressures)
+                 .state,
+             recipe.material)
+      .state();
 }
 
 /// Secant between the two ends of cycles in the vertical plane, the normal stresses held.

@@ -2,20 +2,13 @@
 // Dense spheres of Table 1 of the paper at 100 kPa, and friction angles of what is sheared from there.
 #pragma once
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <vector>
-
-#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/io/csv/table.hpp>
 #include <granum/io/output_file.hpp>
 #include <granum/stress/stress.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
 #include "../relaxation/specimens.hpp"
 
 namespace trade {
@@ -26,13 +19,7 @@ using relaxation::kPa;
 inline constexpr double pressure = 100 * kPa, degree = M_PI / 180;
 
 inline triaxial::SpecimenRecipe recipe_of(bool walls, std::uint64_t seed, std::size_t grains) {
-  triaxial::SpecimenRecipe recipe{
-      .material = {.law = contact::PowerLaw::sphere(relaxation::grain, 0.5e-3),
-                   .tangential_ratio = contact::mindlin_stiffness_ratio(relaxation::grain.poisson_ratio),
-                   .friction_coefficient = contact::Friction::from_angle(26.5 * degree).coefficient()},
-      .radius = 0.5e-3,
-      .grains = grains,
-      .seed = seed};
+  triaxial::SpecimenRecipe recipe = relaxation::sphere_recipe(grains, seed);
   if (walls)
     recipe.wall_friction = 0;
   return recipe;
@@ -40,16 +27,9 @@ inline triaxial::SpecimenRecipe recipe_of(bool walls, std::uint64_t seed, std::s
 
 /// The specimen under isotropic pressure.
 inline dem::Specimen compressed(const triaxial::SpecimenRecipe& recipe) {
-  dem::Specimen state = triaxial::start_of_compression(triaxial::frictionless_specimen(recipe).state,
-                                                       triaxial::Density::dense, recipe);
-  const auto keep = [&](const triaxial::Snapshot& snapshot) {
-    state = snapshot.state;
-    return snapshot.report.converged();
-  };
-  if (!triaxial::isotropic_path(state, recipe.material, {10 * kPa, 30 * kPa, pressure},
-                                triaxial::compression_options(), keep))
-    throw Error("a specimen did not come to rest");
-  return state;
+  return relaxation::compressed(triaxial::frictionless_specimen(recipe).state, triaxial::Density::dense,
+                                recipe, {10 * kPa, 30 * kPa, pressure})
+      .state;
 }
 
 /// Mobilised friction angle of q/p' on a path [deg].

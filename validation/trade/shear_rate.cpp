@@ -7,15 +7,9 @@
 // By default 3 specimens of 1000 grains down to a rate of 1e-5, and no table. Exit code: 0 if the mean peak
 // angles at the default rate and drag are within 0.3 degrees of those at the lowest rate, or within two
 // standard errors; 1 if not, 2 usage.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <string>
-#include <vector>
-
 #include <granum/triaxial/shear_test.hpp>
 
+#include "../common.hpp"
 #include "dense_spheres.hpp"
 
 namespace {

@@ -6,14 +6,10 @@
 //
 // By default 3 specimens of 1000 grains in steps of 0.025, and no table. A path ends at the last stress that
 // the specimen holds: at the next one it does not come to rest. Exit code: 0, 1 an error, 2 usage.
-#include <cmath>
-#include <cstdio>
-#include <string>
-#include <vector>
-
 #include <granum/dem/quasistatic.hpp>
 #include <granum/triaxial/shear_test.hpp>
 
+#include "../common.hpp"
 #include "dense_spheres.hpp"
 
 namespace {

@@ -5,24 +5,15 @@
 //     trade_time_step [specimens, by default 64 [shares of the stability limit, by default 0.8 0.2]]
 //
 // Exit code: 0 if s is the same within three standard errors, 1 if not, 2 usage.
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <granum/contact/grains.hpp>
 #include <granum/core/error.hpp>
 #include <granum/elastic/isotropic.hpp>
-#include <granum/hardin/fit.hpp>
 #include <granum/network/linear_response.hpp>
 #include <granum/packing/coordination.hpp>
 #include <granum/triaxial/probe.hpp>
 #include <granum/triaxial/specimen.hpp>
 
-#include "../claims.hpp"
+#include "../common.hpp"
+#include "../relaxation/exponents.hpp"
 #include "../relaxation/specimens.hpp"
 
 namespace {
@@ -37,8 +28,7 @@ using Figures = std::array<double, 2 * pressures.size() + 1>;
 
 relaxation::Preparation loose() {
   relaxation::Preparation preparation{.name = "loose",
-                                      .friction_coefficient =
-                                          contact::Friction::from_angle(26.5 * M_PI / 180).coefficient(),
+                                      .friction_coefficient = relaxation::usual_friction(),
                                       .path = {},
                                       .grains = 1000,
                                       .max_steps = triaxial::compression_options().max_steps};
@@ -66,11 +56,7 @@ std::optional<Figures> compressed(dem::Specimen state, const dem::Material& mate
         mechanical_coordination(network, packing::ContactKind::frictional).coordination_number;
     moduli.push_back({G, {pressures[k], pressures[k], dem::void_ratio(frozen.state())}});
   }
-  figures.back() = hardin::fit_exponent_sum(moduli, {.atmospheric_pressure = 100 * kPa,
-                                                     .void_ratio_function = hardin::VoidRatioFunction::none,
-                                                     .weights = hardin::Weights::absolute})
-                       .fit()
-                       .exponent_sum.value;
+  figures.back() = relaxation::fitted_exponent(moduli);
   return figures;
 }
 
