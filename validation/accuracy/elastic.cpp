@@ -22,7 +22,7 @@ granum::elastic::TransverselyIsotropic draw_stiffness(Draw& draw) {
 }
 
 std::string said_of(const granum::elastic::TransverselyIsotropic& c) {
-  return said({{"C11", c.C11}, {"C33", c.C33}, {"C12", c.C12}, {"C13", c.C13}, {"C44", c.C44}});
+  return said("C11 C33 C12 C13 C44", {c.C11, c.C33, c.C12, c.C13, c.C44});
 }
 
 granum::elastic::VoigtStiffness draw_full_stiffness(Draw& draw) {
@@ -59,8 +59,7 @@ void check_transversely_isotropic(Table& table, Draw& draw) {
   const Real determinant = (C11 - C12) * ((C11 + C12) * C33 - 2 * C13 * C13);
   const Real S11 = (C11 * C33 - C13 * C13) / determinant, S33 = (C11 * C11 - C12 * C12) / determinant;
   const Real S12 = -(C12 * C33 - C13 * C13) / determinant, S13 = -(C11 - C12) * C13 / determinant;
-  const At at{table, "C12, C13 from -0.3 to 0.5 C11",
-              said({{"C11", c.C11}, {"C33", c.C33}, {"C12", c.C12}, {"C13", c.C13}})};
+  const At at{table, "C12, C13 from -0.3 to 0.5 C11", said("C11 C33 C12 C13", {c.C11, c.C33, c.C12, c.C13})};
   const At of_one{table, at.domain + ", of 1", at.where};
   at("elastic: E_v", c.E_v(), 1 / S33);
   at("elastic: E_h", c.E_h(), 1 / S11);
@@ -75,12 +74,12 @@ void check_isotropic(Table& table, Draw& draw) {
   const auto solid = granum::elastic::Isotropic::from_shear_and_poisson(G, nu);
   if (nu < 0.5)
     At{table, "nu in [-0.999999, 0.5]",
-       said({{"G", G}, {"nu", nu}})}("elastic: K from G and nu", solid.bulk_modulus(),
-                                     2 * Real(G) * (1 + Real(nu)) / (3 * (1 - 2 * Real(nu))));
+       said("G nu", {G, nu})}("elastic: K from G and nu", solid.bulk_modulus(),
+                              2 * Real(G) * (1 + Real(nu)) / (3 * (1 - 2 * Real(nu))));
   const double K = draw.log_uniform(1e-3, 1e3) * G;
   const auto other = granum::elastic::Isotropic::from_bulk_and_shear(K, G);
   const Real k = K, g = G;
-  const std::string pair = said({{"K", K}, {"G", G}});
+  const std::string pair = said("K G", {K, G});
   At{table, "K/G from 1e-3 to 1e3", pair}("elastic: E from K and G", other.young_modulus(),
                                           9 * k * g / (3 * k + g));
   At{table, "K/G from 1e-3 to 1e3, of 1", pair}.of(1, "elastic: nu from K and G", other.poisson_ratio(),
@@ -140,7 +139,7 @@ void compare_speeds(const At& at, const std::string& function, const std::array<
 }
 
 void check_speeds(Table& table, Draw& draw) {
-  const auto said_direction = [](const Vec3& n) { return said({{"n1", n.x}, {"n2", n.y}, {"n3", n.z}}); };
+  const auto said_direction = [](const Vec3& n) { return said("n1 n2 n3", {n.x, n.y, n.z}); };
   const TransverselyIsotropic c = draw_stiffness(draw);
   Vec3 n = draw_direction(draw);
   double density = draw.log_uniform(1, 1e4);
@@ -185,9 +184,8 @@ void check_thomsen_inverse(Table& table, Draw& draw) {
   const Real C13 = sqrt(difference * difference + 2 * Real(p.delta) * C33 * difference) - C44;
   const Real C11 = C33 * (1 + 2 * Real(p.epsilon)), C12 = C11 - 2 * C44 * (1 + 2 * Real(p.gamma));
   const auto c = transversely_isotropic(granum::elastic::ThomsenSolid{density, V_p, V_s, p});
-  const At at{
-      table, "V_p 2 to 5 V_s, of C33",
-      said({{"V_p", V_p}, {"V_s", V_s}, {"epsilon", p.epsilon}, {"delta", p.delta}, {"gamma", p.gamma}})};
+  const At at{table, "V_p 2 to 5 V_s, of C33",
+              said("V_p V_s epsilon delta gamma", {V_p, V_s, p.epsilon, p.delta, p.gamma})};
   const std::pair<double, Real> entries[] = {
       {c.C11, C11}, {c.C33, C33}, {c.C12, C12}, {c.C13, C13}, {c.C44, C44}};
   for (const auto& [value, reference] : entries)
@@ -200,7 +198,7 @@ void check_isotropic_speeds(Table& table, Draw& draw) {
                                              draw.uniform_or(0, 2000, {0.0, 1000.0})};
   const double density = granum::elastic::bulk_density(mass);
   const auto v = wave_speeds(granum::elastic::Isotropic::from_bulk_and_shear(K, G), density);
-  const std::string where = said({{"K", K}, {"G", G}, {"density", density}, {"e", mass.void_ratio}});
+  const std::string where = said("K G density e", {K, G, density, mass.void_ratio});
   At{table, "e 0.01 to 100, dry or filled", where}(
       "bulk_density", density,
       (Real(mass.grain_density) + Real(mass.void_ratio) * mass.pore_density) / (1 + Real(mass.void_ratio)));

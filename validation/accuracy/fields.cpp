@@ -28,7 +28,7 @@ void check_uniform_contacts(Table& table, Draw& draw) {
   const Real scale = Real(sheared.prefactor) * Real(sheared.normal_stiffness);
   const Real ratio = Real(sheared.tangential_stiffness) / Real(sheared.normal_stiffness);
   const Moments m = fabric_moments(Real(a));
-  const At at{table, "a in [-1, 1], k_t/k_n 0 to 2", said({{"a", a}, {"r", r}})};
+  const At at{table, "a in [-1, 1], k_t/k_n 0 to 2", said("a r", {a, r})};
   compare(at, "uniform_strain_stiffness", uniform_strain_stiffness(sheared),
           strain_stiffness(scale, ratio, m));
   compare(at, "free_spin_stiffness", free_spin_stiffness(sheared), free_spin_stiffness(scale, ratio, m));
@@ -50,13 +50,8 @@ void check_isotropic_state(Table& table, Draw& draw) {
   const Real contacts = Real(*state.coordination_number) / (1 + Real(state.void_ratio));
   const Moduli m = hertzian(grain, contacts, p, state.tangential_ratio);
   const At at{table, "spheres, p 1e-300 to 1e12 Pa",
-              said({{"p", p},
-                    {"R", R},
-                    {"e", state.void_ratio},
-                    {"C_n", *state.coordination_number},
-                    {"r", state.tangential_ratio},
-                    {"G", grain.shear_modulus},
-                    {"nu", nu}}),
+              said("p R e C_n r G nu", {p, R, state.void_ratio, *state.coordination_number,
+                                        state.tangential_ratio, grain.shear_modulus, nu}),
               stiffness_form};
   const auto c = uniform_strain(state).stiffness;
   at("uniform_strain isotropic K", c.bulk_modulus(), m.K);
@@ -95,8 +90,7 @@ void check_directional_case(Table& table, Draw& draw) {
                         state.stress_v,
                         state.stress_h};
   const At at{table, far_forces,
-              said({{"alpha", alpha}, {"a", a}, {"stress_v", state.stress_v}, {"stress_h", state.stress_h}}),
-              quadrature};
+              said("alpha a stress_v stress_h", {alpha, a, state.stress_v, state.stress_h}), quadrature};
   compare(at, "uniform_strain directional", uniform_strain(state).stiffness,
           static_stiffness(packing, Hypothesis::uniform_strain));
   compare(at, "uniform_stress directional", uniform_stress(state).stiffness,
@@ -188,7 +182,7 @@ void check_kinematic_case(Table& table, Draw& draw) {
   const Real strain_v = v * pow(load, p.alpha / (1 + p.alpha)), strain_h = strain_v * h_over_v;
 
   const At at{table, "strains 0.01 to 100 apart, slope > 0.1",
-              drawn.where + " " + said({{"strain_v", v}, {"strain_v/strain_h", ratio}}), derivative};
+              drawn.where + " " + said("strain_v strain_v/strain_h", {v, ratio}), derivative};
   const auto field = kinematic_force_field(drawn.state);
   at("kinematic_force_field strains", field.strain_v, strain_v);
   at("kinematic_force_field strains", field.strain_h, strain_h);

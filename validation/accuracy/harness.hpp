@@ -80,9 +80,8 @@ class Table {
   std::vector<Row> rows_;
 };
 
-using Named = std::initializer_list<std::pair<const char*, double>>;
-/// "name=value" with six digits.
-std::string said(Named arguments);
+/// "name=value" with six digits, of each of the names.
+std::string said(const std::string& names, std::initializer_list<double> values);
 
 /// Rows of one domain, at some arguments.
 struct At {

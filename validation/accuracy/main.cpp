@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <sstream>
 
 #include <granum/core/text.hpp>
 #include <granum/io/output_file.hpp>
@@ -40,10 +41,12 @@ void Table::take(const std::string& function, const std::string& domain, Reach r
   }
 }
 
-std::string said(Named arguments) {
-  std::string text;
-  for (const auto& [name, value] : arguments)
-    text += (text.empty() ? "" : " ") + std::string(name) + "=" + granum::short_text(value, 6);
+std::string said(const std::string& names, std::initializer_list<double> values) {
+  std::istringstream words(names);
+  std::string text, name;
+  for (const double value : values)
+    if (words >> name)
+      text += (text.empty() ? "" : " ") + name + "=" + granum::short_text(value, 6);
   return text;
 }
 

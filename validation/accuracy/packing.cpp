@@ -84,13 +84,8 @@ PackingCase draw_packing(Draw& draw) {
   drawn.packing = {
       grain.shear_modulus, grain.poisson_ratio,    alpha, profile,    s.tangential_ratio, s.radius,
       s.void_ratio,        *s.coordination_number, a,     s.stress_v, s.stress_h};
-  drawn.where = said({{"alpha", alpha},
-                      {"a", a},
-                      {"r", s.tangential_ratio},
-                      {"stress_v", s.stress_v},
-                      {"stress_h", s.stress_h},
-                      {"R", s.radius},
-                      {"C_n", *s.coordination_number}});
+  drawn.where = said("alpha a r stress_v stress_h R C_n", {alpha, a, s.tangential_ratio, s.stress_v,
+                                                           s.stress_h, s.radius, *s.coordination_number});
   return drawn;
 }
 

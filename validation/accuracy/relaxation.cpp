@@ -41,7 +41,7 @@ void check_factors(Table& table, Draw& draw) {
   const double r = draw.ratio(), b = draw.uniform_or(0, 1, {0.0, 1.0 / 3, 0.5, 1.0});
   const double z = draw.uniform_or(r > 0 ? 3.958 : 6.001, 14, {8.7, 14.0, 1e6});
   const auto factors = granum::effective::relaxation(z, r, b);
-  const At at{table, "z* above isostatic to 14 and 1e6, k_t/k_n 0 to 2", said({{"z", z}, {"r", r}, {"b", b}}),
+  const At at{table, "z* above isostatic to 14 and 1e6, k_t/k_n 0 to 2", said("z r b", {z, r, b}),
               quadrature};
   at("relaxation of G", factors.shear.value, shear_factor(z, r, b));
   at("relaxation of K", factors.bulk.value, bulk_factor(z, r, b));
@@ -79,7 +79,7 @@ void check_relaxed(Table& table, Draw& draw) {
   const auto& c = kernel::stretch_coefficients;
   const Real log_stretch = (1 - G) * (c[0] * log(F33 / F11) + c[1] * b * log(p.stress_v / p.stress_h));
   const Five strained = static_stiffness(p, granum::effective::Hypothesis::uniform_strain);
-  compare({table, "forces 1 to 1e4 apart, a in [-1, 1]", drawn.where + " " + said({{"z", z}}), quadrature},
+  compare({table, "forces 1 to 1e4 apart, a in [-1, 1]", drawn.where + " " + said("z", {z}), quadrature},
           "relaxed", granum::effective::relaxed(drawn.state, z).stiffness,
           relaxed_stiffness(strained, K, G, log_stretch).times(shortened_branches(p)));
 }

@@ -27,13 +27,10 @@ SpherePacking draw_pack(Draw& draw) {
           .pressure = draw.pressure()};
 }
 
-std::string said_of(const SpherePacking& p, Named more) {
-  return said({{"G", p.shear_modulus},
-               {"nu", p.poisson_ratio},
-               {"porosity", p.porosity},
-               {"C_n", p.coordination_number},
-               {"p", p.pressure}}) +
-         " " + said(more);
+std::string said_of(const SpherePacking& p, const std::string& more, std::initializer_list<double> values) {
+  return said("G nu porosity C_n p",
+              {p.shear_modulus, p.poisson_ratio, p.porosity, p.coordination_number, p.pressure}) +
+         " " + said(more, values);
 }
 
 /// C_n times the share of the spheres.
@@ -55,7 +52,7 @@ void take(const At& at, const std::string& function, const auto& found, const Re
 void check_hertz_mindlin(Table& table, SpherePacking p, double share) {
   p.no_slip_fraction = share;
   const Moduli m = hertzian_of(p, share);
-  take({table, "p 1e-300 to 1e12 Pa, C_n to 14", said_of(p, {{"share", share}})}, "hertz_mindlin",
+  take({table, "p 1e-300 to 1e12 Pa, C_n to 14", said_of(p, "share", {share})}, "hertz_mindlin",
        granum::rock_physics::hertz_mindlin(p), m.K, m.G);
 }
 
@@ -75,7 +72,7 @@ void check_digby(Table& table, const SpherePacking& p, double b) {
   const Real nu = p.poisson_ratio, mu = p.shear_modulus, C = contacts_of(p);
   const Real d = cubic_root(Real(b) * b / 2, 3 * pi() * (1 - nu) * p.pressure / (4 * C * mu));
   const Real S_n = 4 * mu * sqrt(d * d + Real(b) * b) / (1 - nu), S_t = 8 * mu * b / (2 - nu);
-  take({table, "b/R 1e-9 to 1, p 1e-300 to 1e12 Pa", said_of(p, {{"b/R", b}})}, "digby",
+  take({table, "b/R 1e-9 to 1, p 1e-300 to 1e12 Pa", said_of(p, "b/R", {b})}, "digby",
        granum::rock_physics::digby({.shear_modulus = p.shear_modulus,
                                     .poisson_ratio = p.poisson_ratio,
                                     .porosity = p.porosity,
@@ -97,7 +94,7 @@ void check_sand(Table& table, const SpherePacking& p, double porosity) {
   const Real nu = p.poisson_ratio, G_s = p.shear_modulus, s = Real(porosity) / p.porosity;
   const Real K_s = 2 * G_s * (1 + nu) / (3 * (1 - 2 * nu));
   const auto [K, G] = hertzian_of(p, 1);
-  const At at{table, "porosity 0.01 to 0.99 of critical", said_of(p, {{"sand", porosity}})};
+  const At at{table, "porosity 0.01 to 0.99 of critical", said_of(p, "sand", {porosity})};
   take(at, "soft_sand", soft_sand(p, porosity), bound(K, K_s, s, 4 * G / 3), bound(G, G_s, s, zeta(K, G)));
   take(at, "stiff_sand", stiff_sand(p, porosity), bound(K, K_s, s, 4 * G_s / 3),
        bound(G, G_s, s, zeta(K_s, G_s)));
@@ -125,7 +122,7 @@ void check_norris_johnson(Table& table, const SpherePacking& p, double e0, doubl
                                                        .hydrostatic_strain = e0,
                                                        .uniaxial_strain = e3})
                      .stiffness;
-  const At at{table, "e0/e3 1e-8 to 1e8", said_of(p, {{"e0", e0}, {"e3", e3}}), stiffness_form};
+  const At at{table, "e0/e3 1e-8 to 1e8", said_of(p, "e0 e3", {e0, e3}), stiffness_form};
   at("norris_johnson", c.C33, five.C33);
   at("norris_johnson", c.C11, five.C11);
   at("norris_johnson", c.C44, five.C44);
@@ -170,13 +167,10 @@ void check_cement(Table& table, Draw& draw, CementScheme scheme, const std::stri
   const Real lambda_n = 2 * Gc * (1 - nu) * (1 - nu_c) / (pi() * G * (1 - 2 * nu_c)),
              lambda_t = Gc / (pi() * G);
   const Real S_n = normal_stiffness(alpha, lambda_n), S_t = shear_stiffness(alpha, lambda_t, nu);
-  const std::string where = said({{"G", p.shear_modulus},
-                                  {"nu", p.poisson_ratio},
-                                  {"G_c", p.cement_shear_modulus},
-                                  {"nu_c", p.cement_poisson_ratio},
-                                  {"porosity", p.porosity},
-                                  {"C_n", p.coordination_number},
-                                  {"S", p.cement_saturation}});
+  const std::string where =
+      said("G nu G_c nu_c porosity C_n S",
+           {p.shear_modulus, p.poisson_ratio, p.cement_shear_modulus, p.cement_poisson_ratio, p.porosity,
+            p.coordination_number, p.cement_saturation});
   At{table, name, where}("cement_radius_ratio", cement_radius_ratio(p, scheme), alpha);
   // The polynomial in alpha is a difference; within the noted range of Lambda it keeps half of its terms.
   if (!(lambda_n > 0.1 && lambda_n < 1.5 && lambda_t > 0.1 && lambda_t < 1.5 && alpha < 1))
@@ -188,7 +182,7 @@ void check_cement(Table& table, Draw& draw, CementScheme scheme, const std::stri
 
 void check_saturation(Table& table, Draw& draw) {
   const double critical = draw.uniform(0.01, 0.99), porosity = critical * draw.uniform(0, 0.999);
-  At{table, "porosity 0 to 0.999 of critical", said({{"critical", critical}, {"porosity", porosity}})}(
+  At{table, "porosity 0 to 0.999 of critical", said("critical porosity", {critical, porosity})}(
       "cement_saturation", granum::rock_physics::cement_saturation(critical, porosity),
       1 - Real(porosity) / Real(critical));
 }
@@ -209,7 +203,7 @@ Real murphy(const Real& phi) {
 void check_relations(Table& table, Draw& draw) {
   const double porosity = draw.uniform_or(0.2, 0.7, {0.2, 0.7, 0.25, 0.3, 0.35});
   const Real phi = porosity;
-  const At at{table, "porosity 0.2 to 0.7", said({{"porosity", porosity}})};
+  const At at{table, "porosity 0.2 to 0.7", said("porosity", {porosity})};
   const auto found = [&](CoordinationRelation which) {
     return granum::rock_physics::coordination_number(porosity, which);
   };
@@ -240,7 +234,7 @@ Real jenkins(const Real& k) {
 
 void check_jenkins(Table& table, Draw& draw) {
   const double k = draw.uniform_or(5.1, 11, {6.0, 11.0});
-  At{table, "k in [5.1, 11], of 1", said({{"k", k}}), quadrature}.of(
+  At{table, "k in [5.1, 11], of 1", said("k", {k}), quadrature}.of(
       1, "jenkins_shear_factor", granum::rock_physics::jenkins_shear_factor(k), jenkins(k));
 }
 
@@ -257,13 +251,10 @@ void check_walton(Table& table, Draw& draw) {
   const Real r = no_slip_ratio(nu, p.no_slip_fraction);
   const Real M = 3 * Real(p.coordination_number) * (1 - Real(p.porosity)) * Real(p.shear_modulus) * sqrt(e) /
                  (pi() * (1 - nu));
-  const At at{table, "e3 1e-300 to 0.9, smooth to rough",
-              said({{"G", p.shear_modulus},
-                    {"nu", p.poisson_ratio},
-                    {"porosity", p.porosity},
-                    {"C_n", p.coordination_number},
-                    {"e3", p.uniaxial_strain},
-                    {"share", p.no_slip_fraction}})};
+  const At at{
+      table, "e3 1e-300 to 0.9, smooth to rough",
+      said("G nu porosity C_n e3 share", {p.shear_modulus, p.poisson_ratio, p.porosity, p.coordination_number,
+                                          p.uniaxial_strain, p.no_slip_fraction})};
   const auto c = walton_uniaxial(p).stiffness;
   const auto stress = walton_uniaxial_stress(p);
   const Real C11 = M * (1 + r) / 16, vertical = M * e * (2 + r) / 18;
@@ -298,16 +289,11 @@ void check_batch(Table& table, Draw& draw) {
   const std::string domain = "spheres, p 0 and 1e-300 to 1e12 Pa";
   for (std::size_t k = 0; k < rows; ++k) {
     const Moduli m = hertzian(grain, Real(C[k]) * (1 - Real(porosity[k])), p[k], r);
-    const At at{table, domain,
-                said({{"p", p[k]},
-                      {"C_n", C[k]},
-                      {"porosity", porosity[k]},
-                      {"r", r},
-                      {"R", R},
-                      {"G", grain.shear_modulus},
-                      {"nu", grain.poisson_ratio},
-                      {"failed", static_cast<double>(report.failed)}}),
-                stiffness_form};
+    const At at{
+        table, domain,
+        said("p C_n porosity r R G nu failed", {p[k], C[k], porosity[k], r, R, grain.shear_modulus,
+                                                grain.poisson_ratio, static_cast<double>(report.failed)}),
+        stiffness_form};
     at("batch uniform_strain K", K[k], m.K);
     at("batch uniform_strain G", G[k], m.G);
   }
@@ -320,13 +306,7 @@ void check_batch(Table& table, Draw& draw) {
                                                              .pressure = p[0]});
   const Moduli m = hertzian(grain, Real(C[0]) / (1 + Real(e)), p[0], r);
   const At at{table, domain,
-              said({{"p", p[0]},
-                    {"C_n", C[0]},
-                    {"e", e},
-                    {"r", r},
-                    {"R", R},
-                    {"G", grain.shear_modulus},
-                    {"nu", grain.poisson_ratio}})};
+              said("p C_n e r R G nu", {p[0], C[0], e, r, R, grain.shear_modulus, grain.poisson_ratio})};
   at("uniform_strain_moduli", one.bulk_modulus, m.K);
   at("uniform_strain_moduli", one.shear_modulus, m.G);
 }

@@ -153,7 +153,7 @@ void check_mandel(Table& table, Draw& draw, const VoigtStiffness& c) {
   const granum::elastic::Matrix6 back = granum::elastic::voigt(m).matrix;
   Real6::each([&](int i, int j) { any("voigt(mandel(Voigt))", back(i, j), c.matrix(i, j)); });
   const granum::Mat3 R = draw_rotation(draw);
-  const At at{table, domain, said({{"R11", R(0, 0)}, {"R22", R(1, 1)}, {"R33", R(2, 2)}})};
+  const At at{table, domain, said("R11 R22 R33", {R(0, 0), R(1, 1), R(2, 2)})};
   compare_entries(at, "rotate (of largest)", rotate(c, R).matrix,
                   turned(exact<Real6>(c.matrix), exact<Real3>(R)));
   VoigtStiffness skew = c;

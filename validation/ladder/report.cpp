@@ -21,8 +21,7 @@ using ladder::Row;
 
 // ---- rows that belong together ----
 
-using Filter = std::function<bool(const Row&)>;
-
+template <class Filter>
 std::vector<Row> select(const std::vector<Row>& rows, const Filter& filter) {
   std::vector<Row> chosen;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen), filter);
@@ -87,18 +86,13 @@ constexpr Rung rungs[] = {
 
 struct Kind {
   const char* name;
-  Filter has;
+  bool (*has)(const Row&);
 };
-
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all{
-      {"dense", [](const Row& r) { return r.specimen.preparation == "dense"; }},
-      {"loose",
-       [](const Row& r) { return r.specimen.preparation == "loose" && r.specimen.stress_ratio == 0; }},
-      {"loose, sheared", [](const Row& r) { return r.specimen.stress_ratio != 0; }},
-  };
-  return all;
-}
+constexpr Kind kinds[] = {
+    {"dense", [](const Row& r) { return r.specimen.preparation == "dense"; }},
+    {"loose", [](const Row& r) { return r.specimen.preparation == "loose" && r.specimen.stress_ratio == 0; }},
+    {"loose, sheared", [](const Row& r) { return r.specimen.stress_ratio != 0; }},
+};
 
 std::string error_cell(const std::vector<Row>& rows) {
   if (rows.empty())
@@ -117,17 +111,16 @@ std::string time_text(double seconds) {
   return short_text(value < 100 ? value : 10 * std::round(value / 10), value < 100 ? 2 : 4) + symbol;
 }
 
-std::vector<std::string> summary(const std::vector<Row>& rows) {
-  std::vector<std::string> lines{"| rung | knows | dense | loose | loose, sheared | one evaluation |",
-                                 "| --- | --- | --- | --- | --- | --- |"};
+void print_summary(const std::vector<Row>& rows) {
+  std::printf("| rung | knows | dense | loose | loose, sheared | one evaluation |\n"
+              "| --- | --- | --- | --- | --- | --- |\n");
   for (const Rung& rung : rungs) {
     const std::vector<Row> own = of_rung(rows, rung.number, rung.known);
-    std::string line = std::string("| ") + rung.title + " | " + rung.inputs;
-    for (const Kind& kind : kinds())
-      line += " | " + (rung.number == 4 ? "reference" : error_cell(select(own, kind.has)));
-    lines.push_back(line + " | " + time_text(median(each(own, cost))) + " |");
+    std::printf("| %s | %s", rung.title, rung.inputs);
+    for (const Kind& kind : kinds)
+      std::printf(" | %s", rung.number == 4 ? "reference" : error_cell(select(own, kind.has)).c_str());
+    std::printf(" | %s |\n", time_text(median(each(own, cost))).c_str());
   }
-  return lines;
 }
 
 // ---- the picture ----
@@ -153,7 +146,7 @@ plot::Chart panel(const std::string& title) {
 
 plot::Chart closed_forms(const std::vector<Row>& rows) {
   plot::Chart picture = panel("Closed forms");
-  for (const Kind& kind : {kinds()[0], kinds()[1]}) {
+  for (const Kind& kind : {kinds[0], kinds[1]}) {
     plot::Series line{.name = std::string("stated error, ") + kind.name,
                       .mark = plot::Mark::line,
                       .style = picture.series.size(),
@@ -327,11 +320,7 @@ int main(int argc, char** argv) {
              check_calibration_packings(claims, files[1]);
              return claims.exit_code();
            }},
-          {"lines", "table.csv",
-           [](const Arguments& files) {
-             for (const std::string& line : summary(ladder::read(files[0])))
-               std::printf("%s\n", line.c_str());
-           }},
+          {"lines", "table.csv", [](const Arguments& files) { print_summary(ladder::read(files[0])); }},
           {"picture", "table.csv",
            [](const Arguments& files) {
              // Two panels: between a microsecond and a hundredth of a second there is nothing.

@@ -83,16 +83,12 @@ Fit fit(const std::vector<Row>& data) {
   return best;
 }
 
-int failures = 0;
-
-void claim(bool holds, const char* what, double value, double reach) {
-  std::printf("%-66s %.2e (%.0e) %s\n", what, value, reach, holds ? "" : "FAILS");
-  failures += holds ? 0 : 1;
-}
-void at_most(const char* what, double value, double reach) { claim(value <= reach, what, value, reach); }
-
 int check(const std::vector<Row>& data) {
-  claim(data.size() == rows, "all rows are recorded", 0, 0);
+  Claims claims;
+  const auto at_most = [&](const char* what, double value, double reach) {
+    claims.require(value <= reach, granum::detail::formatted("%-66s %.2e (%.0e)", what, value, reach));
+  };
+  claims.require(data.size() == rows, "all rows are recorded");
   double solved = 0, refined = 0, of_library = 0, least = 1, most = 0;
   bool falls = true, b_falls = true;
   double last_b = 1;
@@ -115,9 +111,10 @@ int check(const std::vector<Row>& data) {
   }
   at_most("solved again, against the record", solved, 1e-9);
   at_most("on twice as fine panels", refined, 1e-9);
-  claim(falls && b_falls, "Phi falls with X and b rises with it, in the record", 0, 0);
-  claim(least > 1.0 / 3 && most < 1, "b of the record stays between 1/3 and 1: least above 1/3",
-        least - 1.0 / 3, 0);
+  claims.require(falls && b_falls, "Phi falls with X and b rises with it, in the record");
+  claims.require(least > 1.0 / 3 && most < 1,
+                 granum::detail::formatted("b of the record stays between 1/3 and 1: least above 1/3 by %.2e",
+                                           least - 1.0 / 3));
   // Limits: Phi = 1 - X/3 and Phi = 1/(X + sqrt(3/(2 pi X))), each with an error of the next order.
   const double smooth = (1 / stiffness_over_hertz(3e-4, fineness) - 1) / 3e-4;
   at_most("little roughness: (1/Phi - 1)/X at X = 3e-4 from 1/3", std::abs(3 * smooth - 1), 1e-3);
@@ -128,7 +125,7 @@ int check(const std::vector<Row>& data) {
               fitted.numbers[2], fitted.worst);
   at_most("the library's formula against the record", of_library, 2e-4);
   at_most("its largest error over that of the fit, less 1", std::abs(of_library / fitted.worst - 1), 0.02);
-  return failures == 0 ? 0 : 1;
+  return claims.exit_code();
 }
 
 } // namespace
