@@ -99,18 +99,20 @@ TEST_CASE("packing files: CSV and VTK of spheres, and unknown files") {
 }
 
 TEST_CASE("packing files: the chain out of every format, files in any order") {
-  const std::tuple<std::vector<std::string>, double, double> chains[] = {
-      {{"lammps_chain.atoms", "lammps_chain.contacts"}, 1e-9, 1e-7},
-      {{"lammps_chain.contacts", "lammps_chain.atoms"}, 1e-9, 1e-7},
-      {{"mercury_chain.data", "mercury_chain.fstat"}, 1e-9, 1e-7},
-      {{"yade_chain.vtp", "yade_chain.vtu"}, 3e-9, 1e-2},
-      {{"yade_script.contacts", "yade_script.grains"}, 1e-9, 1e-7}};
-  for (const auto& [names, of_forces, of_overlaps] : chains) {
-    INFO(names[0]);
-    PackingFiles files(data(names));
+  const struct {
+    std::vector<std::string> names;
+    double of_forces, of_overlaps; ///< relative errors
+  } chains[] = {{{"lammps_chain.atoms", "lammps_chain.contacts"}, 1e-9, 1e-7},
+                {{"lammps_chain.contacts", "lammps_chain.atoms"}, 1e-9, 1e-7},
+                {{"mercury_chain.data", "mercury_chain.fstat"}, 1e-9, 1e-7},
+                {{"yade_chain.vtp", "yade_chain.vtu"}, 3e-9, 1e-2},
+                {{"yade_script.contacts", "yade_script.grains"}, 1e-9, 1e-7}};
+  for (const auto& chain : chains) {
+    INFO(chain.names[0]);
+    PackingFiles files(data(chain.names));
     const auto packing = files.next();
     REQUIRE(packing);
-    check_chain(*packing, of_forces, of_overlaps);
+    check_chain(*packing, chain.of_forces, chain.of_overlaps);
   }
 }
 

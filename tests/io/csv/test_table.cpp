@@ -138,10 +138,10 @@ TEST_CASE("a mark that may separate thousands is refused if it is not the decima
   struct Rows {
     char point, other, separator;
   };
-  for (const auto& [point, other, separator] : {Rows{',', '.', ';'}, {'.', ',', ';'}, {'.', ',', '\t'}}) {
+  for (const Rows& rows : {Rows{',', '.', ';'}, {'.', ',', ';'}, {'.', ',', '\t'}}) {
     const auto table = [&](std::string text) { // written with decimal commas, and points that separate
       for (char& c : text)
-        c = c == ',' ? point : c == '.' ? other : c == ';' ? separator : c;
+        c = c == ',' ? rows.point : c == '.' ? rows.other : c == ';' ? rows.separator : c;
       return text;
     };
     for (const char* number : {"1.500", "-12.000", "+999.999", "\"1.500\""}) {
