@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # All tests, from nothing: sets the machine up, then formatting, the unit tests under the sanitizers, what the page
 # leaves out of the libraries by clang with libc++, every test of the release build with warnings as errors, and the
-# page in a browser, where the system offers what that needs. Each step runs even where an earlier one failed; exit
-# code 1 if any did.
+# page, its module of WebAssembly and then in a browser, where the system offers what that needs. Each step runs even
+# where an earlier one failed; exit code 1 if any did.
 set -uo pipefail
 export PATH # bash supplies one where the environment has none; cmake needs to see it
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" || exit 1
@@ -28,22 +28,22 @@ export CMAKE_BUILD_PARALLEL_LEVEL=$((half > 2 ? half : 2))
 {
   step sanitizers cmake --workflow --preset sanitize
   step clang cmake --workflow --preset clang-libraries
+  [ ! "$web" ] || step module cmake --workflow --preset web
 } >build/test-aside.log &
 
 step formatting scripts/format.sh --check
 step tests cmake --workflow --preset ci
-if [ "$web" ]; then
-  step page web/test.sh
-fi
 wait
 cat build/test-aside.log
-if [ ! "$web" ]; then
+if [ "$web" ]; then
+  step page web/test.sh
+else
   step engine cmake --build --preset clang-libraries --target granum_dem # what the page's compiler would check
   echo "left out: what it needs is missing, as said above" >build/test-page.verdict
 fi
 
 printf '\n===== summary\n'
-for name in formatting sanitizers clang engine tests page; do
+for name in formatting sanitizers clang engine tests module page; do
   [ -e "build/test-$name.verdict" ] || continue
   printf '%-10s  %s\n' "$name" "$(<"build/test-$name.verdict")"
   # ctest's own words: what failed, and how many
