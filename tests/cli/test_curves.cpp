@@ -165,9 +165,10 @@ TEST_CASE("sweeps: weights below each layer's water, names of equal curves, dept
   REQUIRE(layered.size() == 2);
   CHECK(layered[0].at("untWt") == 17); // above the water
   CHECK(layered[1].at("untWt") == 20);
-  const nlohmann::json alike =
-      nlohmann::json::parse(swept({"--table", written("e,C_u,p_kPa\n0.7,2,100\n0.7,2,100\n0.7,2,100\n"),
-                                   "--strain", "0.0001%..1%", "--for", "strata"}));
+  const nlohmann::json alike = // at depths of one text
+      nlohmann::json::parse(
+          swept({"--void-ratio", "0.7", "--unit-weight", "16kN/m3", "--depth", "5m..5.00001m", "--points",
+                 "3", "--strain", "0.0001%..1%", "--for", "strata"}));
   std::set<std::string> names;
   for (const nlohmann::json& curve : alike)
     names.insert(curve.at("name").get<std::string>());

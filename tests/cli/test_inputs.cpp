@@ -236,6 +236,18 @@ TEST_CASE("inputs: of two headings of one input the first is read, and others ar
   CHECK(remarks("strain_percent\n0.01\n").first.number(Input::shear_strain) == 1e-4);
 }
 
+TEST_CASE("inputs: two columns of one input are refused by their places") {
+  const io::CsvTable table("rows.csv", "note,e,p_kPa,void_ratio\nx,0.6,100,0.7\n");
+  const InputValues given;
+  InputColumns columns(table, given);
+  try {
+    columns.bind_packing();
+    FAIL("both are read");
+  } catch (const FileError& error) {
+    CHECK(std::string(error.what()).find("columns 2 and 4,") != std::string::npos);
+  }
+}
+
 TEST_CASE("inputs: gamma is a strain without a unit, and no strain with the unit of a weight") {
   const InputValues given;
   for (const auto& [text, strain] :

@@ -24,9 +24,11 @@ Question of_sand(double void_ratio, const sands::Sand& sand = limited) {
 }
 
 /// The name of the number that is refused; "" if the question is answered.
-std::string refused(const Question& q) {
+void usual_answer(const Question& q) { (void)estimate::answer(q); }
+
+std::string refused(const Question& q, void (*answered)(const Question&) = usual_answer) {
   try {
-    (void)estimate::answer(q);
+    answered(q);
     return "";
   } catch (const InvalidArgument& error) {
     return error.refused() ? error.refused()->name : "?";
@@ -162,14 +164,15 @@ TEST_CASE("question: stresses that no friction can hold are refused, those of no
 
 TEST_CASE("question: what a deviation leads to is refused where no packing has it") {
   using Change = void (*)(Question&);
-  for (const Change change :
-       {Change{[](Question& q) { q.grain_density = -1; }}, Change{[](Question& q) { q.saturation = 1.01; }},
-        Change{[](Question& q) { q.shear_strain = 1e-4; }},
-        Change{[](Question& q) { q.sand.uniformity = 4.01; }}}) {
+  for (const auto& [change, name] :
+       {std::pair{Change{[](Question& q) { q.grain_density = -1; }}, "grain_density"},
+        {[](Question& q) { q.saturation = 1.01; }, "saturation"},
+        {[](Question& q) { q.shear_strain = 1e-4; }, "shear_strain"},
+        {[](Question& q) { q.sand.uniformity = 4.01; }, "uniformity"}}) {
     Question q = test::grains_of(2, 0, 100e3, 100e3);
     CHECK_NOTHROW((void)estimate::possible_answer(q));
     change(q);
-    CHECK_THROWS_AS((void)estimate::possible_answer(q), InvalidArgument);
+    CHECK(refused(q, [](const Question& one) { (void)estimate::possible_answer(one); }) == name);
   }
   Question weightless = test::grains_of(2, 0, 100e3, 100e3);
   weightless.grain_density.reset();
