@@ -142,7 +142,13 @@ TEST_CASE("stored results of a frozen state are consistent: probes, cycles, hist
 }
 
 TEST_CASE("an experiment is the same bits on two threads, from its checkpoints, and stopped repeatedly") {
-  const Experiment one = run_experiment(small_scene());
+  double done = 0; // no work is counted twice, and none is left
+  const auto count = [&](const Progress& progress) {
+    CHECK(progress.done >= done);
+    done = progress.done;
+  };
+  const Experiment one = run_experiment(small_scene(), {.report = count});
+  CHECK(done == relative(1, 1e-12));
   Scene scene = small_scene();
   scene.study.threads = 2;
   const TemporaryFolder whole, parts;
