@@ -25,11 +25,14 @@ step() {
 # Two rows of steps side by side, each with half of the cores: one works while the other waits for a link or a long test.
 half=$((($(nproc) + 1) / 2))
 export CMAKE_BUILD_PARALLEL_LEVEL=$((half > 2 ? half : 2))
+set -m # a group of its own, which ends with this script
 {
   step sanitizers cmake --workflow --preset sanitize
   step clang cmake --workflow --preset clang-libraries
   [ ! "$web" ] || step module cmake --workflow --preset web
 } >build/test-aside.log &
+set +m
+trap 'kill -- "-$!" 2>/dev/null' EXIT
 
 step formatting scripts/format.sh --check
 step tests cmake --workflow --preset ci
