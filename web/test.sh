@@ -12,12 +12,12 @@ cd web/tests
 # Runners side by side, for node starts the files of one in turn where there are two cores.
 logs=$(mktemp -d)
 trap 'rm -rf "$logs"' EXIT
-for part in numbers texts drawings firefox pictures; do
+for part in devices numbers texts drawings firefox pictures; do
   node --test "$part.test.mjs" >"$logs/$part" 2>&1 &
 done
 code=0
-node --test page.test.mjs devices.test.mjs || code=$?
-for _ in numbers texts drawings firefox pictures; do
+node --test page.test.mjs || code=$?
+for _ in devices numbers texts drawings firefox pictures; do
   wait -n || code=$?
 done
 cat "$logs"/*
