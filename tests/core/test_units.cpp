@@ -31,6 +31,8 @@ TEST_CASE("quantities come in as SI, in units that engineers write by their defi
       {"26.5deg", Dimension::angle, 26.5 * std::numbers::pi / 180},
       {"2650kg/m3", Dimension::density, 2650},
       {"20us", Dimension::time, 20e-6},
+      {"3ms", Dimension::time, 3e-3},
+      {"7ns", Dimension::time, 7e-9},
       {"3mN", Dimension::force, 3e-3},
       {"0.25km/s", Dimension::speed, 250},
       {"0.6", Dimension::dimensionless, 0.6},

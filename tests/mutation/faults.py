@@ -217,7 +217,8 @@ def commands(options):
 RUNS = {"analyse": "rows, analyse|packing_files", "document": "rows, (answer|estimate|export|sands)|sand_pictures",
         "frame": "rows, (program|sweep|fit|people)|screens", "sweep": "rows, (sweep|depth|curves)|written_tables",
         "estimate": "rows, (answer|estimate|sands)|answers", "options": "rows, (people|units|scene|sands)|columns",
-        "infer": "rows, infer|columns", "plan": "rows, verify", "reference": "screens", "trade": "rows, trade|studies"}
+        "export": "studies|screens", "infer": "rows, infer|columns|written_tables", "plan": "rows, verify",
+        "reference": "screens", "trade": "rows, trade|studies"}
 RUNS["all"] = "|".join([*RUNS.values(), "rows, (reproduce|verify)"])
 
 
