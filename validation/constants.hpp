@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of fits, of which headers of the library (src/effective) hold printed copies.
+// Numbers of fits: headers of the library (src/effective) hold printed copies.
 #pragma once
 
 #include <algorithm>

@@ -182,7 +182,7 @@ class Lines {
     if (row.positional())
       return;
     const std::string name = long_name(row);
-    // Files are for test_exit_codes.py; the others print something else, or stand there already.
+    // Files are for test_exit_codes.py; the others print something else, or are there already.
     for (const char* other : {"--out", "--picture", "--scene", "--force", "--help", "--version", "--table",
                               "--sieve", "--column-map", "--paraview", "--json", "--points", "--material",
                               "--window", "--box", "--stress", "--depth", "--set"})

@@ -52,7 +52,7 @@ inline constexpr std::array movable_inputs{
 };
 
 /// A number of what is known; -1 of what is not.
-inline void tell(RandomQuestion& asked, const std::string& name, double value) {
+inline void describe(RandomQuestion& asked, const std::string& name, double value) {
   asked.text += name + " " + exact_text(value) + "; ";
 }
 
@@ -68,9 +68,9 @@ inline void know_contacts(Random& random, RandomQuestion& asked, const Sample& s
     q.rattler_fraction = random.one_in(4)   ? 0
                          : random.one_in(4) ? 1 - random.decades(-12, 0)
                                             : random.between(0, 0.3);
-  tell(asked, "C_n", q.state.coordination_number.value_or(-1));
-  tell(asked, "z*", q.state.mechanical_coordination_number.value_or(-1));
-  tell(asked, "x_0", q.rattler_fraction.value_or(-1));
+  describe(asked, "C_n", q.state.coordination_number.value_or(-1));
+  describe(asked, "z*", q.state.mechanical_coordination_number.value_or(-1));
+  describe(asked, "x_0", q.rattler_fraction.value_or(-1));
 }
 
 inline void prepare_and_fill(Random& random, RandomQuestion& asked) {
@@ -84,17 +84,17 @@ inline void prepare_and_fill(Random& random, RandomQuestion& asked) {
     q.grain_density = random.one_in(3) ? random.decades(-20, 20) : random.between(1000, 8000);
   if (random.one_in(2))
     q.saturation = random.one_in(2) ? 1 : random.one_in(2) ? random.decades(-12, 0) : random.between(0, 1);
-  tell(asked, "preparation", static_cast<double>(q.preparation.kind));
-  tell(asked, "friction", q.preparation.friction_coefficient);
-  tell(asked, "grain density", q.grain_density.value_or(0));
-  tell(asked, "saturation", q.saturation);
+  describe(asked, "preparation", static_cast<double>(q.preparation.kind));
+  describe(asked, "friction", q.preparation.friction_coefficient);
+  describe(asked, "grain density", q.grain_density.value_or(0));
+  describe(asked, "saturation", q.saturation);
 }
 
 inline void doubt(Random& random, RandomQuestion& asked) {
   const MovableInput& input = movable_inputs[random.below(movable_inputs.size())];
   const double value = input.value(asked.question);
   const double deviation = random.one_in(8) ? 0 : (value != 0 ? std::abs(value) : 1) * random.decades(-9, 3);
-  tell(asked, std::string("deviation of ") + input.name, deviation);
+  describe(asked, std::string("deviation of ") + input.name, deviation);
   asked.inputs.push_back({.input = input.name,
                           .deviation = deviation,
                           .assumed = random.one_in(2),

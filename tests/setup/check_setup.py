@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """scripts/setup.sh on systems that are made up:  check_setup.py <source tree> <scratch folder>
 
-A folder of stand-ins for dpkg-query, apt-get, apt-cache and id, which read what is installed and offered from files and note what
+A folder of substitutes for dpkg-query, apt-get, apt-cache and id, which read what is installed and offered from files and note what
 they were asked.
 """
 

@@ -40,7 +40,7 @@ void scale_G(CompressedState& state, double factor) {
   test::set_network(state, state.network().bulk_modulus(), factor * state.network().shear_modulus());
 }
 
-/// A study of which every claim holds, its 8 states on one curve of z*, 1 + z/50 + z^2/100 - z^3/200, and
+/// A study whose claims all hold, its 8 states on one curve of z*, 1 + z/50 + z^2/100 - z^3/200, and
 /// off it by the seventh difference of equidistant points, which is orthogonal to every cubic: of the squares
 /// of 1, -7, 21, -35, 35, ... the root of the mean is sqrt(C(14,7)/8) = sqrt(429).
 std::vector<SpecimenResult> sound_study(double dense_s = 1.0 / 3, double loose_s = 0.5, double rms = 0) {

@@ -113,7 +113,7 @@ struct Predictions {
   Errors all;
   std::map<std::string, Errors> in_stated; ///< of each specimen, over the stated errors
 
-  /// Share of the specimens of which the root mean square is at most two.
+  /// Share of the specimens whose root mean square is at most two.
   [[nodiscard]] double specimens_within_two() const {
     const auto within = std::ranges::count_if(in_stated, [](const auto& s) { return s.second.rms() <= 2; });
     return static_cast<double>(within) / static_cast<double>(in_stated.size());

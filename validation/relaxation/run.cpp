@@ -176,7 +176,7 @@ Row key(const Shape& shape, const Preparation& preparation, std::uint64_t seed, 
   return row;
 }
 
-/// What is recorded: of which preparations and seeds.
+/// What is recorded, by preparation and seed.
 struct Kind {
   std::vector<Preparation> (*preparations)();
   std::vector<std::uint64_t> rounds; // the third seed is never fitted

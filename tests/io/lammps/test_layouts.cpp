@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The orders in which people ask compute pair/local for its values, told apart by the values themselves; and
+// The orders in which people ask compute pair/local for its values, known by the values themselves; and
 // the contacts with walls that fix wall/gran writes. The packing rests in a box under its weight: what its
 // contacts leave on each grain is the weight of that grain.
 #include <granum/core/text.hpp>
@@ -65,7 +65,7 @@ void check_normal_forces(const ImportedPacking& packing, const ImportedPacking& 
           relative(expected.assembly.contacts[k].normal_force, 1e-12));
 }
 
-std::string told(const ImportedPacking& packing) {
+std::string read_as(const ImportedPacking& packing) {
   for (const ImportNote& note : packing.notes)
     if (note.finding == Finding::columns_told)
       return note.text;
@@ -83,7 +83,7 @@ constexpr double weight = 2650.0 * 4 / 3 * std::numbers::pi * 0.5e-3 * 0.5e-3 * 
 TEST_CASE("LAMMPS layouts: every usual order of values gives the packing that a column map gives") {
   const ImportedPacking by_map = read(contacts_with(all), whole_map);
   REQUIRE(by_map.assembly.contacts.size() == 91);
-  CHECK(told(by_map).empty());
+  CHECK(read_as(by_map).empty());
   for (const std::string values :
        {"dist force fx fy fz p1 p2 p3", "dist force fx fy fz p1 p2 p3 p4", "force fx fy fz p1 p2 p3 p4",
         "dist force p1 p2 p3 p4", "force p1 p2 p3 p4", "dist 0 force fx fy fz p1 p2 p3 p4",
@@ -93,7 +93,7 @@ TEST_CASE("LAMMPS layouts: every usual order of values gives the packing that a 
     CAPTURE(values);
     const ImportedPacking packing = read(contacts_with(values));
     CHECK(packing.assembly == by_map.assembly);
-    CHECK_FALSE(told(packing).empty());
+    CHECK_FALSE(read_as(packing).empty());
     CHECK_FALSE(packing.has(Finding::tangential_unknown));
     CHECK(packing.has(Finding::forces_swapped) == (values == "dist force p1 p2 p3 fx fy fz"));
   }
@@ -114,11 +114,12 @@ TEST_CASE("LAMMPS layouts: every usual order of values gives the packing that a 
 }
 
 TEST_CASE("LAMMPS layouts: reported with the columns, six digits, several computes, ids behind the values") {
-  CHECK(told(read(contacts_with("dist force"))).find("c_p[1] to c_p[2] as dist force") != std::string::npos);
-  CHECK(told(read(contacts_with("fx fy fz p1 p2 p3 p4"))).find("c_p[1] to c_p[7] as fx fy fz p1 to p4") !=
+  CHECK(read_as(read(contacts_with("dist force"))).find("c_p[1] to c_p[2] as dist force") !=
+        std::string::npos);
+  CHECK(read_as(read(contacts_with("fx fy fz p1 p2 p3 p4"))).find("c_p[1] to c_p[7] as fx fy fz p1 to p4") !=
         std::string::npos);
   const ImportedPacking rounded = read(contacts_with("dist force fx fy fz p1 p2 p3 p4", 6));
-  CHECK(told(rounded).find("dist force fx fy fz p1 to p4") != std::string::npos);
+  CHECK(read_as(rounded).find("dist force fx fy fz p1 to p4") != std::string::npos);
   std::string apart = contacts_with("dist force fx fy fz p1 p2 p3 p4");
   apart = with(apart, "c_p[1] c_p[2] c_p[3]", "c_d c_f[1] c_f[2]");
   for (int k = 4; k <= 9; ++k)
@@ -126,7 +127,7 @@ TEST_CASE("LAMMPS layouts: reported with the columns, six digits, several comput
   CHECK(read(apart).assembly == read(contacts_with(all), whole_map).assembly);
   std::string behind = contacts_with("force id1 id2");
   behind = with(behind, "c_ids[1] c_ids[2] c_p[1] c_p[2] c_p[3]", "q r c_f c_i[1] c_i[2]");
-  CHECK(told(read(behind)).find("c_f as force") != std::string::npos);
+  CHECK(read_as(read(behind)).find("c_f as force") != std::string::npos);
 }
 
 TEST_CASE("LAMMPS layouts: values of an unknown order are refused, with the option for a map") {
@@ -158,8 +159,8 @@ TEST_CASE(
   // the last three of twelve granular ones are the place of grain 1 from grain 2, of this sign
   const std::string granular = "0.002 8.9442719e-4 1.78885438e-3 0 0 0 0 0 0 0 0 0 0 ",
                     place = "4.4721359e-4 8.9442719e-4 0";
-  CHECK(told(first_of(lammps_dump_format, two, one(16, granular + place))).find("force fx fy fz p1 to p12") !=
-        std::string::npos);
+  CHECK(read_as(first_of(lammps_dump_format, two, one(16, granular + place)))
+            .find("force fx fy fz p1 to p12") != std::string::npos);
   CHECK(refusal_of(lammps_dump_format, two, one(16, granular + "-4.4721359e-4 -8.9442719e-4 0")) != "");
   const std::string message = refusal_of(lammps_dump_format, two, one(6, "0.001 0.002 0 0 0 0"));
   for (const char* map : {"dist force p1 to p4", "id1=c_i[1],id2=c_i[2],force=c_p[2],ftx=c_p[3]",
