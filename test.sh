@@ -9,7 +9,6 @@ export PATH # bash supplies one where the environment has none; cmake needs to s
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" || exit 1
 
 scripts/setup.sh test || exit
-scripts/setup.sh web && web=there || web=
 mkdir -p build
 rm -f build/test-*.{log,verdict}
 
@@ -22,31 +21,35 @@ step() {
   echo "$outcome in $((SECONDS - start)) s" >"build/test-$name.verdict"
 }
 
-# Two rows of steps side by side, each with half of the cores: one works while the other waits for a link or a long test.
+# Two rows of steps side by side, each with half of the cores: one works while the other waits for a download, a link, a
+# browser or a long test. The page is compared with the program that the other row builds.
 half=$((($(nproc) + 1) / 2))
 export CMAKE_BUILD_PARALLEL_LEVEL=$((half > 2 ? half : 2))
 set -m # a group of its own, which ends with this script
 {
+  scripts/setup.sh web && web=there || web=
   step sanitizers cmake --workflow --preset sanitize
   step clang cmake --workflow --preset clang-libraries
-  [ ! "$web" ] || step module cmake --workflow --preset web
-} >build/test-aside.log &
+  if [ "$web" ]; then
+    step module cmake --workflow --preset web
+    until [ -e build/test-build.verdict ]; do sleep 1; done
+    step page web/test.sh
+  else
+    step engine cmake --build --preset clang-libraries --target granum_dem # what the page's compiler would check
+    echo "left out: what it needs is missing, as said above" >build/test-page.verdict
+  fi
+} >build/test-aside.log 2>&1 &
 set +m
 trap 'kill -- "-$!" 2>/dev/null' EXIT
 
 step formatting scripts/format.sh --check
-step tests cmake --workflow --preset ci
+step build bash -c 'cmake --preset ci && cmake --build --preset ci'
+step tests ctest --preset ci
 wait
 cat build/test-aside.log
-if [ "$web" ]; then
-  step page web/test.sh
-else
-  step engine cmake --build --preset clang-libraries --target granum_dem # what the page's compiler would check
-  echo "left out: what it needs is missing, as said above" >build/test-page.verdict
-fi
 
 printf '\n===== summary\n'
-for name in formatting sanitizers clang engine tests module page; do
+for name in formatting sanitizers clang engine build tests module page; do
   [ -e "build/test-$name.verdict" ] || continue
   printf '%-10s  %s\n' "$name" "$(<"build/test-$name.verdict")"
   # ctest's own words: what failed, and how many

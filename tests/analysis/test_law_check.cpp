@@ -80,6 +80,18 @@ TEST_CASE("law check: the coefficient shows another material, the misfit another
   CHECK(wrong.alpha->value == relative(1, 1e-11)); // of the forces, not of the law they are compared with
 }
 
+TEST_CASE("law check: median and the 90 % of four forces lie between them in proportion") {
+  packing::Assembly a = contacts_of(PowerLaw::sphere);
+  a.contacts.resize(4);
+  for (std::size_t k = 0; k < 4; ++k) // over 2.5: off by 0.6, 0.2, 0.2 and 1.4
+    a.contacts[k].normal_force *= std::array{1, 3, 2, 6}[k];
+  const analysis::LawCheck check = check_law(a, PowerLaw::sphere, grain);
+  CHECK(check.coefficient_ratio.value() == relative(2.5, 1e-14));
+  CHECK(check.median_misfit == relative(0.4, 1e-14));
+  CHECK(check.misfit_90 == relative(0.6 + 0.7 * 0.8, 1e-14));
+  CHECK(check.worst_misfit == relative(1.4, 1e-14));
+}
+
 TEST_CASE("law check: scatter gives an error that covers the truth, and outliers do not count") {
   packing::Assembly a = contacts_of(PowerLaw::sphere, 0.1);
   const analysis::LawCheck noisy = check_law(a, PowerLaw::sphere, grain);

@@ -103,9 +103,9 @@ TEST_CASE("each text that is no quantity is refused by the name of the argument,
     Dimension dimension;
     std::vector<const char*> hints;
   } all[] = {{"0,6", Dimension::dimensionless, {"0.6"}}, // a decimal comma
-             {"1,5kPa", Dimension::pressure, {"1.5kPa"}},
+             {"1,5kPa", Dimension::pressure, {" 1.5kPa"}},
              {"1,500 kPa", Dimension::pressure, {"1.500 kPa", "1500 kPa"}},
-             {"1,000,000Pa", Dimension::pressure, {"1000000Pa"}},
+             {"1,000,000Pa", Dimension::pressure, {" 1000000Pa"}}, // one meaning
              {"0.6,0.7", Dimension::pressure, {}}, // several
              {"50kPa,100kPa", Dimension::pressure, {}},
              {"50, 100", Dimension::pressure, {}},

@@ -181,9 +181,11 @@ def build(options):
                               capture_output=True, text=True)
         if done.returncode == 0:
             return
-        wrong = {(pathlib.Path(os.path.relpath(m[1], options.copy)).as_posix(), int(m[2]))
-                 for m in re.finditer(r"(/\S+?):(\d+):\d+: (?:error|  +required)", done.stdout)}
-        drop = {number for number, place in at.items() if place in wrong}
+        drop = set()
+        for kind in "error|  +required", "note":  # notes name the constant that another line needs
+            wrong = {(pathlib.Path(os.path.relpath(m[1], options.copy)).as_posix(), int(m[2]))
+                     for m in re.finditer(rf"(/\S+?):(\d+):\d+: (?:{kind})", done.stdout)}
+            drop = drop or {number for number, place in at.items() if place in wrong}
         if not drop:
             sys.exit(done.stdout[-8000:])
         print(f"{len(drop)} faults do not compile", flush=True)
