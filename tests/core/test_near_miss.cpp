@@ -39,6 +39,8 @@ TEST_CASE("the word that was meant is found, and none where none is near") {
                                                                   {"", {}}};
   for (const auto& [typed, meant] : all)
     CHECK(near_misses(typed, options) == meant);
+  CHECK(near_misses("d50 of grains", options) == std::vector<std::string>{"d50"});
+  CHECK(near_misses("abcdefg", std::vector<std::string>{"ab"}).empty());
   CHECK(same_word("Ottawa 20-30", "ottawa-20_30"));
   CHECK_FALSE(same_word("Ottawa 20-30", "ottawa"));
 }

@@ -106,9 +106,9 @@ TEST_CASE("each text that is no quantity is refused by the name of the argument,
              {"1,5kPa", Dimension::pressure, {" 1.5kPa"}},
              {"1,500 kPa", Dimension::pressure, {"1.500 kPa", "1500 kPa"}},
              {"1,000,000Pa", Dimension::pressure, {" 1000000Pa"}}, // one meaning
-             {"0.6,0.7", Dimension::pressure, {}}, // several
+             {"0.6,0.7", Dimension::pressure, {}},                 // several
              {"50kPa,100kPa", Dimension::pressure, {}},
-             {"50, 100", Dimension::pressure, {}},
+             {"50, 100", Dimension::pressure, {"several"}},
              {"10kPa..1MPa", Dimension::pressure, {}},
              {"1;2", Dimension::pressure, {}},
              {"100", Dimension::pressure, {"100Pa", "100kPa", "100MPa", "100GPa"}}, // no unit

@@ -176,18 +176,22 @@ TEST_CASE("packing builder: rows that are no contacts, or open ones, and signs o
 }
 
 TEST_CASE("packing builder: sums of the forces beside those that the file of grains states") {
-  const auto noted = [](std::size_t grains_off, double off) {
+  const auto noted = [](std::size_t grains_off, double off, bool wall = false) {
     PackingBuilder builder = chain(10, {}, [&](std::size_t k, GrainRow& grain) {
       const Vec3 each = {1, 0.5, 0};
-      grain.force = (k > 0 ? 1 : 0) * each - (k < 9 ? 1 : 0) * each;
+      grain.force = (k > 0 ? 1 : 0) * each - (k < 9 || wall ? 1 : 0) * each;
       if (k < grains_off)
         grain.force->x += off * norm(each);
     });
     for (std::uint32_t k = 0; k < 9; ++k)
       builder.add(row_of(builder, k, k + 1));
+    if (wall) // as large a force as the others
+      builder.add_wall(
+          {.a = 9, .branch = {1, 0, 0}, .normal_force = 1, .tangential_force = {0, 0.5, 0}, .line = 1}, 0);
     return counted(builder.finish(0, {}), Finding::unbalanced_rows);
   };
-  check_threshold(0.01, [&](double off) { return noted(1, off); });
+  for (const bool wall : {false, true})
+    check_threshold(0.01, [&](double off) { return noted(1, off, wall); });
   CHECK(noted(5, 1) == 5);
   CHECK(noted(6, 1) == 0); // weight
 }

@@ -36,6 +36,16 @@ std::string arrays_refusal(const io::PackingArrays& arrays) {
 
 } // namespace
 
+TEST_CASE("bodies of arrays have any numbers") {
+  const std::vector<long> body{1, 0, 1};
+  Row row;
+  io::PackingArrays arrays = row.arrays();
+  arrays.body = body;
+  const std::vector<std::uint32_t> joined = io::packing_of(arrays).assembly.body;
+  REQUIRE(joined.size() == 3);
+  CHECK((joined[0] == joined[2] && joined[0] != joined[1]));
+}
+
 TEST_CASE("contacts of arrays are turned, sorted and joined through the faces") {
   const io::ImportedPacking packing = io::packing_of(Row{}.arrays());
   const auto& contacts = packing.assembly.contacts;

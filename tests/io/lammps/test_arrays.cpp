@@ -136,6 +136,7 @@ TEST_CASE("LAMMPS arrays: errors name array and element") {
         }).starts_with("contacts"));
   CHECK(complaint([](Memory& m) { m.arrays.radius = std::span(m.radius).first(5); }).starts_with("radius"));
   CHECK(complaint([](Memory& m) { m.arrays.contacts->columns.assign(17, "v"); }) != "");
+  CHECK(complaint([](Memory& m) { m.arrays.contacts->columns.clear(); }).starts_with("contacts"));
 }
 
 TEST_CASE("a column map is a list of quantity=column, and is refused with a slip") {

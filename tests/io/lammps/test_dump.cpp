@@ -53,6 +53,13 @@ TEST_CASE("LAMMPS: the chain's forces and overlaps, with the side from the dump 
        {Finding::duplicated, Finding::unsorted, Finding::through_faces, Finding::forces_swapped,
         Finding::boundary_unknown, Finding::contacts_unknown})
     CHECK_FALSE(packing.has(finding));
+  // a map may take the two vectors of forces for each other
+  const ImportedPacking swapped = first(
+      atoms, contacts,
+      "id1=c_pl[1],id2=c_pl[2],force=c_cp[2],fnx=c_cp[6],fny=c_cp[7],fnz=c_cp[8],ftx=c_cp[3],fty=c_cp[4],"
+      "ftz=c_cp[5],dx=c_cp[15],dy=c_cp[16],dz=c_cp[17]");
+  CHECK(swapped.has(Finding::forces_swapped));
+  CHECK(swapped.assembly == packing.assembly);
   // the label of the contacts is the user's: dump_modify label
   const std::string own = with(with(contacts, "ENTRIES", "CONTACTS"), "ITEM: ENTRIES", "ITEM: CONTACTS");
   CHECK(first(atoms, own).assembly == packing.assembly);
@@ -85,6 +92,9 @@ TEST_CASE("LAMMPS: frames of both files are joined by their time step, others ar
     CHECK_FALSE(later.next());
     CHECK((step == 30 || later.skipped() == 2));
   }
+  const PackingFrames alone = states_of(lammps_dump_format, atoms.substr(0, atoms.find("ITEM: TIMESTEP", 1)));
+  CHECK(alone.next());
+  CHECK_FALSE(alone.next());
   CHECK(dump_refused(atoms, with(with(contacts, "\n0\n", "\n1\n"), "\n20\n", "\n21\n")).starts_with("c:22:"));
 }
 

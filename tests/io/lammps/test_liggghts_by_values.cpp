@@ -41,6 +41,8 @@ void check_forces(const ImportedPacking& p) {
 TEST_CASE("LIGGGHTS: pos id force, id force, total forces and their parts, with following columns") {
   check_forces(read(12, pos1 + ids1 + "-0.0123 0 0", pos2 + ids2 + "0.0164 0.0004 0"));
   check_forces(read(6, ids1 + "-0.0123 0 0", ids2 + "0.0164 0.0004 0"));
+  const std::string vel = "1 2 3 4 5 6 ";
+  check_forces(read(18, pos1 + vel + ids1 + "-0.0123 0 0", pos2 + vel + ids2 + "0.0164 0.0004 0"));
   const std::string f1 = "-0.0123 0 0 -0.0123 0 0 0 0 0 ", f2 = "0.0164 0.0004 0 0.0164 0 0 0 0.0004 0 ";
   const ImportedPacking twenty = read(20, pos1 + ids1 + f1 + "3e-8 1e-5", pos2 + ids2 + f2 + "4e-8 1.2e-5");
   check_forces(twenty);

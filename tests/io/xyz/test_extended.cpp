@@ -28,6 +28,7 @@ TEST_CASE("extended XYZ: columns in any order, cell, faces and time are read, wh
   check_vector(Vec3{a.cell(0, 1), a.cell(1, 1), a.cell(2, 1)}, {0.5, 5, 0}, 1e-15); // the second edge
   CHECK(packing.periodic == std::array<bool, 3>{true, false, true});
   CHECK(packing.time == 1.5);
+  CHECK(first_of(extended_xyz_format, with(xyz_by_hand, "6\" Time", "6\"Time")).time == 1.5);
   CHECK(packing.has(Finding::contacts_unknown));
   CHECK_FALSE(packing.has(Finding::cell_unknown));
   CHECK(packing.has(Finding::not_used));
