@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/reproduce/figures.hpp"
 
+#include <complex>
 #include <map>
 #include <set>
 
@@ -10,6 +11,7 @@
 #include <granum/fabric/orientation.hpp>
 #include <granum/io/csv/table.hpp>
 
+#include "plot/chart_text.hpp"
 #include "studies/count_pieces.hpp"
 #include "synthetic_experiment.hpp"
 #include "unit.hpp"
@@ -208,6 +210,7 @@ TEST_CASE("directions of contacts are a density, and the fit has the a of the sa
   const double a = fabric::anisotropy_from_F33(0.4);
   for (std::size_t k = 0; k < fit.x.size(); ++k)
     CHECK(fit.y[k] == fabric::density(fit.x[k], a));
+  CHECK((fit.x.front() == 0 && fit.x.back() == relative(pi / 2, 1e-14)));
   CHECK(has(panel, "ISO counted"));
   CHECK(has(panel, "TXC counted"));
   CHECK(!has(panel, "TXE counted"));
@@ -315,6 +318,74 @@ TEST_CASE("an assembly is painted from back to front, grains moved into the cell
   dem::Specimen moved = state;
   moved.position[3].x -= 4e-3;
   CHECK(plot::svg(assembly_drawing(moved)) == svg);
+
+  // A parallel projection of a cube: the squares of its edges, as complex numbers, add up to nothing and their
+  // sizes to twice that of an edge [Gauss]. Twelve edges between eight corners, grains among them, and a margin.
+  using Spot = std::complex<double>;
+  const plot::SvgPicture picture = assembly_drawing(moved);
+  const auto spots = [&](const char* element, const char* x, const char* y) {
+    const auto at_x = chart_text::all(picture.content, element, x),
+               at_y = chart_text::all(picture.content, element, y);
+    std::vector<Spot> out;
+    for (std::size_t k = 0; k < at_x.size(); ++k)
+      out.emplace_back(at_x[k], at_y.at(k));
+    return out;
+  };
+  std::vector<Spot> ends = spots("<line", "x1", "y1");
+  const std::vector<Spot> others = spots("<line", "x2", "y2"), centres = spots("<circle", "cx", "cy");
+  const Spot origin = ends[0];
+  const std::array<Spot, 3> edge{others[0] - origin, others[1] - origin, others[2] - origin};
+  ends.insert(ends.end(), others.begin(), others.end());
+  const auto place_of = [&](const Vec3& parts) {
+    return origin + parts.x * edge[0] + parts.y * edge[1] + parts.z * edge[2];
+  };
+  const double length = std::sqrt((std::norm(edge[0]) + std::norm(edge[1]) + std::norm(edge[2])) / 2),
+               radius = length * moved.radius / moved.cell(0, 0);
+  CHECK(std::abs(edge[0] * edge[0] + edge[1] * edge[1] + edge[2] * edge[2]) < 1e-3 * length * length);
+  CHECK((edge[2].imag() < 0 && edge[0].real() < 0 && edge[1].real() > 0)); // z is up, x to the left
+  const double fine = 0.03;                                                // digits of a picture
+  double left = 1e9, right = 0, top = 1e9, foot = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Spot at = place_of({corner & 1 ? 1.0 : 0.0, corner & 2 ? 1.0 : 0.0, corner & 4 ? 1.0 : 0.0});
+    CHECK(std::ranges::count_if(ends, [&](const Spot& end) { return std::abs(end - at) < fine; }) == 3);
+    left = std::min(left, at.real() - radius), right = std::max(right, at.real() + radius);
+    top = std::min(top, at.imag() - radius), foot = std::max(foot, at.imag() + radius);
+  }
+  for (const auto& [edge_at, expected] : {std::pair{left, 14.0},
+                                          {top, 14.0},
+                                          {picture.width - right, 14.0},
+                                          {picture.height - foot, 14.0},
+                                          {std::max(picture.width, picture.height), 520.0}})
+    CHECK(std::abs(edge_at - expected) < fine);
+  std::vector<std::ptrdiff_t> order; // in which grains are painted
+  for (const Vec3& x : moved.position) {
+    const Spot at = place_of((1 / moved.cell(0, 0)) * x);
+    const auto found = std::ranges::find_if(centres, [&](const Spot& c) { return std::abs(c - at) < fine; });
+    REQUIRE(found != centres.end());
+    order.push_back(found - centres.begin());
+  }
+  for (std::size_t a = 0; a < order.size(); ++a)
+    for (std::size_t b = 0; b < order.size(); ++b)
+      if (const Vec3 nearer = moved.position[a] - moved.position[b];
+          a != b && std::min({nearer.x, nearer.y, nearer.z}) >= 0)
+        CHECK(order[a] > order[b]);
+  for (const double r : chart_text::all(picture.content, "<circle", "r"))
+    CHECK(std::abs(r - radius) < fine);
+  // Depths are what the projection leaves of the edges; shades divide them in six.
+  const auto depth = [&](const Vec3& x) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k)
+      sum += x[k] * std::sqrt(1 - std::norm(edge[static_cast<std::size_t>(k)]) / (length * length));
+    return sum;
+  };
+  const double nearest = depth({3e-3, 3e-3, 3e-3}), farthest = depth({1e-3, 1e-3, 1e-3});
+  std::size_t at = picture.content.find("<circle");
+  std::vector<int> shades;
+  for (; at != std::string::npos; at = picture.content.find("<circle", at + 1))
+    shades.push_back(std::stoi(picture.content.substr(picture.content.rfind("-grain-", at) + 7)));
+  for (std::size_t k = 0; k < order.size(); ++k)
+    CHECK(shades.at(static_cast<std::size_t>(order[k])) ==
+          std::min(5, int(6 * (nearest - depth(moved.position[k])) / (nearest - farthest))));
 
   // Each grain has its own radius.
   dem::Specimen unequal = state;

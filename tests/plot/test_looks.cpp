@@ -34,6 +34,38 @@ TEST_CASE("a colour may differ from the style, and a kind is listed once in grey
   CHECK(count(picture, "<circle") == 0);             // style 2 has diamonds
 }
 
+TEST_CASE("a marker of each shape has its point in its middle, and none is larger than twice another") {
+  Chart chart = chart_of({1, 2}, {1, 2});
+  chart.series.clear();
+  for (std::size_t style = 0; style < 4; ++style)
+    chart.series.push_back({.name = "", .mark = Mark::marker, .x = {1}, .y = {1}, .style = style});
+  const std::string picture = svg(chart);
+  const double x = all(picture, "<circle", "cx").front(), y = all(picture, "<circle", "cy").front(),
+               r = all(picture, "<circle", "r").front();
+  const std::size_t square = picture.find("<rect", picture.find("<circle"));
+  const std::string rect = picture.substr(square, picture.find('>', square) - square);
+  CHECK(attribute(rect, "width") == relative(2 * r, 1e-12));
+  CHECK(attribute(rect, "height") == relative(2 * r, 1e-12));
+  CHECK(attribute(rect, "x") + r == relative(x, 1e-3));
+  CHECK(attribute(rect, "y") + r == relative(y, 1e-3));
+  std::size_t corners = 4; // of a diamond, then of a triangle
+  for (std::size_t at = picture.find("d=\"M", square); corners > 2; at = picture.find("d=\"M", at + 1)) {
+    REQUIRE(at != std::string::npos);
+    double px = 0, py = 0, left = 1e9, right = 0, top = 1e9, foot = 0;
+    int read = 0;
+    const char* text = picture.c_str() + at + 4;
+    for (std::size_t k = 0; k < corners && std::sscanf(text, "%lf,%lf%n", &px, &py, &read) == 2; ++k) {
+      text += read + 1;
+      left = std::min(left, px), right = std::max(right, px), top = std::min(top, py),
+      foot = std::max(foot, py);
+    }
+    CHECK((left + right) / 2 == relative(x, 1e-3));
+    CHECK((top < y && y < foot && right - left > 2 * r && right - left < 4 * r));
+    CHECK(foot - top == relative(right - left, 0.1)); // nearly as high as wide
+    --corners;
+  }
+}
+
 TEST_CASE("every colour has the contrast of text and a name, and none occurs twice") {
   const auto luminance = [](std::string_view colour) {
     const double weights[] = {0.2126, 0.7152, 0.0722};
