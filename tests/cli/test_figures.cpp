@@ -319,8 +319,8 @@ TEST_CASE("an assembly is painted from back to front, grains moved into the cell
   moved.position[3].x -= 4e-3;
   CHECK(plot::svg(assembly_drawing(moved)) == svg);
 
-  // A parallel projection of a cube: the squares of its edges, as complex numbers, add up to nothing and their
-  // sizes to twice that of an edge [Gauss]. Twelve edges between eight corners, grains among them, and a margin.
+  // A parallel projection of a cube: the squares of its edges, as complex numbers, add up to nothing, their
+  // sizes to twice that of an edge. Twelve edges lie between eight corners, grains among them.
   using Spot = std::complex<double>;
   const plot::SvgPicture picture = assembly_drawing(moved);
   const auto spots = [&](const char* element, const char* x, const char* y) {

@@ -39,6 +39,21 @@ def test_names_in_a_picture(granum, tmp_path, text, there, absent):
     assert set(there) <= set(drawn) and not set(absent) & set(drawn)
 
 
+def test_ends_of_a_picture(granum, tmp_path):
+    """The lines of estimate begin and end with the answers at the ends of their axes."""
+    for text, name, ends, field in [
+            (STRAINED, "answer", {1e-4: "--strain 0.0001% --pressure 100kPa", 0.5: "--strain 0.5% --pressure 100kPa"},
+             "strained_shear_modulus"),
+            (f"{STATE} --grain-shape sand", "answer", {10: "--pressure 10kPa", 1000: "--pressure 1MPa"}, "shear_modulus")]:
+        granum.line(text, "--picture", tmp_path / "p.svg", "--force")
+        line = re.search(rf"; {name}: (\S+) at (\S+), (\S+) at ([^;\"]+)", (tmp_path / "p.svg").read_text())
+        drawn = {float(x): float(y) for y, x in (line.group(1, 2), line.group(3, 4))}
+        assert list(drawn) == list(ends)
+        for x, state in ends.items():
+            found = granum.line(f"estimate --void-ratio 0.7 --grain-shape sand --json {state}").json["answer"][field]["value"]
+            assert drawn[x] == pytest.approx(found / 1e6, rel=6e-3)
+
+
 @pytest.fixture
 def report(granum, tmp_path):
     """A page; each of its citations leads to a source, each source has a row."""
