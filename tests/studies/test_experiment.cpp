@@ -81,6 +81,7 @@ TEST_CASE("an experiment compresses, shears, and freezes according to the scene"
     CHECK(iso.points[k].at.stress.mean() == relative(scene.study.pressures[k], 1e-5));
     CHECK(iso.points[k].probes.has_value() == (k == 2));
   }
+  CHECK(iso.notes.empty());
   CHECK(iso.points[2].at.volumetric_strain > iso.points[1].at.volumetric_strain);
   CHECK(iso.points[2].void_ratio < iso.points[0].void_ratio);
 

@@ -94,9 +94,31 @@ TEST_CASE("frame warnings: a specimen at rest has none, and each begins at its t
       {0.01, [](auto&, auto& m, double x) { m.fabric->density->chi_square.p_value = x; }},
       {0.01, [](auto&, auto& m, double x) { m.fabric->axisymmetry->both.p_value = x; }},
       {1e-3, [](auto&, auto& m, double x) { m.forces->unbalance->force_ratio = x; }},
+      {2e-3,
+       [](auto& p, auto& m, double x) { // five contacts, each off by as much
+         p.rounding.force = 2e-4;
+         m.forces->unbalance->force_ratio = x;
+       }},
+      {2e-3,
+       [](auto& p, auto& m, double x) {
+         p.rounding.length = 2e-4 * norm(p.assembly.contacts.front().branch);
+         m.forces->unbalance->force_ratio = x;
+       }},
+      {4e-3,
+       [](auto&, auto& m, double x) { // beside the weight, of which a quarter is left
+         m.forces->weight.emplace().left_over = 0.25;
+         m.forces->unbalance->force_ratio = x;
+       }},
       {0.02, [](auto&, auto& m, double x) { set_moments(m, 0, x); }},
       {0.06, [](auto&, auto& m, double x) { set_moments(m, 0.02, x); }},
       {0.01, [](auto&, auto& m, double x) { m.law_check->misfit_90 = x; }},
+      {0.1,
+       [](auto& p, auto& m, double x) { // three times 1.5 times what rounding makes of forces
+         p.rounding.overlap = 0.02 / analysis::rounded_share(p.assembly, 1);
+         m.law_check->misfit_90 = x;
+       }},
+      {0.1,
+       [](auto& p, auto&, double x) { p.rounding.overlap = x / analysis::rounded_share(p.assembly, 1); }},
       {0.99, [](auto&, auto& m, double x) { m.law_check->coefficient_ratio = x; }},
       {1.01, [](auto&, auto& m, double x) { m.law_check->coefficient_ratio = x; }},
       {1e6, [](auto&, auto& m, double x) { m.grain->shear_modulus = x; }},
@@ -188,8 +210,20 @@ TEST_CASE("frame warnings: walls made of grains") {
       }
     }));
   };
-  CHECK(in_one_plane(20).size() > in_one_plane(5).size());
+  CHECK(in_one_plane(16).size() == in_one_plane(15).size() + 1);
   CHECK(one_says(in_one_plane(20), "20 "));
+  const io::ImportedPacking good = through_dump(specimen()); // 5 % of all grains
+  const studies::MeasuredFrame measured = studies::measure_frame(good, given_modulus, wanted());
+  const auto of_all = [&](std::size_t all) {
+    io::ImportedPacking packing = good;
+    for (std::size_t k = packing.assembly.grain_count(); k < all; ++k) {
+      const double apart = 1e-6 * static_cast<double>(k);
+      packing.assembly.position.push_back({apart, apart, all - k <= 20 ? -1 : apart});
+      packing.assembly.radius.push_back(specimen_radius);
+    }
+    return warnings_with(packing, measured);
+  };
+  CHECK(of_all(400) == of_all(401) + 1);
 }
 
 TEST_CASE("frame warnings: directions that no E(gamma, a) has") {

@@ -33,7 +33,42 @@ TEST_CASE("the work of a study is that of its parts, and a plan counts what a st
   CHECK(planned.probes == 108); // three directions at three pressures
   CHECK(planned.grain_steps == total_work(scene));
   CHECK(planned.seconds_per_grain_step == speed);
-  CHECK(planned.memory > 0);
+  // Packings wait, and as many run as there are threads: memory is a sum of parts.
+  const auto memory = [&](std::size_t grains, std::size_t seeds, std::size_t threads) {
+    scene.study.grains = grains;
+    scene.study.seeds = seeds;
+    scene.study.threads = threads;
+    return plan(scene, speed).memory;
+  };
+  const double one = memory(1000, 2, 1), waiting = memory(1000, 4, 1) - one,
+               running = memory(1000, 2, 2) - one;
+  CHECK((waiting > 1000 * 6 * 24.0 && running > 5 * waiting)); // six more packings, places of grains alone
+  CHECK(memory(1000, 6, 4) == relative(one + 2 * waiting + 3 * running, 1e-12));
+  CHECK(memory(3000, 2, 1) == relative(one + 2 * (waiting + running), 1e-12));
+}
+
+TEST_CASE("steps grow as the number of grains and the time of a wave; the first loose stage and probes add") {
+  Scene scene;
+  const std::vector<double> pressures = scene.study.pressures;
+  const auto work = [&](Density density, std::size_t stage, std::size_t grains = 1000) {
+    scene.study.grains = grains;
+    return stage_work(scene, density, Shape::sphere, stage);
+  };
+  scene.study.grains = 1000;
+  // 27,000 steps of the minimiser, each at about half the cost of one with friction
+  CHECK(preparation_work(scene) == relative(27000 * 1000 / 2, 0.05));
+  for (const Density density : {Density::loose, Density::dense}) {
+    CHECK(work(density, 1, 8000) == relative(16 * work(density, 1), 1e-12));
+    scene.study.probe_pressures.clear();
+    const double first = work(density, 0), bare = work(density, 1);
+    CHECK((first > bare) == (density == Density::loose));
+    scene.study.probe_pressures = {pressures[1]};
+    CHECK(work(density, 1) > bare);
+    CHECK(work(density, 0) == first);
+  }
+  CHECK(work(Density::loose, 1) > work(Density::dense, 1));
+  CHECK(stage_work(scene, Density::loose, Shape::flat, 0) >
+        stage_work(scene, Density::loose, Shape::cone, 0));
 }
 
 TEST_CASE("unequal grains take longer to pack, and as long as equal ones from there on") {

@@ -5,6 +5,7 @@
 
 #include <granum/contact/grains.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::studies;
@@ -47,6 +48,33 @@ TEST_CASE("lists that no study can have are refused by their names") {
   for (const std::vector<Density>& wrong :
        std::vector<std::vector<Density>>{{}, {Density::loose, Density::loose}})
     CHECK(refusal([&](Scene& s) { s.study.densities = wrong; }).find("study.densities") != std::string::npos);
+}
+
+TEST_CASE("contacts that vanish or close the voids, lengths beyond a grain, and narrow boxes are refused") {
+  struct Row {
+    double limit, pressure; ///< at which it is reached
+    std::vector<double> pressures;
+  };
+  for (const auto& [limit, pressure, pressures] :
+       {Row{1e-9, 1, {1, 2, 3}}, Row{0.1, 100e3, {20e3, 50e3, 100e3}}})
+    check_threshold(limit, [&, at = pressure, range = pressures](double value) {
+      const double overlap = predicted_overlap(Scene{}, Shape::sphere, at);
+      return refusal([&](Scene& s) {
+               s.study.contacts = {Shape::sphere};
+               s.study.pressures = range;
+               s.study.probe_pressures = {};
+               s.grain.shear_modulus *= std::pow(overlap / value, 1.5); // Hertz
+             })
+          .starts_with("study.pressures");
+    });
+  check_threshold(Scene{}.grain.radius, [](double radius) {
+    return refusal([&](Scene& s) { s.contact.numbers["punch_radius"] = radius; }).starts_with("contact.");
+  });
+  for (const std::size_t grains : {154U, 155U}) // ten radii wide, with e = 0.55
+    CHECK(refusal([&](Scene& s) {
+            s.specimen.walls = true;
+            s.study.grains = grains;
+          }).starts_with("study.grains") == (grains == 154));
 }
 
 TEST_CASE("the contact laws are those of the scene") {

@@ -93,6 +93,8 @@ TEST_CASE("a specimen without its partner, and one that failed, do not count") {
   samples[4] = samples[5];
   rows = trade_rows(samples);
   CHECK_FALSE(row(rows, 0.8).shear_modulus);
+  samples[3] = samples[5];
+  CHECK(row(trade_rows(samples), 0.4).cpu_seconds == 0); // none is left
 }
 
 TEST_CASE("probes are compared with the network, walls with the largest periodic cell") {

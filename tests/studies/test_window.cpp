@@ -91,28 +91,64 @@ TEST_CASE("window: a window beyond the grains, or without width, is refused") {
     choice.high[row.axis] = row.high;
     CHECK_THROWS_WITH_AS((void)seen_through(column(), choice), doctest::Contains(row.name), InvalidArgument);
   }
+  for (const double beyond : {3e-9, 5e-9}) // rounding of an edge of 4 may be beyond
+    for (const auto& [low, high] : {std::pair{-beyond, 3.0}, {0.5, 3.6 + beyond}}) {
+      WindowChoice choice;
+      choice.low[2] = low;
+      choice.high[2] = high;
+      if (beyond < 4e-9)
+        CHECK(studies::window_in(column(), choice).high.z == high);
+      else
+        CHECK_THROWS_AS((void)studies::window_in(column(), choice), InvalidArgument);
+    }
 }
 
 TEST_CASE("window: the interior that is chosen lies two to three grains from walls, and is whole along "
           "periodic axes") {
-  io::ImportedPacking packing;
-  packing.periodic = {true, true, false};
-  packing.assembly.cell = Mat3::diagonal(6, 6, 20);
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      for (int k = 0; k < 10; ++k) {
-        packing.assembly.position.push_back({0.5 + i, 0.5 + j, 0.5 + k});
-        packing.assembly.radius.push_back(0.5);
-      }
-  const auto count = static_cast<std::uint32_t>(packing.assembly.grain_count());
-  for (std::uint32_t g = 0; g + 1 < count; ++g)
-    if (g % 10 != 9)
-      packing.assembly.contacts.push_back({.i = g, .j = g + 1, .branch = {0, 0, 1}, .normal_force = 1});
-  const auto chosen = studies::interior_window(packing);
-  REQUIRE(chosen);
-  CHECK_FALSE(chosen->low[0]);
-  CHECK(*chosen->low[2] == relative(2.5, 1e-12));
-  CHECK(*chosen->high[2] == relative(7.5, 1e-12));
+  const auto lattice = [](int wide, int layers) {
+    io::ImportedPacking packing;
+    packing.periodic = {true, true, false};
+    packing.assembly.cell = Mat3::diagonal(wide, wide, 20);
+    for (int i = 0; i < wide; ++i)
+      for (int j = 0; j < wide; ++j)
+        for (int k = 0; k < layers; ++k) {
+          const auto g = static_cast<std::uint32_t>(packing.assembly.grain_count());
+          packing.assembly.position.push_back({0.5 + i, 0.5 + j, 0.5 + k});
+          packing.assembly.radius.push_back(0.5);
+          if (k > 0)
+            packing.assembly.contacts.push_back({.i = g - 1, .j = g, .branch = {0, 0, 1}, .normal_force = 1});
+        }
+    return packing;
+  };
+  // Layers of 2.5 diameters if five are left between them, else of 2; three must be left.
+  for (const auto& [layers, layer] : {std::pair{10, 2.5}, {9, 2.0}, {7, 2.0}}) {
+    io::ImportedPacking packing = lattice(6, layers);
+    packing.assembly.position.push_back({1, 1, 15}); // in flight
+    packing.assembly.radius.push_back(0.5);
+    const auto chosen = studies::interior_window(packing);
+    REQUIRE(chosen);
+    CHECK_FALSE(chosen->low[0]);
+    CHECK(*chosen->low[2] == relative(layer, 1e-12));
+    CHECK(*chosen->high[2] == relative(layers - layer, 1e-12));
+  }
+  CHECK_FALSE(studies::interior_window(lattice(6, 6)));
+  // 200 grains, and 100 contacts in the window: 25 at each height.
+  io::ImportedPacking packing = lattice(5, 8);
+  CHECK(studies::interior_window(packing));
+  packing.assembly.position.pop_back();
+  packing.assembly.radius.pop_back();
+  packing.assembly.contacts.pop_back();
+  CHECK_FALSE(studies::interior_window(packing));
+  packing = lattice(6, 7);
+  std::size_t kept = 0;
+  std::erase_if(packing.assembly.contacts, [&](const packing::Contact& c) {
+    const double middle = packing.assembly.position[c.i].z + 0.5;
+    return middle > 1.5 && middle < 5.5 && ++kept > 100;
+  });
+  CHECK(studies::interior_window(packing));
+  packing.assembly.contacts.erase(packing.assembly.contacts.begin() + 1); // at a height of 2
+  CHECK_FALSE(studies::interior_window(packing));
+  packing = lattice(6, 10);
   packing.periodic = {true, true, true};
   CHECK_FALSE(studies::interior_window(packing));
   packing.periodic = {false, true, false}; // 6 - 4 diameters are no interior
