@@ -75,6 +75,16 @@ TEST_CASE("ladder: each rung is the closed form of its name") {
   CHECK(ladder.rungs[3].stiffness->G_vh() == relative(effective::relaxed(s, 5.85).stiffness.G_vh(), 1e-14));
 }
 
+TEST_CASE("ladder: a fabric that is not measured is as uncertain as pouring and shear make it") {
+  for (const auto& [v, h, by_shear] : {std::tuple(2e5, 1e5, 0.2 * std::numbers::ln2),
+                                       {1e5, 2e5, 0.2 * std::numbers::ln2},
+                                       {1e5, 1e5, 0.0},
+                                       {1e5, 0.0, 0.0},
+                                       {0.0, 1e5, 0.0},
+                                       {0.0, 0.0, 0.0}})
+    CHECK(estimate::assumed_fabric_deviation(v, h) == relative(std::hypot(0.05, by_shear), 1e-14));
+}
+
 TEST_CASE("ladder: rung 3 has the answer's value and error, lower rungs their distance from it") {
   const estimate::Answer answer = estimate::answer(dense_spheres());
   const Ladder ladder = estimate::choose(answer, 0.05);

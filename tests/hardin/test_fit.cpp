@@ -207,6 +207,12 @@ TEST_CASE("a proportional path gives only s, with a note") {
       return fit_exponent_sum(rows, with(Weights::absolute)).fit().validity.notes.size();
     });
 
+  check_threshold(1e-6, [&](double falls) { // without noise
+    return fit_exponent_sum(measured(equation(215, -falls, 0), isotropic_path()), with(Weights::absolute))
+        .fit()
+        .validity.notes.size();
+  });
+
   // one stress alone changes: m is known, n and s are not
   states.clear();
   for (int k = 1; k <= 6; ++k)

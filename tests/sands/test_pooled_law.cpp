@@ -58,6 +58,7 @@ TEST_CASE("pooled law: its exponent is the slope of the law, on both sides of 50
   for (const double p : {2e3, 49e3, 80e3, 100e3, 1e6})
     CHECK(G(shifted, 0.6, p) == relative(G(uniform, 0.6, p) * std::pow(p / 100e3, 0.06), 1e-14));
   CHECK(G(uniform, 0.6, 0) == 0);
+  CHECK(horizontal_share + vertical_share == relative(1, ulps)); // of s under unequal stresses
 }
 
 TEST_CASE("pooled law: stated factors, wider outside of the tests and never beyond 1.9") {
