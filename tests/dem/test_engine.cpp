@@ -72,7 +72,9 @@ TEST_CASE("grains apart have the time step of an overlap of 1e-4 R, rough ones n
           "contact") {
   Material material = test::quartz(radius, 0.5);
   const auto step_at = [&](double stiffness, double size) {
-    const double mass = 4.0 / 3 * std::numbers::pi * material.density * std::pow(size * radius, 3);
+    const double both = 4.0 / 3 * std::numbers::pi * material.density * (1 + std::pow(size, 3)) *
+                        std::pow(radius, 3),
+                 mass = both * size / (1 + size); // masses as the sizes
     return relative(default_time_step_fraction * 2 / std::sqrt(20 * stiffness / mass), 1e-12);
   };
   for (const double size : {1.0, 0.5}) {
