@@ -74,6 +74,11 @@ TEST_CASE("inputs: every limit of a question is demanded by its answer, whatever
     read += row.read != nullptr;
   CHECK(std::size(places) + 2 == read); // the grains' moduli are checked by their own type
   CHECK_NOTHROW(require_within(row_of(Input::shear_strain), 0.05, "5 %"));
+  CHECK_FALSE(row_of(Input::shear_strain).limits.contain(0.0501));
+  for (const double end : {-7.0 / 3, 7.0 / 5}) { // where means of fourth powers would be negative
+    CHECK(row_of(Input::fabric).limits.contain(0.999 * end));
+    CHECK_FALSE(row_of(Input::fabric).limits.contain(1.001 * end));
+  }
   for (const InputRow& row : inputs()) { // "write 60%" to a share that may have been per cent
     const auto asked = [&](double value, bool is_signed) {
       try {

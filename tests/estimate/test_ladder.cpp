@@ -91,6 +91,12 @@ TEST_CASE("ladder: rung 3 has the answer's value and error, lower rungs their di
   const auto relaxed = effective::relaxed(dense_spheres().state, 5.85);
   const auto& own = *ladder.rungs[3].relative_error;
   CHECK(ladder.rungs[3].stiffness->G_vh() == relative(answer[Field::shear_modulus].value, 1e-14));
+  Question unequal = dense_spheres();
+  unequal.state.stress_v = 2e5;
+  const estimate::Answer of_unequal = estimate::answer(unequal);
+  const auto errors = estimate::choose(of_unequal, 0.05).rungs[3].relative_error.value();
+  CHECK(errors.bulk_modulus == relative(of_unequal[Field::bulk_modulus].relative_error(), 1e-12));
+  CHECK(errors.G_hh == relative(of_unequal[Field::horizontal_shear_modulus].relative_error(), 1e-12));
   CHECK(own.G_vh == relative(answer[Field::shear_modulus].relative_error(), 1e-12));
   CHECK(own.G_vh == relative(relaxed.relative_error.G_vh, 2e-3)); // ends of a logarithmic range
   CHECK(own.bulk_modulus == relative(relaxed.relative_error.bulk_modulus, 2e-3));

@@ -159,6 +159,10 @@ TEST_CASE(
     check(of_x.middle, z, x);
     check(of_x.fewer, z - std::min(shift, reach(prior.loosest, prior.packing_scatter)) - doubt, x);
     check(of_x.more, z + std::min(shift, reach(prior.densest, prior.packing_scatter)) + doubt, x);
+    by_rattlers.state.contacts.branch = 1.05, by_rattlers.state.contacts.branch_square = 1.2;
+    const effective::ContactPrior of_sizes = effective::contact_prior(by_rattlers.state);
+    by_rattlers.rattler_fraction = 0.2; // of unequal grains they do not determine z*
+    check(estimate::contacts_of(by_rattlers).middle, of_sizes.middle.mechanical_coordination_number, 0.2);
 
     Question by_z = q, by_C_n = q;
     by_z.state.mechanical_coordination_number = 5;
@@ -243,6 +247,8 @@ TEST_CASE("question: what a deviation leads to is refused where no packing has i
   for (const auto& [change, name] :
        {std::pair{Change{[](Question& q) { q.grain_density = -1; }}, "grain_density"},
         {[](Question& q) { q.saturation = 1.01; }, "saturation"},
+        {[](Question& q) { q.state.coordination_number = -1; }, "coordination_number"},
+        {[](Question& q) { q.rattler_fraction = 1.01; }, "rattler_fraction"},
         {[](Question& q) { q.shear_strain = 1e-4; }, "shear_strain"},
         {[](Question& q) { q.sand.uniformity = 4.01; }, "uniformity"}}) {
     Question q = test::grains_of(2, 0, 100e3, 100e3);
