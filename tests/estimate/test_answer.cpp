@@ -218,7 +218,6 @@ TEST_CASE(
     for (const estimate::Effect& effect : a.effects())
       if (effect.input == "measured sands")
         found = {.value = G, .low = effect.low[k], .high = effect.high[k]};
-    CAPTURE(e);
     CHECK(found.low == relative(std::min(1.0, reach) * G, 1e-9));
     CHECK(found.high == relative(std::max(1.0, reach) * G, 1e-9));
   }
