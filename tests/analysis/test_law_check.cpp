@@ -2,6 +2,7 @@
 #include <granum/analysis/law_check.hpp>
 
 #include "packing/sample_packings.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using analysis::check_law;
@@ -151,12 +152,38 @@ TEST_CASE("law check: the exponent is found for any factor of each pair of types
   REQUIRE(all);
   CHECK(all->standard_error > 20 * by_type->standard_error); // factors scatter by fifty
   CHECK_THROWS_AS((void)analysis::common_exponent(a, std::vector<long>{1, 2}), InvalidArgument);
-  a.contacts.resize(9);
+  for (std::size_t k = 0; k < 10; ++k)
+    a.contacts[k].normal_force *= 3; // viscous parts: far off, and left out
+  const auto damped = analysis::common_exponent(a, type);
+  CHECK(damped.value().standard_error < 1.1 * by_type->standard_error);
+  CHECK(damped->value == doctest::Approx(by_type->value).epsilon(1e-4));
+  a.contacts.resize(10);
+  CHECK(analysis::common_exponent(a));
+  a.contacts.pop_back();
   CHECK_FALSE(analysis::common_exponent(a));
   packing::Assembly alike = contacts_of(PowerLaw::sphere);
   for (packing::Contact& c : alike.contacts)
     c.overlap = 1e-7;
   CHECK_FALSE(analysis::common_exponent(alike));
+}
+
+TEST_CASE("law check: forces are of a linear spring within 0.1 %, if overlaps differ by 5 %") {
+  const auto spring = [](double off, double range, std::size_t count) {
+    packing::Assembly a = contacts_of(flat);
+    a.contacts.resize(count);
+    for (std::size_t k = 0; k < count; ++k) { // all but two tenths of the contacts at one end
+      a.contacts[k].overlap = 1e-7 * (k % 5 == 0 ? range : 1);
+      a.contacts[k].normal_force = 2e5 * a.contacts[k].overlap * (k % 5 == 1 ? 1 + off : 1);
+    }
+    const auto found = analysis::linear_spring(a);
+    CHECK(found.value_or(2e5) == relative(2e5, 1e-14));
+    return found ? 1 : 0;
+  };
+  check_threshold(1e-3, [&](double off) { return spring(off, 2, 100); });
+  check_threshold(1e-3, [&](double off) { return spring(-off, 2, 100); });
+  check_threshold(1.05, [&](double range) { return spring(0, range, 100); });
+  CHECK(spring(0, 2, 10) == 1);
+  CHECK(spring(0, 2, 9) == 0);
 }
 
 TEST_CASE("law check: the mean material of forces is the one that all have, or the mean of stiffnesses") {

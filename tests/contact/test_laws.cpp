@@ -178,6 +178,11 @@ TEST_CASE("laws: impossible values are refused") {
     }
     CHECK_THROWS_AS((void)law_of(row.shape, {.shear_modulus = -1, .poisson_ratio = 0.1}, radius),
                     InvalidArgument);
+    for (const LawParameter& parameter : row.parameters)
+      if (const double r = 0.9 * parameter.value; parameter.within_grain)
+        CHECK_THROWS_AS((void)law_of(row.shape, grain, r), InvalidArgument);
+      else
+        CHECK_NOTHROW((void)law_of(row.shape, grain, r));
   });
   CHECK_THROWS_AS((void)law_of(Shape::cone, grain, radius, {{"slope", 0.3}}), InvalidArgument);
 }

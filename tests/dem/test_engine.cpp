@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/contact/rough_sphere.hpp>
 #include <granum/dem/engine.hpp>
 
 #include "lattice_state.hpp"
@@ -65,6 +66,23 @@ TEST_CASE("the chosen time step stays below the stability limit of a stiff, regu
   }
   CHECK(largest < 2 * start);
   CHECK(engine.finite());
+}
+
+TEST_CASE("grains apart have the time step of an overlap of 1e-4 R, rough ones no longer one than at first "
+          "contact") {
+  Material material = test::quartz(radius, 0.5);
+  const auto step_at = [&](double stiffness, double size) {
+    const double both = 4.0 / 3 * std::numbers::pi * material.density * (1 + std::pow(size, 3)) *
+                        std::pow(radius, 3),
+                 mass = both * size / (1 + size); // masses as the sizes
+    return relative(default_time_step_fraction * 2 / std::sqrt(20 * stiffness / mass), 1e-12);
+  };
+  for (const double size : {1.0, 0.5}) {
+    const double k_n = material.law.stiffness_at_overlap(1e-4 * radius);
+    CHECK(Engine(pair_state(-1e-6, {1, size}), material).time_step() == step_at(k_n, size));
+  }
+  material.law = contact::RoughSphere(material.law.grain(), radius, 1e-7);
+  CHECK(Engine(pair_state(1e-14), material).time_step() == step_at(material.law.first_stiffness(), 1));
 }
 
 TEST_CASE("the numbers of the grains do not matter, beyond round-off, for forces and memories") {

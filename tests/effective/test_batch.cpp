@@ -204,7 +204,8 @@ TEST_CASE("batch: the smallest and largest pressures, and the limits at zero") {
 TEST_CASE("batch: no good row is infinite or NaN, no refused row anything but plain 0") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> values{0, -0.0, nan};
-  for (const double size : {5e-324, 1e-300, 1e-9, 0.5, 1.0, 14.0, 1e6, 1e12, 1e200, 1e250, test::infinity})
+  for (const double size :
+       {5e-324, 1e-300, 1e-9, 0.5, 1.0, 14.0, 1e6, 1.01e6, 1e200, 1.01e200, test::infinity})
     values.insert(values.end(), {size, -size});
   for (const double alpha : {1.0, 1.5, 2.0, 300.0, test::infinity}) {
     const contact::PowerLaw law = test::law_of(alpha, 0.15);

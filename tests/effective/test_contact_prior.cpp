@@ -125,6 +125,10 @@ TEST_CASE("contact prior: a preparation narrows the range, and more friction mea
       CHECK(z(some.middle) <= z(some.densest));
     }
     CHECK(z(effective::contact_prior(s, friction(0.5)).middle) == z(all.loosest));
+    CHECK(z(effective::contact_prior(s, friction(0.5)).middle) ==
+          z(effective::contact_prior(s, loose).loosest));
+    CHECK(z(effective::contact_prior(s, friction(0.3)).middle) ==
+          z(effective::contact_prior(s, loose).densest));
     CHECK(z(effective::contact_prior(s, dense).middle) == z(all.densest));
     double before = z(all.densest) + 1e-12;
     for (const double mu : {1e-9, 0.02, 0.1, 0.3, 0.5, 1.0, 10.0}) {

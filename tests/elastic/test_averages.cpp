@@ -40,6 +40,7 @@ TEST_CASE("averages: Voigt is the mean stiffness over all rotations, Reuss the m
   CHECK(m.hill.bulk_modulus() == relative((m.voigt.bulk_modulus() + m.reuss.bulk_modulus()) / 2, 1e-15));
   CHECK(m.hill.shear_modulus() == relative((m.voigt.shear_modulus() + m.reuss.shear_modulus()) / 2, 1e-15));
   CHECK(m.reuss.shear_modulus() < 0.999 * m.voigt.shear_modulus());
+  CHECK(engineering_moduli(triclinic_sample()).bulk_modulus == relative(m.voigt.bulk_modulus(), 1e-14));
 }
 
 TEST_CASE("averages: the closed form of transverse isotropy is that of the full matrix") {
@@ -47,6 +48,7 @@ TEST_CASE("averages: the closed form of transverse isotropy is that of the full 
   for (int i = 0; i < 200; ++i) {
     const TransverselyIsotropic c = random_layered(random, -0.9, 0.9);
     const IsotropicAverages closed = isotropic_averages(c), full = isotropic_averages(voigt(c));
+    CHECK(projected_shear_modulus(c) == relative(full.voigt.shear_modulus(), 1e-14));
     for (const auto modulus : {&Isotropic::bulk_modulus, &Isotropic::shear_modulus}) {
       const auto of = [&](const Isotropic& solid) { return (solid.*modulus)(); };
       CHECK(of(closed.voigt) == relative(of(full.voigt), 1e-14));

@@ -218,8 +218,10 @@ TEST_CASE("plane waves: a semidefinite stiffness has speeds of zero, an indefini
 
   const double infinity = std::numeric_limits<double>::infinity();
   TransverselyIsotropic broken = layered_sample(), undefined = broken, infinite = broken;
+  TransverselyIsotropic sheared = broken, plane = broken;
   broken.C13 = 300e6, undefined.C13 = std::nan(""), infinite.C11 = infinity;
-  for (const TransverselyIsotropic& bad : {broken, undefined, infinite})
+  sheared.C44 *= -1, plane.C12 = 1.01 * plane.C11;
+  for (const TransverselyIsotropic& bad : {broken, undefined, infinite, sheared, plane})
     CHECK_THROWS_AS((void)plane_waves(bad, density, {0, 0, 1}), InvalidArgument);
   CHECK_THROWS_AS((void)plane_waves(voigt(broken), density, {0, 0, 1}), InvalidArgument);
 }

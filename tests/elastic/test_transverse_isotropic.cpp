@@ -44,6 +44,9 @@ TEST_CASE("a value that is not positive definite has no engineering moduli") {
   for (const TransverselyIsotropic& bad : {soft, floppy, TransverselyIsotropic{}}) {
     CHECK_FALSE(bad.positive_definite());
     CHECK_THROWS_AS((void)compliance(bad), InvalidArgument);
+    // without any stiffness in shear grains give way to a single stress
+    for (const Loading loading : {Loading::vertical, Loading::horizontal})
+      CHECK(young_modulus(bad, loading) == (bad.C11 > 0 ? std::nullopt : std::optional(0.0)));
   }
   CHECK_THROWS_AS((void)soft.E_v(), InvalidArgument);
   CHECK_THROWS_AS((void)TransverselyIsotropic{}.nu_hh(), InvalidArgument);

@@ -250,6 +250,21 @@ TEST_CASE("input values: what an answer rests on has a note each, where it appli
               static_cast<int>(count(GrainShape::sand, 1e5, none)) ==
           more);
   check_threshold(25e3, [&](double p) { return count(GrainShape::sand, p, none); });
+  for (const double deviation : {0.3, 0.35, 0.4, 0.45}) { // the note on rattlers goes where they are given
+    const sizes::Distribution sizes = sizes::Distribution::lognormal(deviation);
+    CHECK(count(GrainShape::sphere, 1e5,
+                [&](InputValues& v) { v.give(Input::sizes, "lognormal:" + exact_text(deviation)); }) ==
+          count(GrainShape::sphere, 1e5, none) + (sizes::gradation(sizes, 1).uniformity() > 1.75 ? 2 : 1));
+  }
+  const auto sizes_with = [&](std::optional<Input> known, double value) {
+    return count(GrainShape::sphere, 1e5, [&](InputValues& v) {
+      v.give(Input::sizes, std::string("lognormal:0.2"));
+      if (known)
+        v.give(*known, value);
+    });
+  };
+  CHECK(sizes_with(Input::rattler_fraction, 0.1) + 1 == sizes_with({}, 0));
+  CHECK(sizes_with(Input::mechanical_coordination_number, 5) + 1 == sizes_with({}, 0));
   InputValues sand = usual(); // E_h as E_v within the deviation of young_anisotropy
   sand.grain_shape = GrainShape::sand;
   const std::string within = "+- " + short_text(100 * sands::young_anisotropy_deviation) + " %";

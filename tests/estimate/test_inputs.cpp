@@ -7,6 +7,7 @@
 #include <granum/estimate/input_values.hpp>
 
 #include "questions.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::estimate;
@@ -73,6 +74,30 @@ TEST_CASE("inputs: every limit of a question is demanded by its answer, whatever
     read += row.read != nullptr;
   CHECK(std::size(places) + 2 == read); // the grains' moduli are checked by their own type
   CHECK_NOTHROW(require_within(row_of(Input::shear_strain), 0.05, "5 %"));
+  CHECK_FALSE(row_of(Input::shear_strain).limits.contain(0.0501));
+  for (const double end : {-7.0 / 3, 7.0 / 5}) { // where means of fourth powers would be negative
+    CHECK(row_of(Input::fabric).limits.contain(0.999 * end));
+    CHECK_FALSE(row_of(Input::fabric).limits.contain(1.001 * end));
+  }
+  for (const InputRow& row : inputs()) { // "write 60%" to a share that may have been per cent
+    const auto asked = [&](double value, bool is_signed) {
+      try {
+        require_within(row, value, "share", is_signed);
+      } catch (const InvalidArgument& error) {
+        return std::string_view(error.what()).ends_with("% for per cent") ? 1 : 0;
+      }
+      return 0;
+    };
+    CAPTURE(row.key);
+    CHECK(asked(99.9 * row.limits.high, true) == 0);
+    if (row.share) {
+      check_threshold(100 * row.limits.high, [&](double value) { return asked(value, false); });
+      check_threshold(row.limits.high < 0.1 ? row.limits.high : std::max(row.limits.high, 1.0),
+                      [&](double value) { return asked(value, false); });
+    } else {
+      CHECK(asked(99.9 * row.limits.high, false) == 0);
+    }
+  }
   for (const GrainShape shape : all_grain_shapes)
     for (const auto& place : places) {
       const InputRow& row = row_of(place.first);

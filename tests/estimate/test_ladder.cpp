@@ -75,12 +75,28 @@ TEST_CASE("ladder: each rung is the closed form of its name") {
   CHECK(ladder.rungs[3].stiffness->G_vh() == relative(effective::relaxed(s, 5.85).stiffness.G_vh(), 1e-14));
 }
 
+TEST_CASE("ladder: a fabric that is not measured is as uncertain as pouring and shear make it") {
+  for (const auto& [v, h, by_shear] : {std::tuple(2e5, 1e5, 0.2 * std::numbers::ln2),
+                                       {1e5, 2e5, 0.2 * std::numbers::ln2},
+                                       {1e5, 1e5, 0.0},
+                                       {1e5, 0.0, 0.0},
+                                       {0.0, 1e5, 0.0},
+                                       {0.0, 0.0, 0.0}})
+    CHECK(estimate::assumed_fabric_deviation(v, h) == relative(std::hypot(0.05, by_shear), 1e-14));
+}
+
 TEST_CASE("ladder: rung 3 has the answer's value and error, lower rungs their distance from it") {
   const estimate::Answer answer = estimate::answer(dense_spheres());
   const Ladder ladder = estimate::choose(answer, 0.05);
   const auto relaxed = effective::relaxed(dense_spheres().state, 5.85);
   const auto& own = *ladder.rungs[3].relative_error;
   CHECK(ladder.rungs[3].stiffness->G_vh() == relative(answer[Field::shear_modulus].value, 1e-14));
+  Question unequal = dense_spheres();
+  unequal.state.stress_v = 2e5;
+  const estimate::Answer of_unequal = estimate::answer(unequal);
+  const auto errors = estimate::choose(of_unequal, 0.05).rungs[3].relative_error.value();
+  CHECK(errors.bulk_modulus == relative(of_unequal[Field::bulk_modulus].relative_error(), 1e-12));
+  CHECK(errors.G_hh == relative(of_unequal[Field::horizontal_shear_modulus].relative_error(), 1e-12));
   CHECK(own.G_vh == relative(answer[Field::shear_modulus].relative_error(), 1e-12));
   CHECK(own.G_vh == relative(relaxed.relative_error.G_vh, 2e-3)); // ends of a logarithmic range
   CHECK(own.bulk_modulus == relative(relaxed.relative_error.bulk_modulus, 2e-3));

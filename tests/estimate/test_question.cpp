@@ -2,6 +2,8 @@
 // Limits of questions: each refused value, and the last one that is not.
 #include <granum/estimate/answer.hpp>
 
+#include <tuple>
+
 #include "estimate/parts.hpp"
 #include "questions.hpp"
 #include "thresholds.hpp"
@@ -88,14 +90,10 @@ TEST_CASE("question: a packing is not below the pressure of its preparation, whi
 }
 
 TEST_CASE("question: limits of the void ratio that no soil has are refused") {
-  const auto refused_limits = [](double least, double largest) {
-    return refused(of_sand(least, {.least_void_ratio = least, .largest_void_ratio = largest}));
-  };
-  for (const auto& [least, largest] : {std::pair{0.6, 0.65}, {0.65, 0.7}, {0.1, 0.9}}) // 0.05 apart
-    CHECK(refused_limits(least, largest) == "");
-  for (const auto& [least, largest] : {std::pair{0.6, 0.649}, {0.9, 0.6}, {0.6, 5.1}})
-    CHECK(refused_limits(least, largest) == "largest_void_ratio");
-  CHECK(refused_limits(0.09, 0.6) == "least_void_ratio");
+  CHECK(refused(of_sand(0.6, {.least_void_ratio = 0.6, .largest_void_ratio = 0.65})) == ""); // 0.05 apart
+  CHECK(refused(of_sand(0.6, {.least_void_ratio = 0.6, .largest_void_ratio = 0.649})) ==
+        "largest_void_ratio");
+  CHECK(refused(of_sand(0.3, {.least_void_ratio = 0.09, .largest_void_ratio = 0.6})) == "least_void_ratio");
 }
 
 TEST_CASE(
@@ -122,6 +120,84 @@ TEST_CASE(
   CHECK(refused(of_sand(0.7, both)) == "relative_density");
   both.relative_density = 0.76;
   CHECK(refused(of_sand(0.7, both)) == "");
+}
+
+TEST_CASE(
+    "question: contacts follow from z*, C_n or rattlers, with the rattlers and the errors of the prior") {
+  using Counts = effective::ContactCounts;
+  for (const double e : {0.62, 0.8}) { // the last beyond packings of spheres
+    Question q = test::grains_of(2, 0, 100e3, 100e3);
+    q.state.void_ratio = e;
+    const effective::ContactPrior prior = effective::contact_prior(q.state);
+    const auto typical = [&](double z) {
+      return effective::typical_rattler_fraction(z, prior.relative_overlap);
+    };
+    const double z = prior.middle.mechanical_coordination_number, factor = std::exp(prior.rattler_error),
+                 doubt = prior.coordination_error - prior.packing_scatter;
+    const auto reach = [&](const Counts& end, double error) {
+      return std::hypot(end.mechanical_coordination_number - z, error);
+    };
+    const auto check = [](const Counts& found, double z_star, double rattlers) {
+      CHECK(found.mechanical_coordination_number == relative(z_star, 1e-9));
+      CHECK(found.rattler_fraction == relative(rattlers, 1e-9));
+    };
+    const double least = z - reach(prior.loosest, prior.coordination_error),
+                 most = z + reach(prior.densest, prior.coordination_error);
+    const estimate::KnownContacts free = estimate::contacts_of(q);
+    check(free.middle, z, prior.middle.rattler_fraction);
+    check(free.fewer, least, typical(least));
+    check(free.more, most, typical(most));
+
+    Question by_rattlers = q;
+    const double x = typical(z), shift = prior.rattler_error / std::log(typical(4) / typical(5));
+    by_rattlers.rattler_fraction = x;
+    const estimate::KnownContacts of_x = estimate::contacts_of(by_rattlers);
+    check(of_x.middle, z, x);
+    check(of_x.fewer, z - std::min(shift, reach(prior.loosest, prior.packing_scatter)) - doubt, x);
+    check(of_x.more, z + std::min(shift, reach(prior.densest, prior.packing_scatter)) + doubt, x);
+    by_rattlers.state.contacts.branch = 1.05, by_rattlers.state.contacts.branch_square = 1.2;
+    const effective::ContactPrior of_sizes = effective::contact_prior(by_rattlers.state);
+    by_rattlers.rattler_fraction = 0.2; // of unequal grains they do not determine z*
+    check(estimate::contacts_of(by_rattlers).middle, of_sizes.middle.mechanical_coordination_number, 0.2);
+
+    Question by_z = q, by_C_n = q;
+    by_z.state.mechanical_coordination_number = 5;
+    by_C_n.state.coordination_number = 4.8;
+    const estimate::KnownContacts of_z = estimate::contacts_of(by_z), of_C_n = estimate::contacts_of(by_C_n);
+    check(of_z.middle, 5, typical(5));
+    check(of_z.fewer, 5, typical(5) * factor);
+    check(of_z.more, 5, typical(5) / factor);
+    for (const auto& [counts, share] :
+         {std::pair(of_C_n.middle, 1.0), {of_C_n.fewer, 1 / factor}, {of_C_n.more, factor}}) {
+      CHECK(counts.coordination_number() == relative(4.8, 1e-12));
+      CHECK(counts.rattler_fraction ==
+            relative(share * typical(counts.mechanical_coordination_number), 1e-9));
+    }
+    by_z.state.mechanical_coordination_number = 0.1; // most grains are rattlers, never more than 90 %
+    by_C_n.state.coordination_number = 0.01;
+    CHECK(estimate::contacts_of(by_z).fewer.rattler_fraction == 0.9);
+    CHECK(estimate::contacts_of(by_C_n).more.mechanical_coordination_number == relative(0.1, 1e-9));
+
+    // Growth with the mean stress at the same void ratio.
+    const estimate::ContactGrowth growth = estimate::growth_of(q);
+    const auto at = [&](double step) {
+      Question moved = q;
+      moved.state.stress_v *= std::exp(step);
+      moved.state.stress_h *= std::exp(step);
+      return estimate::contacts_of(moved);
+    };
+    const double h = 2e-3;
+    const estimate::KnownContacts before = at(-h), after = at(h);
+    for (const auto& [slope, low, high] : {std::tuple(growth.middle, before.middle, after.middle),
+                                           {growth.fewer, before.fewer, after.fewer},
+                                           {growth.more, before.more, after.more}}) {
+      CHECK(slope.coordination_number ==
+            relative(std::log(high.coordination_number() / low.coordination_number()) / (2 * h), 1e-4));
+      CHECK(slope.mechanical_coordination_number ==
+            relative((high.mechanical_coordination_number - low.mechanical_coordination_number) / (2 * h),
+                     1e-4));
+    }
+  }
 }
 
 TEST_CASE("question: shares of rattlers that no packing has are noted") {
@@ -167,6 +243,8 @@ TEST_CASE("question: what a deviation leads to is refused where no packing has i
   for (const auto& [change, name] :
        {std::pair{Change{[](Question& q) { q.grain_density = -1; }}, "grain_density"},
         {[](Question& q) { q.saturation = 1.01; }, "saturation"},
+        {[](Question& q) { q.state.coordination_number = -1; }, "coordination_number"},
+        {[](Question& q) { q.rattler_fraction = 1.01; }, "rattler_fraction"},
         {[](Question& q) { q.shear_strain = 1e-4; }, "shear_strain"},
         {[](Question& q) { q.sand.uniformity = 4.01; }, "uniformity"}}) {
     Question q = test::grains_of(2, 0, 100e3, 100e3);

@@ -29,6 +29,18 @@ doctest::Approx approx(double value) { return doctest::Approx(value).epsilon(1e-
 } // namespace
 
 TEST_CASE("orientation: closed moments are the means over the density") {
+  const fabric::SecondMoments even, of_none = fabric::second_moments(0);
+  const fabric::FourthMoments even_4, of_none_4 = fabric::fourth_moments(0);
+  for (const auto& [stated, found] : {std::pair(even.F11, of_none.F11),
+                                      {even.F33, of_none.F33},
+                                      {even_4.n1111, of_none_4.n1111},
+                                      {even_4.n3333, of_none_4.n3333},
+                                      {even_4.n1122, of_none_4.n1122},
+                                      {even_4.n1133, of_none_4.n1133},
+                                      {fabric::FabricMeasures{}.F11, even.F11},
+                                      {fabric::FabricMeasures{}.F33, even.F33},
+                                      {fabric::FabricMeasures{}.mean_cos_2gamma, 2 * even.F33 - 1}})
+    CHECK(stated == approx(found));
   for (double a = -1; a <= 1; a += 0.125) {
     CAPTURE(a);
     const auto F = fabric::second_moments(a);

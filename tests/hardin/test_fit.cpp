@@ -197,15 +197,23 @@ TEST_CASE("a proportional path gives only s, with a note") {
   CHECK_FALSE(report.fit().exponent_i.has_value());
   CHECK(report.fit().parameters == std::vector<std::string>{"C", "s"});
   CHECK(report.fit().validity.notes.size() == 1);
+  for (const SoilState& state : states) // C is that of the path, if its stresses count alike
+    CHECK(shear_modulus(report.fit().equation, state) == relative(shear_modulus(truth, state), 1e-9));
 
   // A stress ratio other than 1, and one that changes from row to row, are noted from 1 % on.
   for (const bool all : {true, false})
-    check_threshold(1.01005, [&](double ratio) { // ln 0.01
+    check_threshold(0.01, [&](double logarithm) {
       auto rows = measured(truth, isotropic_path());
       for (std::size_t k = all ? 0 : 4; k < (all ? rows.size() : 5); ++k)
-        rows[k].state.stress_j *= ratio;
+        rows[k].state.stress_j *= std::exp(logarithm);
       return fit_exponent_sum(rows, with(Weights::absolute)).fit().validity.notes.size();
     });
+
+  check_threshold(1e-6, [&](double falls) { // without noise
+    return fit_exponent_sum(measured(equation(215, -falls, 0), isotropic_path()), with(Weights::absolute))
+        .fit()
+        .validity.notes.size();
+  });
 
   // one stress alone changes: m is known, n and s are not
   states.clear();

@@ -435,6 +435,10 @@ TEST_CASE("inference: refuses unusable measurements") {
     CHECK_THROWS_AS((void)infer(std::span(&m, 1), o), InvalidArgument);
   };
   refused(good, {});
+  const Observation modulus = measurement(Quantity::G_vh, beads(1e6), 5); // for which no density is needed
+  CHECK_NOTHROW((void)infer(std::span(&modulus, 1), {}));
+  refused(modulus, {.grain_density = 0});
+  refused(modulus, {.pore_density = -1});
   CHECK_THROWS_AS((void)infer({}, options_with()), InvalidArgument);
   void (*const changes[])(Observation&) = {
       [](Observation& m) { m.value.value = 0; },

@@ -46,6 +46,24 @@ TEST_CASE("the stress of bodies is that of forces on branches from body to body"
   CHECK(stress.tensor(2, 0) == doctest::Approx(3 * 0.5 / 1000)); // branch from 1.5 to 2
 }
 
+TEST_CASE("unbalanced forces and moments of bodies are about their centres, walls included") {
+  Assembly a = dimers();
+  a.wall_contacts = {{.i = 0, .j = 0, .branch = {0, -1, 0}, .normal_force = 4}};
+  const packing::Bodies b = packing::bodies(a);
+  CHECK(norm(b.assembly.wall_contacts[0].branch - Vec3{-0.5, -1, 0}) < 1e-14);
+  CHECK(norm(force(b.assembly.wall_contacts[0]) - Vec3{0, -4, 0}) < 1e-14);
+  // The first: (7, -2, 0) at (-0.9, 0, 0), (0, 0, -3) at (0.5, 0, 1) and (0, 4, 0) at (-0.5, -1, 0). The second:
+  // (-7, 2, 0) at (0.75, 0, 0). The third: (0, 0, 3) below its centre.
+  const double mean = (50 + std::sqrt(53) + 3 + 4) / 4;
+  double radius = 0;
+  for (const double of_body : b.assembly.radius)
+    radius += of_body / 3;
+  const packing::Unbalance found = unbalance(a);
+  CHECK(found.force_ratio == doctest::Approx((std::sqrt(62) + std::sqrt(53) + 3) / 3 / mean).epsilon(1e-13));
+  CHECK(found.moment_ratio ==
+        doctest::Approx((std::hypot(1.5, 1.8 - 2) + 1.5) / 3 / (mean * radius)).epsilon(1e-13));
+}
+
 TEST_CASE("bodies without gaps, and none that touches its own image") {
   Assembly a = dimers();
   a.body[4] = 3;

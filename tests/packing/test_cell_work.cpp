@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <granum/contact/grains.hpp>
 #include <granum/packing/forces.hpp>
 
 #include "dem/lattice_state.hpp"
@@ -22,6 +23,14 @@ TEST_CASE("work of the cell and contact forces give one pressure, for every cont
       packing::Assembly assembly = dem::contact_network(state, material);
       for (packing::Contact& c : assembly.contacts)
         c.tangential_force = 0.3 * c.normal_force * (1 / norm(c.branch)) * cross(c.branch, Vec3{0.6, 0, 0.8});
+      for (std::uint32_t g = 0; g < 4; ++g) { // and walls, on which grains press as on their images
+        const double size = state.size.empty() ? 1 : state.size[g], overlap = (2 + g) * 1e-7;
+        assembly.wall_contacts.push_back({.i = g,
+                                          .j = 0,
+                                          .branch = {0, 0, size * radius - overlap},
+                                          .overlap = overlap,
+                                          .normal_force = of_sizes(law, size, size).force(2 * overlap)});
+      }
       const double by_contacts = contact_stress(assembly).mean();
       REQUIRE(by_contacts > 0);
       CHECK(std::abs(pressure_by_cell_work(assembly, law, radius) / by_contacts - 1) < 1e-8);

@@ -85,8 +85,14 @@ TEST_CASE("the interior of a box: volume, members, and shares of a branch") {
   CHECK(inside.share({9, 5, 5}, {-4, 0, 0}) == relative(0.75, 1e-14));
   // A window holds what lies in it, also through the faces of the cell.
   const packing::Interior window(cell, {1, 2, 3}, {4, 6, 11});
-  for (const Vec3& x : {Vec3{2, 5, 8}, Vec3{12, 5, 0.5}, Vec3{-8, -5, 8}})
+  for (const Vec3& x :
+       {Vec3{2, 5, 8}, Vec3{12, 5, 0.5}, Vec3{-8, -5, 8}, Vec3{1.1, 2.1, 3.1}, Vec3{3.9, 5.9, 10.9}})
     CHECK(window.holds(x));
+  for (const double image :
+       {0.0, 10.0, -20.0}) { // of one on its lower face, and a branch that leaves it halfway
+    CHECK(window.part_of_sphere({1 + image, 4 - image, 7}, 0.5) == relative(ball / 16, 1e-13));
+    CHECK(window.share({2 + image, 4, 7 - image}, {4, 0, 0}) == relative(0.5, 1e-13));
+  }
   for (const Vec3& x : {Vec3{0.9, 5, 8}, Vec3{4.1, 5, 8}, Vec3{2, 6.1, 8}, Vec3{2, 5, 2.9}, Vec3{2, 5, 1.1}})
     CHECK_FALSE(window.holds(x));
   CHECK_THROWS_AS(packing::Interior(cell, 5), InvalidArgument);

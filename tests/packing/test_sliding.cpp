@@ -42,8 +42,10 @@ TEST_CASE("sliding: contacts that pile up at a ratio show the friction coefficie
 
 TEST_CASE("sliding: ratios that only thin out, or contacts that hardly press, show no limit") {
   CHECK_FALSE(estimate_friction(sample(0.4, 2000, 0)));
-  CHECK_FALSE(estimate_friction(sample(0.4, 100, 4)));
-  CHECK_FALSE(estimate_friction(sample(0.4, 200000, 0))); // 20 in the last 1e-4, as everywhere
+  for (const std::size_t at_limit : {4U, 5U}) // from five on
+    CHECK(estimate_friction(sample(0.4, 100, at_limit)).has_value() == (at_limit == 5));
+  for (const std::size_t more : {0U, 175U, 185U}) // 20 in the last 1e-4, as everywhere: ten times as many
+    CHECK(estimate_friction(sample(0.4, 200000, more)).has_value() == (more == 185));
   CHECK_FALSE(estimate_friction(
       packing::Assembly{.cell = Mat3::identity(), .position = {}, .radius = {}, .contacts = {}}));
   packing::Assembly frictionless = sample(0, 100, 10);

@@ -45,7 +45,9 @@ TEST_CASE("a tangential force turns both grains and makes the stress asymmetric"
   a.radius = {0.25e-3, 0.75e-3, 0.5e-3};
   a.contacts.resize(1);
   a.contacts[0].normal_force = 0;
-  a.contacts[0].tangential_force = {0, 2, 0};
+  a.contacts[0].tangential_force = {0, 2e-12, 0};
+  CHECK(contact_stress(a).asymmetry == doctest::Approx(1).epsilon(1e-14)); // of little stress as well
+  a.contacts[0].tangential_force.y = 2;
   const auto stress = contact_stress(a);
   CHECK(stress.symmetric(0, 1) == doctest::Approx(0.9999e-3 / 64e-9).epsilon(1e-14)); // half of f l/V
   CHECK(stress.asymmetry == doctest::Approx(1).epsilon(1e-14));

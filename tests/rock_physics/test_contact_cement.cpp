@@ -5,8 +5,10 @@
 #include <Eigen/LU>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <granum/core/numerics.hpp>
+#include <granum/elastic/isotropic.hpp>
 
 #include "states.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using rock_physics::cement_radius_ratio;
@@ -164,6 +166,20 @@ TEST_CASE("contact cement: outside its range the regression is noted or refused"
   CHECK_FALSE(at_contacts(with(example(), cement, 450e9)).validity.ok());
   CHECK_FALSE(coats(with(example(), saturation, 0)).validity.ok());
   CHECK(coats(example()).validity.ok());
+  for (const double nu : {0.0, 0.4}) { // G and K reach the average of grain, cement and pore first
+    const auto p = with(example(), &CementedPacking::poisson_ratio, nu);
+    const auto m = coats(p);
+    const double grain = 1 - p.porosity, glue = p.porosity * p.cement_saturation;
+    const auto bulk = [](double shear, double of) {
+      return elastic::Isotropic::from_shear_and_poisson(shear, of).bulk_modulus();
+    };
+    const double K = grain * bulk(p.shear_modulus, nu) +
+                     glue * bulk(p.cement_shear_modulus, p.cement_poisson_ratio),
+                 G = grain * p.shear_modulus + glue * p.cement_shear_modulus;
+    check_threshold(p.coordination_number * std::min(K / m.bulk_modulus, G / m.shear_modulus), [&](double n) {
+      return coats(with(p, &CementedPacking::coordination_number, n)).validity.notes.size();
+    });
+  }
   auto negative = with(with(example(), cement, 0.3e9), saturation, 1);
   negative.porosity = 0.6;
   negative.coordination_number = 3;

@@ -4,6 +4,7 @@
 #include <granum/effective/uniform_field.hpp>
 
 #include "states.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using rock_physics::hertz_mindlin;
@@ -85,7 +86,14 @@ TEST_CASE("hertz mindlin: pressures from 1e-300 to 1e12 Pa keep every digit") {
 }
 
 TEST_CASE("hertz mindlin: values outside the theory are noted, impossible ones refused") {
-  CHECK_FALSE(hertz_mindlin(with(golden, &SpherePacking::coordination_number, 12.5)).validity.ok());
+  const auto threshold = [](double at, double SpherePacking::*member) {
+    check_threshold(at,
+                    [&](double x) { return hertz_mindlin(with(golden, member, x)).validity.notes.size(); });
+  };
+  threshold(12, &SpherePacking::coordination_number);
+  // contacts of a tenth of the radius
+  threshold(2e-3 * 45e9 * 8.6 * 0.6 / (3 * std::numbers::pi * (1 - golden.poisson_ratio)),
+            &SpherePacking::pressure);
   // Moduli in GPa with a pressure in MPa.
   CHECK_FALSE(hertz_mindlin(with(golden, &SpherePacking::shear_modulus, 45)).validity.ok());
   test::check_refused(golden,

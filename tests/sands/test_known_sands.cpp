@@ -5,6 +5,7 @@
 
 #include <granum/contact/grains.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::sands;
@@ -34,8 +35,17 @@ TEST_CASE("known sands: relative density runs from the loosest to the densest, a
   CHECK(void_ratio_of_relative_density(0.5, 0.6, 1.0) == doctest::Approx(0.8).epsilon(1e-15));
   for (const auto& [D_r, least] : {std::pair{60.0, 0.6}, {0.5, 1.2}, {0.5, 0.0}})
     CHECK_THROWS_AS((void)void_ratio_of_relative_density(D_r, least, 1.0), InvalidArgument);
-  for (const double largest : {0.6005, double(INFINITY)})
-    CHECK_THROWS_AS(require_void_ratio_limits(0.6, largest), InvalidArgument);
+  const auto refused = [](double least, double largest) {
+    try {
+      require_void_ratio_limits(least, largest);
+    } catch (const InvalidArgument&) {
+      return 1;
+    }
+    return 0;
+  };
+  check_threshold(0.1, [&](double least) { return refused(least, 1); });
+  for (const double most : {0.65, 5.0})
+    check_threshold(most, [&](double largest) { return refused(0.6, largest); });
   const KnownSand& sand = known_sand("ottawa");
   CHECK(std::abs(*sand.least_void_ratio - (2650.0 / 1754 - 1)) < 5e-4);
   CHECK(std::abs(*sand.largest_void_ratio - (2650.0 / 1457 - 1)) < 5e-4);

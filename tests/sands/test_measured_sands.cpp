@@ -90,7 +90,8 @@ TEST_CASE("impossible sands are refused, of Toyoura sand at 98 kPa 107, 88 and 7
     CAPTURE(law.key);
     CHECK_THROWS_AS((void)shear_modulus(law, {0, 100e3}), InvalidArgument);
     CHECK_THROWS_AS((void)shear_modulus(law, {0.7, -1}), InvalidArgument);
-    CHECK_THROWS_AS((void)shear_modulus(law, {0.7, 100e3, 0.5}), InvalidArgument);
+    for (const double C_u : {0.5, 1001.0})
+      CHECK_THROWS_AS((void)shear_modulus(law, {0.7, 100e3, C_u}), InvalidArgument);
     CHECK_THROWS_AS((void)shear_modulus(law, {0.7, 100e3, 1.5, 1}), InvalidArgument); // d50 of a metre
   }
   CHECK_THROWS_AS((void)modulus("kokusho", {2.2, 100e3}), InvalidArgument);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/sands/pooled_law.hpp>
 
+#include <tuple>
+
 #include "unit.hpp"
 
 #include <thresholds.hpp>
@@ -58,6 +60,7 @@ TEST_CASE("pooled law: its exponent is the slope of the law, on both sides of 50
   for (const double p : {2e3, 49e3, 80e3, 100e3, 1e6})
     CHECK(G(shifted, 0.6, p) == relative(G(uniform, 0.6, p) * std::pow(p / 100e3, 0.06), 1e-14));
   CHECK(G(uniform, 0.6, 0) == 0);
+  CHECK(horizontal_share + vertical_share == relative(1, ulps)); // of s under unequal stresses
 }
 
 TEST_CASE("pooled law: stated factors, wider outside of the tests and never beyond 1.9") {
@@ -124,6 +127,7 @@ TEST_CASE("limits of the void ratio by C_u: mean limits of tested sands, closer 
   CHECK(usual_limits({}).least == usual_limits(1.5).least);
   CHECK(usual_limits({}).deviation > usual_limits(1.5).deviation);
   CHECK(usual_limits(8).least == relative(0.601 - 0.164 * std::log(8 / 1.5), ulps));
+  CHECK(usual_limits(8).largest == relative(0.907 - 0.120 * std::log(8 / 1.5), ulps));
   CHECK(usual_limits(50).least == usual_limits(8).least);
 }
 
@@ -184,12 +188,30 @@ TEST_CASE("pooled law: what is refused or noted, and from where on") {
       [](Sand&, double& e, double&, double x) { e = x; }, true);
 }
 
+TEST_CASE(
+    "from one stress to another ln G scatters by 0.04, and by s, known to 0.045 and 0.07 below 50 kPa") {
+  const auto variance = [](double above, double below) {
+    return relative(0.04 * 0.04 + std::pow(0.045 * std::log(above) + 0.07 * std::log(below), 2), 1e-12);
+  };
+  for (const auto& [p, q, above, below] : {std::tuple(100e3, 100e3, 1.0, 1.0),
+                                           {80e3, 320e3, 4.0, 1.0},
+                                           {10e3, 30e3, 1.0, 3.0},
+                                           {20e3, 100e3, 2.0, 2.5}})
+    for (const bool turned : {false, true})
+      CHECK(forecast_variance(uniform, turned ? q : p, turned ? p : q) == variance(above, below));
+  for (const double level : {2.5, 1 / 2.5}) // beyond, cementation or an error
+    check_threshold(level, [](double of) { return level_remark(of).empty() ? 0 : 1; });
+  CHECK(level_remark(3) != level_remark(0.3));
+}
+
 TEST_CASE("Poisson's ratio of sands: 0.20 at 100 kPa, 0.05 less per decade, constant beyond its ends") {
   for (const auto& [p, nu] :
        {std::pair{0.0, 0.25}, {10e3, 0.25}, {100e3, 0.20}, {1e6, 0.15}, {10e6, 0.10}, {1e9, 0.10}})
     CHECK(poisson_ratio({}, p).value == relative(nu, 2 * ulps));
   CHECK(poisson_ratio({.uniformity = 5}, 100e3).value == relative(0.25, ulps));
+  CHECK(poisson_ratio({.uniformity = 5, .poisson_shift = 0.03}, 100e3).value == relative(0.28, ulps));
   CHECK(poisson_ratio({.uniformity = 5}, 100e3).deviation == 0.08);
+  check_threshold(3, [](double C_u) { return 20 * poisson_ratio({.uniformity = C_u}, 100e3).value; });
 }
 
 TEST_CASE("pooled law: impossible sands are refused") {

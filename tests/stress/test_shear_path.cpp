@@ -68,6 +68,8 @@ TEST_CASE("the mobilised friction angle is the inverse of the failure ratio, on 
       CHECK(mobilised_friction_angle(stress) == relative(angle, 1e-13));
     }
   CHECK(mobilised_friction_angle({.v = 3, .h = 3}) == 0);
+  for (const AxialStress& one : {AxialStress{.v = 3, .h = 0}, {.v = 0, .h = 3}})
+    CHECK(mobilised_friction_angle(one) == relative(std::numbers::pi / 2, 1e-15));
   CHECK_THROWS_AS((void)mobilised_friction_angle({.v = -1, .h = 3}), InvalidArgument);
   CHECK_THROWS_AS((void)mobilised_friction_angle({.v = 0, .h = 0}), InvalidArgument);
 }
