@@ -393,7 +393,7 @@ TEST_CASE("an assembly is painted from back to front, grains moved into the cell
   unequal.size[5] = 0.5;
   const std::string drawn = assembly_drawing(unequal).content;
   std::set<std::string> radii;
-  for (std::size_t at = drawn.find(" r=\"", drawn.find("<circle")); at != std::string::npos;
+  for (at = drawn.find(" r=\"", drawn.find("<circle")); at != std::string::npos;
        at = drawn.find(" r=\"", at + 1))
     radii.insert(drawn.substr(at + 4, drawn.find('"', at + 4) - at - 4));
   REQUIRE(radii.size() == 2);

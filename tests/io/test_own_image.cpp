@@ -85,7 +85,8 @@ TEST_CASE("without contacts, the largest grain is doubled along the edges where 
     p.periodic = periodic;
     p.assembly = {.cell = cell, .position = {{0, 0, 0}, {0, 0, 1}}, .radius = {0.5, 0.2}, .contacts = {}};
     const ImportedPacking out = without_own_images(p);
-    CHECK(out.assembly.volume() == relative(p.assembly.volume() / 2 * out.assembly.grain_count(), 1e-12));
+    CHECK(out.assembly.volume() ==
+          relative(p.assembly.volume() / 2 * static_cast<double>(out.assembly.grain_count()), 1e-12));
     CHECK(out.has(Finding::own_image) == (out.assembly.grain_count() > 2));
     return out.assembly.cell;
   };

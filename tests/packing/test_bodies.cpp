@@ -52,8 +52,8 @@ TEST_CASE("unbalanced forces and moments of bodies are about their centres, wall
   const packing::Bodies b = packing::bodies(a);
   CHECK(norm(b.assembly.wall_contacts[0].branch - Vec3{-0.5, -1, 0}) < 1e-14);
   CHECK(norm(force(b.assembly.wall_contacts[0]) - Vec3{0, -4, 0}) < 1e-14);
-  // The first: (7, -2, 0) at (-0.9, 0, 0), (0, 0, -3) at (0.5, 0, 1) and (0, 4, 0) at (-0.5, -1, 0). The second:
-  // (-7, 2, 0) at (0.75, 0, 0). The third: (0, 0, 3) below its centre.
+  // The first: (7, -2, 0) at (-0.9, 0, 0), (0, 0, -3) at (0.5, 0, 1) and (0, 4, 0) at (-0.5, -1, 0).
+  // The second: (-7, 2, 0) at (0.75, 0, 0). The third: (0, 0, 3) below its centre.
   const double mean = (50 + std::sqrt(53) + 3 + 4) / 4;
   double radius = 0;
   for (const double of_body : b.assembly.radius)

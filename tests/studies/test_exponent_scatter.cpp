@@ -48,7 +48,7 @@ TEST_CASE("the scatter of s is that of the recorded seeds, falls with the root o
   const auto at = [](Shape contact, std::size_t count) {
     return exponent_scatter(contact, Density::loose, ExponentRoute::network, count).deviation;
   };
-  CHECK(mean_over_seeds({{.value = 3}}, {.deviation = 0.2, .degrees = 1})->standard_error == 0.2); // one seed
+  CHECK(mean_over_seeds({{3, {}}}, {.deviation = 0.2, .degrees = 1})->standard_error == 0.2); // one seed
   CHECK(at(Shape::sphere, 4000) == relative(at(Shape::sphere, 1000) / 2, 1e-12));
   CHECK(at(Shape::power_law, 1000) == at(Shape::flat, 1000));
   CHECK(!exponent_scatter(Shape::power_law, Density::loose, ExponentRoute::network, 1000).mean);
