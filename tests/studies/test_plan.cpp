@@ -47,7 +47,8 @@ TEST_CASE("the work of a study is that of its parts, and a plan counts what a st
   CHECK(memory(3000, 2, 1) == relative(one + 2 * (waiting + running), 1e-12));
 }
 
-TEST_CASE("steps grow as the number of grains and the time of a wave, and by the first loose stage and probes") {
+TEST_CASE(
+    "steps grow as the number of grains and the time of a wave, and by the first loose stage and probes") {
   Scene scene;
   const std::vector<double> pressures = scene.study.pressures;
   const auto work = [&](Density density, std::size_t stage, std::size_t grains = 1000) {
