@@ -42,6 +42,6 @@ TEST_CASE("short text keeps four digits, and shares are per cent") {
   CHECK(short_text(0.000123456) == "0.0001235");
   CHECK(short_text(0) == "0");
   CHECK(percent_text(0.02666) == "2.7 %");
-  CHECK(percent_text(4.176) == "418 %");
+  CHECK(percent_text(1.141) == "114 %");
   CHECK(percent_text(-0.05) == "-5 %");
 }

@@ -67,6 +67,7 @@ TEST_CASE("saturation: the degree of saturation derived from the mass is recover
       CHECK(std::abs(saturation_of_bulk_density(rho, 2650, e) - share) < 1e-13);
     }
   CHECK(saturation_of_bulk_density(1000, 2650, 0.7) < 0);
+  CHECK(water_density == relative(998.2, 3e-4)); // of water of 20 degrees Celsius
   CHECK_THROWS_AS((void)saturation_of_bulk_density(0, 2650, 0.7), InvalidArgument);
   CHECK_THROWS_AS((void)saturation_of_bulk_density(1800, -1, 0.7), InvalidArgument);
   CHECK_THROWS_AS((void)saturation_of_bulk_density(1800, 2650, 0), InvalidArgument);
