@@ -9,6 +9,7 @@ export PATH # bash supplies one where the environment has none; cmake needs to s
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" || exit 1
 
 scripts/setup.sh test || exit
+scripts/setup.sh web && web=there || web= # before the rows: it may ask for a password
 mkdir -p build
 rm -f build/test-*.{log,verdict}
 
@@ -21,13 +22,12 @@ step() {
   echo "$outcome in $((SECONDS - start)) s" >"build/test-$name.verdict"
 }
 
-# Two rows of steps side by side, each with half of the cores: one works while the other waits for a download, a link, a
-# browser or a long test. The page is compared with the program that the other row builds.
+# Two rows of steps side by side, each with half of the cores: one works while the other waits for a link, a browser or a
+# long test. The page is compared with the program that the other row builds.
 half=$((($(nproc) + 1) / 2))
 export CMAKE_BUILD_PARALLEL_LEVEL=$((half > 2 ? half : 2))
 set -m # a group of its own, which ends with this script
 {
-  scripts/setup.sh web && web=there || web=
   step sanitizers cmake --workflow --preset sanitize
   step clang cmake --workflow --preset clang-libraries
   if [ "$web" ]; then

@@ -95,6 +95,15 @@ TEST_CASE("power law: force and overlap, and both stiffnesses, are inverse to ea
     }
 }
 
+TEST_CASE("power law: the general constructor meets cone and sphere") {
+  for (const double slope : {0.01, 0.4, 3.0})
+    CHECK(close(PowerLaw::general(glass, 1, slope).coefficient(), PowerLaw::cone(glass, slope).coefficient(),
+                1e-15));
+  for (const double R : {1e-5, 0.5e-3, 0.7})
+    CHECK(close(PowerLaw::general(glass, 2, 1 / (2 * R)).coefficient(),
+                PowerLaw::sphere(glass, R).coefficient(), 1e-15));
+}
+
 TEST_CASE("power law: the exponent may be huge") {
   const double limit = PowerLaw::flat(glass, 1).coefficient();
   // c/limit = alpha/(alpha+1) (Gamma ratio/(2 sqrt(pi) A))^(1/alpha); with A = 1 and Stirling's series in

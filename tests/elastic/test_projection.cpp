@@ -15,6 +15,16 @@ using test::tilt;
 
 } // namespace
 
+TEST_CASE("isotropic projection does not change under rotation, nor by projecting in two steps") {
+  const Isotropic once = isotropic_projection(triclinic_sample());
+  const Isotropic turned = isotropic_projection(rotate(triclinic_sample(), tilt));
+  CHECK(turned.bulk_modulus() == relative(once.bulk_modulus(), rounding));
+  CHECK(turned.shear_modulus() == relative(once.shear_modulus(), rounding));
+  const Isotropic twice = isotropic_projection(voigt(transversely_isotropic_projection(triclinic_sample())));
+  CHECK(twice.bulk_modulus() == relative(once.bulk_modulus(), rounding));
+  CHECK(twice.shear_modulus() == relative(once.shear_modulus(), rounding));
+}
+
 TEST_CASE("transversely isotropic projection is the average over turns about axis 3") {
   // entries of a turned stiffness have harmonics up to 4, which eight equal steps average exactly
   MandelStiffness mean;

@@ -105,7 +105,7 @@ TEST_CASE("frame warnings: a specimen at rest has none, and each begins at its t
          m.forces->unbalance->force_ratio = x;
        }},
       {4e-3,
-       [](auto&, auto& m, double x) { // beside the weight, of which a quarter is left
+       [](auto&, auto& m, double x) { // beside a quarter of the weight, which is left
          m.forces->weight.emplace().left_over = 0.25;
          m.forces->unbalance->force_ratio = x;
        }},
