@@ -6,7 +6,7 @@ import fs from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { launched, page as pageText, pageFile, texts } from "./native.mjs";
+import { launched, page as pageText, pageFile, texts, until } from "./native.mjs";
 
 let browser;
 before(async () => {
@@ -48,9 +48,15 @@ for (const [width, height] of [[390, 844], [844, 390], [1366, 625]])
 test("a swipe across a slider scrolls the page and leaves its value; along it the value changes", async () => {
   const page = await opened({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   const slider = page.locator('[id="5z"]');
+  const scrolled = () => page.evaluate(() => scrollY);
+  const rests = () => until(async () => { // a swiped page rolls on
+    const before = await scrolled();
+    await page.waitForTimeout(500);
+    return (await scrolled()) === before;
+  });
   await slider.evaluate((one) => one.scrollIntoView({ block: "center" }));
-  await page.waitForTimeout(300);
-  const value = await slider.inputValue(), top = await page.evaluate(() => scrollY);
+  await rests();
+  const value = await slider.inputValue(), top = await scrolled();
   const touch = await page.context().newCDPSession(page);
   const swipe = async (dx, dy) => {
     const box = await slider.boundingBox();
@@ -61,16 +67,15 @@ test("a swipe across a slider scrolls the page and leaves its value; along it th
       await page.waitForTimeout(20);
     }
     await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
-    await page.waitForTimeout(400);
   };
   await swipe(0, -200);
-  assert.ok((await page.evaluate(() => scrollY)) > top + 100, "the page did not scroll");
+  assert.ok(await until(async () => (await scrolled()) > top + 100), "the page did not scroll");
+  await rests();
   assert.equal(await slider.inputValue(), value, "the swipe moved the slider");
-  await page.waitForTimeout(600); // the page rolls on
   await slider.evaluate((one) => one.scrollIntoView({ block: "center" }));
-  await page.waitForTimeout(300);
+  await rests();
   await swipe(-150, 0);
-  assert.notEqual(await slider.inputValue(), value, "the slider does not follow a finger");
+  assert.ok(await until(async () => (await slider.inputValue()) !== value), "the slider does not follow a finger");
   await closed(page);
 });
 
@@ -81,26 +86,32 @@ test("the wheel scrolls over a picture of grains, with Ctrl it zooms; lost graph
     const picture = document.querySelector("#hero canvas"), small = Object.assign(document.createElement("canvas"), { width: 40, height: 40 }), draw = small.getContext("2d");
     draw.drawImage(picture, 0, 0, 40, 40);
     return draw.getImageData(0, 0, 40, 40).data.some((value, k) => k % 4 === 3 && value > 0);
-  }, null, { timeout: 60000 });
+  });
   const box = await canvas.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.wheel(0, 300);
-  await page.waitForTimeout(500);
-  assert.ok((await page.evaluate(() => scrollY)) > 200);
+  assert.ok(await until(() => page.evaluate(() => scrollY > 200)), "the wheel does not scroll");
   await page.evaluate(() => scrollTo(0, 0));
   const seen = () => canvas.evaluate((one) => one.toDataURL());
+  const drawn = async () => { // once it changes no more
+    let picture;
+    await until(async () => picture === (picture = await seen()));
+    return picture;
+  };
   await canvas.focus();
-  await page.waitForTimeout(300);
-  const before = await seen();
+  const before = await drawn();
   await page.keyboard.press("+");
-  await page.waitForTimeout(300);
-  const larger = await seen();
-  assert.notEqual(larger, before, "+ does not zoom");
-  await canvas.evaluate((one) => { window.lose = one.getContext("webgl2").getExtension("WEBGL_lose_context"); window.lose.loseContext(); });
-  await page.waitForTimeout(500);
+  assert.ok(await until(async () => (await seen()) !== before), "+ does not zoom");
+  const larger = await drawn();
+  await canvas.evaluate((one) => {
+    window.drawing = one.getContext("webgl2");
+    window.lose = window.drawing.getExtension("WEBGL_lose_context");
+    window.lose.loseContext();
+  });
+  assert.ok(await until(async () => (await seen()) !== larger), "nothing was lost");
   await page.evaluate(() => window.lose.restoreContext());
-  await page.waitForTimeout(1000);
-  assert.equal(await seen(), larger, "another picture after the graphics were lost");
+  assert.ok(await until(() => page.evaluate(() => !window.drawing.isContextLost())), "nothing came back");
+  assert.ok(await until(async () => (await seen()) === larger), "another picture after the graphics were lost");
   page.complaints = page.complaints.filter((text) => !/CONTEXT_LOST|context lost/i.test(text));
   await closed(page);
 });
@@ -159,7 +170,7 @@ test("sliders are logarithmic where their axis is: the middle is the geometric m
 test("links bring the keyboard with them, Back returns and keeps settings and specimens", async () => {
   const page = await opened({}, "#xgrains=200&xdensity=dense");
   await page.click("#xstep");
-  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1, null, { timeout: 120000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1);
   await page.evaluate(() => { scrollTo(0, 0); window.same = true; });
   const links = page.locator("#parts a");
   for (const [k, part] of ["lesson", "experiment", "calculator", "notes"].entries()) {
@@ -170,10 +181,9 @@ test("links bring the keyboard with them, Back returns and keeps settings and sp
   }
   await page.locator('[id="5z"]').fill("6");
   await page.goBack();
-  await page.waitForTimeout(300);
+  assert.ok(await until(() => /5z=6/.test(page.url())), "the address lost a setting");
   assert.equal(await page.evaluate(() => window.same), true, "the page was loaded again");
   assert.equal(await page.locator("#xstates tr").count(), 1);
-  assert.match(page.url(), /5z=6/, "the address lost a setting");
   await page.locator(".skip").focus();
   await page.keyboard.press("Enter");
   await page.keyboard.press("Tab");
@@ -261,7 +271,7 @@ test("the experiment keeps a guess for each kind, also in the paper's six, each 
   await page.selectOption("#xshape", "cone");
   assert.equal(await page.inputValue("#xguess"), "0.7");
   await page.click("#xsix");
-  await page.waitForFunction(() => document.querySelectorAll("#xruns tbody tr").length === 6, null, { timeout: 280000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xruns tbody tr").length === 6);
   const rows = await page.$$eval("#xruns tbody tr", (all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
   assert.deepEqual(rows.map((row) => row[2]), ["0.5", "0.7", "0.7", "0.7", "0.7", "0.1"], "the kind's own guess, or that of the field");
   assert.match(await page.textContent("#xstatus"), /0\.1/);
@@ -281,8 +291,8 @@ test("the experiment keeps a guess for each kind, also in the paper's six, each 
 test("dense and loose are sheared side by side on one chart that lasts; stopped specimens stay", async () => {
   const page = await opened({}, "#xgrains=200");
   await page.click("#xpair");
-  await page.waitForFunction(() => document.querySelectorAll("#xbeginning polyline").length === 2, null, { timeout: 280000 });
-  await page.waitForFunction(() => document.querySelectorAll("#xdeviator .name").length === 2 && document.querySelector("#xshearpart .finding").textContent !== "", null, { timeout: 280000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xbeginning polyline").length === 2);
+  await page.waitForFunction(() => document.querySelectorAll("#xdeviator .name").length === 2 && document.querySelector("#xshearpart .finding").textContent !== "");
   const [dense, loose] = (await page.textContent("#xshearpart .finding")).match(/q is ([\d.]+) kPa .* ([\d.]+) kPa/).slice(1).map(Number);
   assert.ok(dense > 1.2 * loose, `the contrast that the text names: ${dense} and ${loose} kPa`);
   const legend = await page.$$eval("#xdeviator .legend li", (all) => all.map((one) => one.textContent));
@@ -293,11 +303,11 @@ test("dense and loose are sheared side by side on one chart that lasts; stopped 
   assert.equal(kept.length, 2);
   await page.fill("#xseed", "2");
   await page.click("#xstep");
-  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1, null, { timeout: 120000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1);
   await page.click("#xstop");
   await page.fill("#xseed", "3");
   await page.click("#xstep");
-  await page.waitForFunction(() => document.querySelectorAll("#xchart .legend li").length >= 8, null, { timeout: 120000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xchart .legend li").length >= 8);
   assert.deepEqual(await corners(), kept, "curves stay");
   assert.equal(await page.locator("#xchart svg .name").count(), 4, "a stopped specimen is gone");
   const [csv] = await Promise.all([page.waitForEvent("download"), page.click("#xshearcsv")]);
@@ -310,7 +320,7 @@ test("dense and loose are sheared side by side on one chart that lasts; stopped 
 test("wide tables can be scrolled by keyboard, and show it", async () => {
   const page = await opened({ viewport: { width: 320, height: 640 } }, "#xgrains=200&xdensity=dense");
   await page.click("#xstep");
-  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1, null, { timeout: 120000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1);
   const wide = await page.$$eval(".scroll", (all) => all.filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => ({ tab: one.tabIndex, name: one.getAttribute("aria-label"), shadow: getComputedStyle(one).backgroundImage })));
   for (const { tab, name, shadow } of wide) assert.ok(tab === 0 && name && /gradient/.test(shadow), JSON.stringify({ tab, name, shadow }));
   await closed(page);
@@ -339,7 +349,7 @@ for (const [language, file, some] of [["English", pageFile, [[640, dark], [844, 
   test(`no barriers that axe knows in ${language}, on screens and on paper, with guesses and an experiment`, async () => {
     const page = await opened({}, "#xgrains=200&xdensity=dense", file);
     await page.click("#xstep");
-    await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1 && document.querySelectorAll(".pair svg").length === 4, null, { timeout: 120000 });
+    await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1 && document.querySelectorAll(".pair svg").length === 4);
     for (let step = 1; step <= 7; ++step) await page.locator(`#step${step}guess button`).first().click();
     await page.evaluate(axe);
     for (const [width, look] of looks ?? some) {

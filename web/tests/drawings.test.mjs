@@ -151,7 +151,7 @@ test("the contacts of step 1 are drawn to scale, at every width, as the slider h
 
 test("arrows of steps 2 and 5 are the mean strain and the motions of the network, to a pixel", async () => {
   const page = await opened();
-  await page.waitForSelector("#step5 .pair svg", { timeout: 60000 });
+  await page.waitForSelector("#step5 .pair svg");
   for (const [step, both] of [[2, false], [5, true]])
     for (const [k, loose] of [[0, true], [1, false]]) {
       const { edge, grains, z, affine, relaxed } = await smallPacking(loose);

@@ -73,8 +73,26 @@ export async function experiment(loose, seed) {
   return { rows, s: rows.at(-1)[11], error: rows.at(-1)[12], z: rows.at(-1)[3], e: rows.at(-1)[1] };
 }
 
-/// A browser that draws without a graphics processor.
-export const launched = () => chromium.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
+/// A browser that draws without a graphics processor; each of its steps may take as long as a busy machine needs.
+export async function launched() {
+  const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+    timeout: patience,
+  });
+  const opens = browser.newContext.bind(browser);
+  browser.newContext = async (options) => {
+    const context = await opens(options);
+    context.setDefaultTimeout(patience);
+    return context;
+  };
+  return browser;
+}
+
+const patience = 300000; // [ms]
+/// Until a condition holds, however slow the machine; false once the patience is over.
+export async function until(condition) {
+  for (const end = Date.now() + patience; Date.now() < end; await new Promise((next) => setTimeout(next, 100)))
+    if (await condition()) return true;
+  return false;
+}

@@ -7,7 +7,7 @@ import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { launched, page as pageText, pageFile, texts } from "./native.mjs";
+import { launched, page as pageText, pageFile, texts, until } from "./native.mjs";
 
 const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 let browser;
@@ -372,7 +372,7 @@ test("an experiment runs to its end, is seen, and is kept", async () => {
   const blank = await page.locator("#experiment canvas").screenshot();
   await page.fill("#xguess", "0.41");
   await page.click("#xstart");
-  await page.waitForFunction(() => document.getElementById("xpause").disabled, null, { timeout: 240000 });
+  await page.waitForFunction(() => document.getElementById("xpause").disabled);
   const said = await page.textContent("#xstatus");
   const s = Number(said.match(/s of the network is ([\d.]+)/)[1]);
   assert.ok(s > 0.3 && s < 0.5, said);
@@ -386,14 +386,13 @@ test("an experiment runs to its end, is seen, and is kept", async () => {
   assert.equal(await page.locator("#xchart polyline").count(), 4, "uniform strain, relaxed, slope of the contact, fitted line");
   const grains = await page.locator("#experiment canvas").screenshot();
   assert.ok(!blank.equals(grains), "no grains are drawn");
+  const changes = (old) => until(async () => !old.equals(await page.locator("#experiment canvas").screenshot()));
   await page.locator("input[name=xshow]").nth(1).check();
-  await page.waitForTimeout(300);
-  const forces = await page.locator("#experiment canvas").screenshot();
-  assert.ok(!forces.equals(grains), "no forces are drawn");
+  assert.ok(await changes(grains), "no forces are drawn");
   await page.locator("#experiment canvas").focus();
+  const forces = await page.locator("#experiment canvas").screenshot();
   await page.keyboard.press("ArrowLeft");
-  await page.waitForTimeout(300);
-  assert.ok(!forces.equals(await page.locator("#experiment canvas").screenshot()), "the picture does not turn");
+  assert.ok(await changes(forces), "the picture does not turn");
   const [csv] = await Promise.all([page.waitForEvent("download"), page.click("#xcsv")]);
   const rows = fs.readFileSync(await csv.path(), "utf8").trim().split("\n");
   assert.equal(rows.length, 12);
@@ -416,7 +415,7 @@ test("rough spheres have a roughness of their own, and it is kept", async () => 
   assert.match(await page.textContent("#xstatus"), /= 500.* 1 .*100/);
   await page.fill("#xroughness", "80");
   await page.click("#xstep");
-  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1, null, { timeout: 120000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1);
   assert.match(await page.textContent("#xchart svg title"), /rough spheres, u₀ 80 nm, dense/);
   const [csv] = await Promise.all([page.waitForEvent("download"), page.click("#xcsv")]);
   assert.match(fs.readFileSync(await csv.path(), "utf8").trim(), /,rough,dense,0,200,1,(8e-8|8\.0+1e-8)$/);
@@ -428,11 +427,11 @@ test("an experiment goes pressure by pressure, pauses and stops", async () => {
   const page = await opened({}, "#xgrains=200&xdensity=dense");
   const rows = () => page.locator("#xstates tr").count();
   await page.click("#xstep");
-  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1, null, { timeout: 120000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1);
   await page.waitForTimeout(1500);
   assert.equal(await rows(), 1, "it went on by itself");
   await page.click("#xstep");
-  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 2, null, { timeout: 120000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 2);
   await page.click("#xstop");
   assert.equal(await page.textContent("#xstatus"), texts.experiment.stopped);
   assert.equal(await rows(), 2);
@@ -444,13 +443,13 @@ test("an experiment goes pressure by pressure, pauses and stops", async () => {
 test("after its compression a specimen is sheared step by step, to the end, and kept", async () => {
   const page = await opened({}, "#xgrains=200&xdensity=dense");
   const corners = (name) => page.$eval(`#${name} polyline`, (line) => line.getAttribute("points").split(" ").length).catch(() => 0);
-  const disabled = (name) => page.waitForFunction((id) => document.getElementById(id).disabled, name, { timeout: 240000 });
-  const enabled = (name) => page.waitForFunction((id) => !document.getElementById(id).disabled, name, { timeout: 240000 });
+  const disabled = (name) => page.waitForFunction((id) => document.getElementById(id).disabled, name);
+  const enabled = (name) => page.waitForFunction((id) => !document.getElementById(id).disabled, name);
   assert.ok(await page.isHidden("#xshearpart"));
   await page.click("#xstart");
   await enabled("xshear");
   await page.click("#xstep"); // of shear: to an axial strain of 0.1 %
-  await page.waitForFunction((text) => document.getElementById("xstatus").textContent === text, texts.experiment.paused, { timeout: 240000 });
+  await page.waitForFunction((text) => document.getElementById("xstatus").textContent === text, texts.experiment.paused);
   const first = await corners("xdeviator");
   assert.ok(first > 5, `${first} points`);
   await page.waitForTimeout(1000);
@@ -481,7 +480,7 @@ test("after its compression a specimen is sheared step by step, to the end, and 
   await page.fill("#xseed", "2");
   await page.click("#xstep");
   assert.ok(await page.isVisible("#xshearpart"), "the curve is gone");
-  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1, null, { timeout: 120000 });
+  await page.waitForFunction(() => document.querySelectorAll("#xstates tr").length === 1);
   assert.equal(await page.locator("#xchart circle").count(), 11, "the first specimen stays beside the second");
   assert.equal(await corners("xdeviator"), drawn.length, "the curve of the first specimen is another one");
   await page.click("#xclear");
