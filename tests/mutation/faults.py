@@ -33,11 +33,6 @@ FIELDS = ["module", "file", "place", "operator", "line", "harmless"]
 NUMBER = r"(?<![\w.\"'])(\d+\.\d*(?:e-?\d+)?|\d+e-?\d+|\d+)(?![\w.\"'])"
 
 
-def as_condition(text):
-    """A name alone may be that of a value that is there or not."""
-    return ("bool" if re.fullmatch(r"[\w.]+", text) else "") + f"({text})"
-
-
 def other_constant(kind, value, n):
     """As fault.hpp's number, but not known when it is compiled, where a constant would stay as it is."""
     other = value + " + 1" if kind != "double" or float(value) == 0 else "1.25 * " + value
@@ -57,7 +52,7 @@ OPERATORS = {
     "index": (re.compile(r"(?<=\[)\d(?=\])"), lambda m, n: f"granum::planted::index({n}, {m[0]})"),
     "unit": (re.compile(r"(?<![\w.])1e-?[369]\b"), lambda m, n: f"granum::planted::unit({n}, {m[0]})"),
     "condition": (re.compile(r"(?<=\bif \()[^;]+(?=\)( \{| [\w].*;)?$)|(?<=\breturn )[^?;]+(?= \? )"),
-                  lambda m, n: f"granum::planted::flip({n}) != {as_condition(m[0])}"),
+                  lambda m, n: f"granum::planted::flip({n}) != bool({m[0]})"),
     "extreme": (re.compile(r"\bstd::(max|min)\((?!\{)"),
                 lambda m, n: f"granum::planted::{'larger' if m[1] == 'max' else 'smaller'}({n}, "),
 }
