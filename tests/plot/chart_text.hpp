@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,19 @@ inline std::vector<double> all(const std::string& picture, const std::string& be
     if (element.find(" " + name + "=\"") != std::string::npos)
       found.push_back(attribute(element, name));
   }
+  return found;
+}
+
+/// The numbers of the path of the first element with that piece.
+inline std::vector<double> path_numbers(const std::string& picture, const std::string& piece) {
+  const std::size_t at = picture.find(" d=\"", picture.find(piece)) + 4;
+  std::string path = picture.substr(at, picture.find('"', at) - at);
+  for (char& c : path)
+    c = std::string("MLAHVZ,").find(c) == std::string::npos ? c : ' ';
+  std::vector<double> found;
+  std::istringstream text(path);
+  for (double number = 0; text >> number;)
+    found.push_back(number);
   return found;
 }
 

@@ -7,6 +7,8 @@
 #include <granum/core/text.hpp>
 
 #include "chart_text.hpp"
+#include "plot/picture.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 #include "well_formed.hpp"
 
@@ -92,6 +94,35 @@ TEST_CASE("ticks are round numbers in equal steps, or powers of ten with 2 and 5
   CHECK((close.front() == "123456" && close.at(1) == "123456.002"));
 }
 
+TEST_CASE("an axis holds its values with a margin of 4 % at either end, one value with room around it") {
+  struct Row {
+    Scale scale;
+    std::vector<double> values;
+    double low, high;
+  };
+  for (const Row& row :
+       std::vector<Row>{{Scale::linear, {3, 1, 2}, 0.92, 3.08},
+                        {Scale::logarithmic, {1, 100}, -0.08, 2.08},
+                        {Scale::linear, {5}, 4.5, 5.5},
+                        {Scale::linear, {-5, -5}, -5.5, -4.5},
+                        {Scale::linear, {0}, -1, 1},
+                        {Scale::linear, {1e-291}, -1, 1},
+                        {Scale::logarithmic, {10}, 0.5, 1.5},
+                        {Scale::linear, {1, 1 + 1.9e-12}, 0.9, 1.1}, // half of it is rounding
+                        {Scale::linear, {1, 1 + 2.1e-12}, 1, 1},
+                        {Scale::linear, {}, 0, 1}}) {
+    const AxisRange range(row.scale, row.values);
+    CHECK(std::abs(range.low() - row.low) < 1e-11);
+    CHECK(std::abs(range.high() - row.high) < 1e-11);
+    const auto number = [&](double place) {
+      return row.scale == Scale::linear ? place : std::pow(10, place);
+    };
+    CHECK(range.fraction(number(0.75 * range.low() + 0.25 * range.high())) ==
+          doctest::Approx(0.25).epsilon(1e-3));
+  }
+  check_threshold(1e-290, [](double value) { return AxisRange::drawable(Scale::logarithmic, value); });
+}
+
 TEST_CASE("any range gets at least two labels, in order and well-formed") {
   constexpr double tiny = std::numeric_limits<double>::denorm_min();
   using Ranges = std::vector<std::pair<double, double>>;
@@ -170,11 +201,15 @@ TEST_CASE("empty series and charts give only axes, and one point is drawn") {
 
 TEST_CASE("error bars are drawn if there is an error, and lie within the axis") {
   Chart chart = chart_of({1, 2, 3, 4}, {10, 10, 10, 10});
-  chart.series[0].y_error = {10, 0, nothing, 5};
+  chart.series[0].y_error = {10, 0, nothing, 0.5};
   const std::string picture = svg(chart);
   CHECK(well_formed(picture));
   CHECK(count(picture, "class=\"error\"") == 2);
   CHECK(texts(picture, "y-label") == Texts{"0", "5", "10", "15", "20"});
+  const std::vector<double> bar = path_numbers(picture, "class=\"error\""); // cap, line and cap
+  REQUIRE(bar.size() == 9);
+  CHECK((bar[0] + bar[2] == relative(2 * bar[3], 1e-4) && bar[6] + bar[8] == relative(2 * bar[3], 1e-4)));
+  CHECK((bar[1] == bar[4] && bar[5] == bar[7] && bar[5] - bar[4] == relative(380 / 1.08, 1e-4)));
 
   // an end that a logarithmic axis cannot show, here of -1, is on the edge at its side
   chart = chart_of({1, 10}, {1, 10}, Scale::logarithmic);
@@ -299,6 +334,14 @@ TEST_CASE("charts side by side are as wide as all of them, as high as the highes
 }
 
 TEST_CASE("coinciding lines are drawn once, as stated by the legend") {
+  for (const bool across : {false, true}) // from 1.5 pixels on they are two
+    check_threshold(1.5, [across](double pixels) {
+      Chart two = chart_of({0, 1}, {0, 1});
+      two.series[0].name = "a";
+      two.series.push_back(two.series[0]);
+      (across ? two.series[1].x : two.series[1].y)[1] -= pixels / (across ? two.width : two.height);
+      return texts(svg(two), "legend").size();
+    });
   Chart chart = chart_of({1, 2, 3}, {10, 30, 20}); // 380 pixels for 20
   chart.series[0].name = "G_hh";
   chart.series.push_back({.name = "G_hv", .x = {1, 2, 3}, .y = {10.07, 30, 20}});
