@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/core/error.hpp>
 
+#include <Eigen/Core>
+
 #include "refusal_text.hpp"
 #include "unit.hpp"
 
@@ -62,6 +64,28 @@ TEST_CASE("a NUL in a text does not end the message, and a file error has its pa
   const FileError error("a.csv", 3, "expected a number");
   CHECK(error.path() == "a.csv");
   CHECK(error.line() == 3);
+}
+
+TEST_CASE("a symmetric matrix may be off by a thousandth of its largest entry, and the pair that is worst is "
+          "named") {
+  const auto named = [](double off, int row, int column, double scale = 1) {
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Constant(-2 * scale);
+    matrix(row, column) += off * 2 * scale;
+    matrix(2, 0) += 1e-5 * scale;
+    try {
+      require_symmetric<3>("D", matrix);
+    } catch (const InvalidArgument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const double scale : {1e-9, 1.0, 1e9})
+    for (const auto& [row, column] : {std::pair(1, 0), {0, 1}, {2, 1}}) {
+      CHECK(named(0.000999, row, column, scale).empty());
+      const std::string pair =
+          std::to_string(std::max(row, column) + 1) + std::to_string(std::min(row, column) + 1);
+      CHECK(named(0.001001, row, column, scale).find("entries " + pair) != std::string::npos);
+    }
 }
 
 TEST_CASE("checks pass their value on and stop NaN and infinity") {

@@ -53,6 +53,7 @@ TEST_CASE("the question lists up to three words") {
   };
   CHECK(has(did_you_mean("sphre", words), {"sphere"}));
   CHECK(has(did_you_mean("xone", words), {"cone", "bone", "tone"}));
+  CHECK(did_you_mean("xone", words).find("cone, bone or tone") != std::string::npos);
   CHECK(did_you_mean("rung", words).empty());
   CHECK(did_you_mean("flat", words).empty());
   CHECK(has(unknown_word("contact", "sphere2", words), {"contact", "'sphere2'", "sphere?"}));

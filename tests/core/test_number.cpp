@@ -35,6 +35,11 @@ TEST_CASE("17 digits give the same bits back") {
   for (const double value :
        {0.0, -0.0, 0.1, std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()})
     CHECK(parse_number(exact_text(value)) == value);
+  // Digits alone from 0.0001 to 10^16, powers of ten outside of it.
+  CHECK((exact_text(0.0) == "0" && exact_text(-1e-4) == "-0.0001"));
+  CHECK(exact_text(9e15) == "9000000000000000");
+  for (const double value : {9e-5, 1e16})
+    CHECK(exact_text(value).find('e') != std::string::npos);
 }
 
 TEST_CASE("short text keeps four digits, and shares are per cent") {

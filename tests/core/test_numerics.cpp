@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/core/numerics.hpp>
 
+#include "core/compiled_once.hpp"
 #include "unit.hpp"
 
 TEST_CASE("Gauss-Legendre rules integrate polynomials up to degree 2 n - 1 exactly and no further") {
@@ -56,6 +57,18 @@ TEST_CASE("points on a line give the line without error, others one with the err
   for (const Point& point : points)
     rest += std::pow(point.y - (5.96 + 1.95 * (point.x - 3)), 2);
   CHECK(line.slope.standard_error == doctest::Approx(std::sqrt(rest / 3 / 10)).epsilon(1e-12));
+  std::vector<Point> small = points; // near each other, however near
+  for (Point& point : small)
+    point.x *= 1e-9;
+  CHECK(straight_line(small).slope.value == doctest::Approx(1.95e9).epsilon(1e-14));
+}
+
+TEST_CASE("the probability of a larger chi square has its closed forms") {
+  for (const double chi_square : {0.0, 0.3, 2.0, 11.0}) {
+    CHECK(p_value(chi_square, 0) == 1);
+    CHECK(p_value(chi_square, 1) == doctest::Approx(std::erfc(std::sqrt(chi_square / 2))).epsilon(1e-13));
+    CHECK(p_value(chi_square, 2) == doctest::Approx(std::exp(-chi_square / 2)).epsilon(1e-13));
+  }
 }
 
 TEST_CASE("points that have no line are refused") {
