@@ -3,6 +3,8 @@
 #include "io/packing_builder.hpp"
 
 #include <functional>
+#include <random>
+#include <tuple>
 
 #include "import_support.hpp"
 #include "thresholds.hpp"
@@ -79,6 +81,7 @@ TEST_CASE("packing builder: rows of a pair from either side and in any order mak
     CHECK(packing.id == std::vector<long>{0, 3, 6, 9});
     CHECK(counted(packing, Finding::duplicated) == (both_sides ? 3 : 5));
     CHECK(counted(packing, Finding::one_sided) == (both_sides ? 1 : 0));
+    CHECK_FALSE(packing.has(Finding::open_contacts));
     CHECK(packing.has(Finding::unsorted) == !both_sides);
     // No box: the smallest around the grains.
     CHECK(packing.has(Finding::cell_unknown));
@@ -136,6 +139,107 @@ TEST_CASE("packing builder: what is refused, and from where on") {
   for (const long wall : {-1L, 4294967296L})
     CHECK(refused([&] { walls.add_wall(row, wall); }) == 1);
   CHECK(counted(walls.finish(0, {}), Finding::wall_contacts) == 2);
+}
+
+TEST_CASE("periodic cell: nearest and touching images are those of a search over the lattice") {
+  std::mt19937 bits(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int trial = 0; trial < 400; ++trial) {
+    const std::array<bool, 3> periodic{trial % 2 == 0, trial % 4 < 2, trial % 8 < 4};
+    const bool everywhere = periodic == std::array{true, true, true}; // else edges lean a little alone
+    Mat3 cell = Mat3::identity();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        cell(i, j) += (i == j ? 0.3 : everywhere ? 1.5 : 0.3) * number(bits);
+    if (!(determinant(cell) > 0.1))
+      continue;
+    // Reduced: the same lattice, whose edges lean by no more than half of each other.
+    const Mat3 given = cell;
+    const bool changed = reduce_cell(cell, periodic);
+    CHECK(determinant(cell) == relative(determinant(given), 1e-12));
+    bool same = true;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 steps = inverse_of(given) * column(cell, k), edge = column(cell, k);
+      for (int other = 0; other < 3; ++other) {
+        const bool both = periodic[static_cast<std::size_t>(k)] && periodic[static_cast<std::size_t>(other)];
+        CHECK(std::abs(steps[other] - (both ? std::round(steps[other]) : k == other)) < 1e-12);
+        same = same && (std::abs(steps[other] - (k == other)) < 1e-12);
+        if (both && k != other)
+          CHECK(std::abs(dot(edge, column(cell, other))) <=
+                0.501001 * std::max(dot(edge, edge), dot(column(cell, other), column(cell, other))));
+      }
+    }
+    CHECK(changed == !same);
+    const PeriodicCell images(cell, periodic);
+    const auto wide = [&](std::size_t k) { return (periodic[k] ? 3 : 0.5) * number(bits); };
+    const Vec3 from = cell * Vec3(wide(0), wide(1), wide(2));
+    const double length = (0.5 + 0.5 * number(bits)) *
+                          std::min({norm(column(cell, 0)), norm(column(cell, 1)), norm(column(cell, 2))});
+    double least = norm(from);
+    std::vector<double> near;
+    const auto reach = [&](std::size_t k) { return periodic[k] ? 12 : 0; };
+    for (int a = -reach(0); a <= reach(0); ++a)
+      for (int b = -reach(1); b <= reach(1); ++b)
+        for (int c = -reach(2); c <= reach(2); ++c) {
+          const double distance = norm(from + cell * Vec3(a, b, c));
+          least = std::min(least, distance);
+          if (distance <= length)
+            near.push_back(distance);
+        }
+    CHECK(norm(images.nearest(from)) == relative(least, 1e-12));
+    std::sort(near.begin(), near.end());
+    if (near.empty())
+      near.push_back(least);
+    const std::vector<Vec3> found = images.images(from, length);
+    REQUIRE(found.size() == near.size());
+    for (std::size_t k = 0; k < near.size(); ++k)
+      CHECK(norm(found[k]) == relative(near[k], 1e-12));
+  }
+  // An edge may lean by half of another, and a thousandth for rounding.
+  check_threshold(0.501, [](double lean) {
+    Mat3 cell = Mat3::identity();
+    cell(0, 1) = lean;
+    return reduce_cell(cell, {true, true, true}) ? 1 : 0;
+  });
+  for (int k = 0; k < 3; ++k) {
+    Mat3 cell = Mat3::diagonal(0.5, 0.5, 0.5);
+    CHECK_FALSE(is_upside_down(cell));
+    cell(k, k) = -0.5;
+    CHECK(is_upside_down(cell));
+    cell(2, 1) = 0.1;
+    CHECK_FALSE(is_upside_down(cell));
+  }
+}
+
+TEST_CASE("packing builder: of several images that touch, the one that fits the row, each once") {
+  // Two grains of radius 1 with images on either side of each other.
+  const auto second_at = [](double place, double edge) {
+    const auto change = [place](std::size_t k, GrainRow& grain) {
+      grain.position = {k == 0 ? 0 : place, 0, 0};
+      grain.id = 7 + static_cast<long>(k);
+    };
+    return chain(2, {.box = CsvBox{Mat3::diagonal(edge, 9, 9), {true, false, false}}}, change);
+  };
+  PackingBuilder builder = second_at(1.5, 3.2);
+  CHECK((builder.find(7) == 0U && builder.find(8) == 1U && !builder.find(6) && !builder.find(9)));
+  CHECK(builder.ambiguous(0, 1));
+  for (const auto& [direction, distance, image] :
+       std::vector<std::tuple<double, std::optional<double>, double>>{
+           {2, {}, 1.5}, {-2, {}, -1.7}, {0, 1.51, 1.5}, {0, 1.69, -1.7}, {3, 1.5, 1.5}, {-3, 1.69, -1.7}}) {
+    PackingBuilder fresh = second_at(1.5, 3.2);
+    CHECK(fresh.touching_image(0, 1, {direction, 0, 0}, distance).x == relative(image, 1e-12));
+    CHECK(fresh.touching_image(1, 0, {-direction, 0, 0}, distance).x == relative(-image, 1e-12));
+  }
+  // Rows that say nothing go to one image after the other, from whichever side.
+  CHECK(builder.touching_image(0, 1, {}, {}).x == 1.5);
+  CHECK(builder.touching_image(1, 0, {}, {}).x == relative(1.7, 1e-12));
+  check_threshold(1e-4, [&](double off) { // two distances that hardly differ in how well they fit
+    PackingBuilder fresh = second_at(1.5, 3.2);
+    return fresh.touching_image(0, 1, {}, 1.6 + off).x > 0 ? 1 : 0;
+  });
+  check_threshold(2.02, [&](double far) { // grains touch up to 1 % of their radii
+    return second_at(1.9, 1.9 + far).ambiguous(0, 1) ? 1 : 0;
+  });
 }
 
 TEST_CASE("packing builder: rows that are no contacts, or open ones, and signs of all forces") {
