@@ -7,6 +7,7 @@
 #include <granum/packing/forces.hpp>
 
 #include "io/import_support.hpp"
+#include "thresholds.hpp"
 
 using namespace granum::io;
 using namespace granum::samples;
@@ -162,6 +163,35 @@ TEST_CASE(
   CHECK(read_as(first_of(lammps_dump_format, two, one(16, granular + place)))
             .find("force fx fy fz p1 to p12") != std::string::npos);
   CHECK(refusal_of(lammps_dump_format, two, one(16, granular + "-4.4721359e-4 -8.9442719e-4 0")) != "");
+  // What the positions say of a value counts to 1 %; from p8 on there are moments of rolling and twisting.
+  const auto fits = [&](int values, const std::string& row) {
+    return refusal_of(lammps_dump_format, two, one(values, row)).empty() ? 1 : 0;
+  };
+  const auto number = [](double x) { return exact_text(x) + " "; };
+  const Vec3 along = (1 / std::sqrt(5.0)) * Vec3{1, 2, 0}, across = (1 / std::sqrt(5.0)) * Vec3{-2, 1, 0};
+  const auto turned = [&](const Vec3& v, const Vec3& w, double x) {
+    const Vec3 sum = v + x * w;
+    return number(sum.x) + number(sum.y) + number(sum.z);
+  };
+  check_threshold(0.01, [&](double x) { return fits(3, turned(along, across, x)); });
+  check_threshold(0.01, [&](double x) { return fits(6, turned(along, {}, 0) + turned(across, along, x)); });
+  check_threshold(0.01 / 0.99, [&](double x) { return fits(4, number(1 + x) + turned(along, {}, 0)); });
+  check_threshold(0.01 / 0.99, [&](double x) {
+    return fits(7, turned(along, {}, 0) + turned(across, {}, 0) + number(1 + x));
+  });
+  check_threshold(0.01, [&](double x) {
+    return first_of(lammps_dump_format, two, one(1, number(1e-3 * (1 + x)))).has(Finding::forces_unknown) ? 1
+                                                                                                          : 0;
+  });
+  for (int extra = 7; extra <= 9; ++extra)
+    for (int moment = 5; moment <= extra; ++moment) {
+      std::string row = number(1) + turned(along, {}, 0) + "0 0 0 ";
+      for (int k = 4; k <= extra; ++k)
+        row += k == moment ? "1e-9 " : "0 ";
+      CHECK(first_of(lammps_dump_format, two, one(4 + extra, row)).has(Finding::contact_moments) ==
+            (moment > 7));
+    }
+  CHECK(refusal_of(lammps_dump_format, two, one(2, "7 -1")).find("force=c_p[2]") != std::string::npos);
   const std::string message = refusal_of(lammps_dump_format, two, one(6, "0.001 0.002 0 0 0 0"));
   for (const char* map : {"dist force p1 to p4", "id1=c_i[1],id2=c_i[2],force=c_p[2],ftx=c_p[3]",
                           "fx fy fz p1 p2 p3", "id1=c_i[1],id2=c_i[2],fnx=c_p[1]"})
