@@ -25,7 +25,8 @@ ImportedPacking pile(double height, double shift = 0, bool periodic = true) {
       for (int k = 0; k < layers; ++k) {
         const double z = 0.5 + apart * k + shift;
         rows += id(i, j, k) + "," + short_text(apart * i, 17) + "," + short_text(apart * j, 17) + "," +
-                short_text(periodic ? z - height * std::floor(z / height) : z, 17) + ",0.5\n";
+                short_text(periodic ? z - height * std::floor(z / height) + height * ((i + k) % 3) : z, 17) +
+                ",0.5\n"; // through any number of boxes
         pairs += id(i, j, k) + "," + id(i + 1, j, k) + ",100,0,0\n" + id(i, j, k) + "," + id(i, j + 1, k) +
                  ",0,100,0\n";
         if (k + 1 < layers)

@@ -46,11 +46,12 @@ TEST_CASE("LAMMPS data: eight significant digits are too few for overlaps, nine 
 
 TEST_CASE("LAMMPS data: sections in another order, without hint, without image flags") {
   const std::string text =
-      "title\n 2 atoms # two\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nVelocities\n\n1 0 0 0 0 0 0\n\n"
+      "title\n 2 atoms # two\n-1 1 xlo xhi\n0.5 1 ylo yhi\n-3 -2 zlo zhi\n\nVelocities\n\n1 0 0 0 0 0 0\n\n"
       "Atoms\n\n9 1 0.5 1 0 0 0\n4 1 0.25 1 0.5 0 0\n\nBonds\n\n1 1 1 2\n";
   const ImportedPacking packing = read(text);
   CHECK(packing.id == std::vector<long>{4, 9});
   CHECK(packing.assembly.radius == std::vector<double>{0.125, 0.25});
+  CHECK(packing.assembly.cell == Mat3::diagonal(2, 0.5, 1));
 }
 
 TEST_CASE("LAMMPS data: each field that is wrong is refused with path and line") {

@@ -144,6 +144,31 @@ TEST_CASE("LAMMPS deck: every file that is included and every number that is use
   CHECK(names.contains("in.all"));
 }
 
+TEST_CASE("LAMMPS deck: grains of hardly unequal radii give the numbers of equal ones") {
+  packing::Assembly unequal = three_grains();
+  unequal.radius[1] *= 1 + 1e-9;
+  const auto scene = [](const packing::Assembly& start) {
+    return text_of(lammps_deck(start, spheres()), "scene.lmp");
+  };
+  std::istringstream one(scene(three_grains())), other(scene(unequal));
+  std::size_t numbers = 0;
+  for (std::string a, b; std::getline(one, a) && std::getline(other, b);) {
+    const auto value = [](const std::string& line) { // of "variable name index value # meaning"
+      std::istringstream words(line);
+      std::string word;
+      for (int k = 0; k < 4; ++k)
+        words >> word;
+      return parse_number(word);
+    };
+    if (const auto x = value(a); x) {
+      CAPTURE(a);
+      CHECK(std::abs(*x - value(b).value()) <= 1e-7 * std::abs(*x));
+      ++numbers;
+    }
+  }
+  CHECK(numbers > 10);
+}
+
 TEST_CASE("LAMMPS deck: every number of the scene and every quantity has a unit in its comment") {
   for (const DeckFile& file : lammps_deck(three_grains(), spheres())) {
     std::istringstream lines(file.text);

@@ -149,6 +149,14 @@ TEST_CASE("LAMMPS: units that one file states are those of both") {
   CHECK(cgs.assembly.radius[0] == relative(0.5e-5, 1e-15));
   CHECK(cgs.assembly.contacts[0].normal_force == relative(force_ab * 1e-5, 1e-15));
   CHECK(norm(cgs.assembly.contacts[0].branch) == relative(0.9999e-5, 1e-12));
+  CHECK_FALSE(cgs.has(Finding::units_differ));
+  std::string centimetres = contacts;
+  for (const auto& [metres, other] : {std::pair("4.0000000000000001e-03", "0.4"), {"0.000999", "0.0999"}})
+    while (centimetres.find(metres) != std::string::npos)
+      centimetres = with(centimetres, metres, other);
+  const std::string si = "ITEM: UNITS\nsi\n";
+  CHECK(first(si + atoms, "ITEM: UNITS\ncgs\n" + centimetres).has(Finding::units_differ));
+  CHECK_FALSE(first(si + atoms, si + contacts).has(Finding::units_differ));
   CHECK(dump_refused("ITEM: UNITS\nlj\n" + atoms).find("'lj'") != std::string::npos);
 }
 

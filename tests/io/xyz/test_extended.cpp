@@ -54,6 +54,14 @@ TEST_CASE("extended XYZ: what granum writes for OVITO it reads again, to the bit
     CHECK(packing->step == k);
   }
   CHECK_FALSE(all.next());
+  const auto has = [&](KnownForces known, const std::string& name) {
+    const std::vector<GrainField> fields = grain_fields(grains, known);
+    return std::ranges::find(fields, name, &GrainField::name) != fields.end();
+  };
+  for (const KnownForces known : {KnownForces::none, KnownForces::normal, KnownForces::all}) {
+    CHECK(has(known, "pressure") == (known != KnownForces::none));
+    CHECK(has(known, "grain_stress") == (known == KnownForces::all));
+  }
 }
 
 TEST_CASE("extended XYZ: without a lattice the box is that of the user, or around the grains") {

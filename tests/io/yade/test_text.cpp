@@ -63,6 +63,17 @@ TEST_CASE("YADE: rows that it printed itself") {
   CHECK(norm(ab.branch) == relative(1e-3 - 9.93569733362e-08, 1e-14));
 }
 
+TEST_CASE("YADE: a row may have its grains in either order, the first one of all second") {
+  const std::string place = " 0 0 0 0.0015 0.002 0.002 ";
+  const auto contacts = [&](const std::string& row) {
+    return read_script(script_grains, heading + row).assembly.contacts;
+  };
+  const auto straight = contacts("0 1" + place + "1 0 0 1e-7 0.02 0 0 0 0.01 0 3 2\n"),
+             turned = contacts("1 0" + place + "-1 0 0 1e-7 -0.02 0 0 0 -0.01 0 3 2\n");
+  REQUIRE(straight.size() == 1);
+  CHECK(straight == turned);
+}
+
 TEST_CASE("YADE: a pair through a face, in a sheared cell") {
   const std::string two = with(script_grains.substr(0, script_grains.find("0 0.001")), "0.004 0 0 0 0.004",
                                "0.004 0.0004 0 0 0.004") +
