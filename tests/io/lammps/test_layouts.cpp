@@ -85,6 +85,13 @@ TEST_CASE("LAMMPS layouts: every usual order of values gives the packing that a 
   const ImportedPacking by_map = read(contacts_with(all), whole_map);
   REQUIRE(by_map.assembly.contacts.size() == 91);
   CHECK(read_as(by_map).empty());
+  std::string not_used = " ";
+  for (const ImportNote& note : by_map.notes)
+    if (note.finding == Finding::not_used)
+      not_used += note.text + ",";
+  for (int k = 1; k <= 15; ++k) // the map has the force and p1 to p3
+    CHECK((not_used.find(" c_p[" + std::to_string(k) + "],") == std::string::npos) ==
+          (k == 2 || (6 <= k && k <= 8)));
   for (const std::string values :
        {"dist force fx fy fz p1 p2 p3", "dist force fx fy fz p1 p2 p3 p4", "force fx fy fz p1 p2 p3 p4",
         "dist force p1 p2 p3 p4", "force p1 p2 p3 p4", "dist 0 force fx fy fz p1 p2 p3 p4",
