@@ -129,7 +129,7 @@ effective::MixedContacts mixed_contacts_of(const InputValues& values) {
     materials.push_back(mineral->material);
     shares.push_back(share);
   }
-  constexpr double any_radius = 1e-3;
+  constexpr double any_radius = 1e3; // [m] no grain is larger, and exponents are those of every radius
   const std::optional<double> b = law_of(values, materials.front(), any_radius).constant_exponent();
   if (!b)
     throw InvalidArgument(

@@ -74,6 +74,17 @@ TEST_CASE("inputs: several minerals are the mixture of their contacts, and set t
     if (row.law != nullptr && row.law->shape == rough.contact)
       rough.give(row.input, 1e-7);
   CHECK_FALSE(refusal(rough).empty());
+  // A punch is as wide as its grain at most, whatever its grains are of.
+  for (const char* const grain : {"quartz", "quartz:70%,calcite:30%"})
+    for (const double radius : {1e-6, 0.005, 100.0})
+      check_threshold(radius, [&](double punch) {
+        InputValues flat = usual();
+        flat.give(Input::grain, grain);
+        flat.give(Input::contact, "flat");
+        flat.give(Input::radius, radius);
+        flat.give(find_input("punch_radius")->input, punch);
+        return refusal(flat).empty() ? 1 : 0;
+      });
   // The one mineral of a sand stays one; grains of glass and steel are spheres.
   InputValues balls = usual();
   balls.give(Input::grain, "glass:50%,steel:50%");

@@ -2,6 +2,7 @@
 // Packings in two dimensions are refused, layers of lattices in space are not.
 #include <granum/packing/one_layer.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using packing::Assembly;
@@ -45,8 +46,25 @@ TEST_CASE("one layer: a grain or a contact beside the plane makes it a packing i
   packing.contacts.clear();
   packing.wall_contacts = {{.i = 3, .j = 0, .branch = {0, 0, -0.5}}}; // between plates
   CHECK_NOTHROW(require_space(packing));
-  packing = discs(4, 9);
-  packing.position[7].z += 1e-3;
-  CHECK_NOTHROW(require_space(packing));
-  CHECK_NOTHROW(require_space(discs(4, 0.99))); // a simple cubic lattice: images touch
+  const auto in_space = [](const Assembly& assembly) {
+    try {
+      require_space(assembly);
+    } catch (const InvalidArgument&) {
+      return 0;
+    }
+    return 1;
+  };
+  check_threshold(1e-6 * 0.5, [&](double off) { // rounding of the largest radius
+    Assembly all = discs(4, 9);
+    all.position[7].z += off;
+    return in_space(all);
+  });
+  for (const double thickness : {0.8, 1.0}) // a simple cubic lattice within: images touch
+    check_threshold(thickness, [&](double width) { return in_space(discs(4, width)); });
+  Assembly few = discs(4, 9);
+  for (const auto& [grains, free] : {std::pair(10, 0), {9, 1}}) {
+    few.position.resize(static_cast<std::size_t>(grains));
+    few.radius.resize(static_cast<std::size_t>(grains));
+    CHECK(in_space(few) == free);
+  }
 }
