@@ -179,6 +179,14 @@ TEST_CASE(
     const Vec3 by_friction = stress_by_wall_friction(engine.state());
     const packing::Assembly frozen = contact_network(engine.state(), material);
     const packing::ContactStress by_contacts = contact_stress(frozen);
+    CHECK(
+        (figures.contacts == frozen.contacts.size() && figures.wall_contacts == frozen.wall_contacts.size()));
+    double forces = 0;
+    for (const auto* const all : {&frozen.contacts, &frozen.wall_contacts})
+      for (const packing::Contact& c : *all)
+        forces += c.normal_force;
+    CHECK(figures.mean_normal_force ==
+          relative(forces / static_cast<double>(figures.contacts + figures.wall_contacts), 1e-9));
     for (int axis = 0; axis < 3; ++axis) {
       CHECK(figures.boundary_stress[axis] == relative(target[axis], 2e-6));
       // Exact at equilibrium; the residual forces are 1e-7 of the mean one.
