@@ -30,7 +30,7 @@ class Marionette {
         await new Promise((done, failed) => socket.once("data", done).once("error", failed)); // its greeting
         return new Marionette(socket);
       } catch (error) {
-        if (tries > 600) throw error;
+        if (tries > 3000) throw error;
         await new Promise((done) => setTimeout(done, 100));
       }
     }
