@@ -600,7 +600,7 @@ TEST_CASE("measure: from how clear forces the material follows, and what is said
                          [&](const std::string& note) { return note.find(words) != std::string::npos; });
   };
   check_threshold(0.05, [&](double x) { return notes(0.1, x, "%"); });
-  CHECK(notes(0.1, 0.1, " 10 %") == 1);
+  CHECK(notes(0.1, 0.8, " 79 %") == 1);
   check_threshold(1, [&](double x) { return notes(x, 0, "up to 1"); });
   for (const double k_r : {0.3, 1 + 5e-10, 1.01}) { // known up to 1, but for rounding
 
