@@ -2,6 +2,8 @@
 #include <granum/contact/rough_sphere.hpp>
 #include <granum/dem/engine.hpp>
 
+#include <granum/packing/forces.hpp>
+
 #include "lattice_state.hpp"
 #include "unit.hpp"
 
@@ -30,6 +32,71 @@ TEST_CASE("Coulomb's limit is satisfied at every contact, and sliding is counted
     }
   }
   CHECK(sliding > 0);
+}
+
+TEST_CASE("the figures of a step are those of its contacts, between walls and without") {
+  for (const bool walls : {false, true}) {
+    CAPTURE(walls);
+    const Material material = test::quartz(radius, 0.5);
+    Specimen start = test::fcc(radius, 3, 2e-7);
+    if (walls)
+      start.walls = test::walls(0.3);
+    test::set_in_motion(start);
+    Engine engine(start, material);
+    for (int k = 0; k < 20; ++k)
+      engine.step();
+    const packing::Assembly assembly = contact_network(engine.state(), material);
+    double stiffness = 0, forces = 0, unbalanced = 0, touching = 0;
+    for (const packing::Contact& c : assembly.contacts) {
+      stiffness += c.normal_stiffness * dot(c.branch, c.branch);
+      forces += c.normal_force;
+    }
+    for (const packing::Contact& c : assembly.wall_contacts)
+      forces += c.normal_force;
+    for (const packing::Residual& rest : residuals(assembly)) {
+      const double size = std::hypot(norm(rest.force), norm(rest.moment) / radius);
+      unbalanced += size;
+      touching += size > 0;
+    }
+    const StepFigures& figures = engine.figures();
+    const double all = static_cast<double>(assembly.contacts.size() + assembly.wall_contacts.size());
+    CHECK(figures.contacts == assembly.contacts.size());
+    CHECK(figures.wall_contacts == assembly.wall_contacts.size());
+    CHECK(figures.mean_normal_force == relative(forces / all, 1e-9));
+    CHECK(engine.unbalanced_force_ratio() == relative(unbalanced / touching / (forces / all), 1e-3));
+    if (!walls) {
+      CHECK(figures.p_wave_modulus ==
+            relative(stiffness * (1.0 / 5 + 2.0 / 15 * material.tangential_ratio) / assembly.volume(), 1e-9));
+      const Mat3 stress = contact_stress(assembly).tensor;
+      for (int axis = 0; axis < 3; ++axis) {
+        CHECK(figures.stress(axis, axis) == relative(stress(axis, axis), 1e-6));
+        CHECK(figures.boundary_stress[axis] == figures.stress(axis, axis));
+      }
+    }
+  }
+}
+
+TEST_CASE("the time step is chosen anew where the stiffness has grown by a tenth, or after a hundred steps") {
+  const Material material = test::quartz(radius, 0);
+  const double overlap = 1e-7;
+  for (const double growth : {0.3, 1e-3}) { // of the overlap in fifty steps
+    Specimen state = pair_state(overlap);
+    state.velocity[1].x = -growth * overlap / (50 * Engine(state, material).time_step());
+    Engine engine(state, material);
+    engine.set_damping(0);
+    double chosen = material.law.stiffness_at_overlap(overlap);
+    int changes = 0;
+    for (int k = 1; k <= 110 && engine.figures().contacts > 0; ++k) {
+      const double before = engine.time_step();
+      engine.step();
+      const double now = contact_network(engine.state(), material).contacts.front().normal_stiffness;
+      const bool changed = engine.time_step() != before;
+      CHECK(changed == (now > 1.1 * chosen || k == 100));
+      chosen = changed ? now : chosen;
+      changes += changed;
+    }
+    CHECK(changes >= 1);
+  }
 }
 
 TEST_CASE("a tangential force shrinks with its stiffness when the contact unloads") {
