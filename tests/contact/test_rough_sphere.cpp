@@ -166,6 +166,9 @@ TEST_CASE("rough spheres: numbers far out of the ordinary end in no NaN") {
       CHECK(law.exponent_at_force(f) <= 1);
       if (d < 1e100)
         CHECK(law.energy(d) >= 0);
+      const PowerLaw smooth = PowerLaw::sphere(quartz, R); // but for less than rounding
+      if (f > 0 && roughness * smooth.stiffness_at_force(f) / f < 0x1p-61)
+        CHECK((d == smooth.overlap(f) && law.energy(d) == smooth.energy(d)));
     }
   check_threshold(10e-6, [](double roughness) {
     try {
