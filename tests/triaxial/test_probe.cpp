@@ -154,7 +154,8 @@ TEST_CASE("freezing keeps the friction of walls, and takes the steps that it may
   dem::Material sticking = recipe.material;
   sticking.friction_coefficient = std::numeric_limits<double>::infinity();
   dem::Engine engine(stuck, sticking);
-  const std::size_t first = dem::deform(engine, Mat3{}, 0, {.force_tolerance = 1e-5, .max_steps = 10000}).steps;
+  const std::size_t first =
+      dem::deform(engine, Mat3{}, 0, {.force_tolerance = 1e-5, .max_steps = 10000}).steps;
   const FrozenState frozen = freeze_in_place(state, recipe.material, 1e-300);
   CHECK(frozen.state().walls.value().friction_coefficient == 0.3);
   CHECK(frozen.report.steps == first + 10000 + 20000);
