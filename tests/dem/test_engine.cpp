@@ -76,6 +76,53 @@ TEST_CASE("the figures of a step are those of its contacts, between walls and wi
   }
 }
 
+TEST_CASE("velocities follow from forces with drag, which is that of the lowest frequency in the motion") {
+  const Material material = test::quartz(radius, 0);
+  for (const std::vector<double>& size : {std::vector<double>{}, {1, 0.6}})
+    for (const double fixed : {-1.0, 0.0, 2e4}) {
+      CAPTURE(fixed);
+      Specimen state = pair_state(1e-7, size);
+      state.velocity = {{1e-3, 2e-4, 0}, {-3e-3, 0, 1e-4}};
+      Engine engine(state, material);
+      if (fixed >= 0)
+        engine.set_damping(fixed);
+      const auto mass = [&](std::size_t g) { // of both together, as the sizes
+        const double one = material.density * 4 / 3 * std::numbers::pi * std::pow(radius, 3);
+        return size.empty() ? one : one * (1 + std::pow(size[1], 3)) * size[g] / (1 + size[1]);
+      };
+      const auto force_on = [&](const Specimen& of, std::size_t g) { // of two grains that touch, or do not
+        const packing::Assembly assembly = contact_network(of, material);
+        const Vec3 f = assembly.contacts.empty() ? Vec3{} : force(assembly.contacts[0]);
+        return g == 0 ? -f : f;
+      };
+      for (int k = 0; k < 12; ++k) {
+        const Specimen before = engine.state();
+        const double dt = engine.time_step();
+        engine.step();
+        const Specimen after = engine.state();
+        double work = 0, twice_kinetic = 0;
+        for (const std::size_t g : {0U, 1U}) {
+          work += dot(force_on(before, g) - force_on(after, g), before.velocity[g]);
+          twice_kinetic += mass(g) * dot(before.velocity[g], before.velocity[g]);
+        }
+        const double damping =
+            fixed >= 0
+                ? fixed
+                : std::clamp(2 * std::sqrt(std::max(0.0, work / (dt * twice_kinetic))), 2e-4 / dt, 0.5 / dt);
+        const double drag = damping * dt / 2;
+        for (const std::size_t g : {0U, 1U}) {
+          const Vec3 expected =
+              (1 / (1 + drag)) * ((1 - drag) * before.velocity[g] + dt / mass(g) * force_on(after, g));
+          CHECK(norm(after.velocity[g] - expected) < 1e-6 * (norm(expected) + 1e-4));
+        }
+        CHECK(engine.kinetic_energy() == relative((mass(0) * dot(after.velocity[0], after.velocity[0]) +
+                                                   mass(1) * dot(after.velocity[1], after.velocity[1])) /
+                                                      2,
+                                                  1e-9));
+      }
+    }
+}
+
 TEST_CASE("the time step is chosen anew where the stiffness has grown by a tenth, or after a hundred steps") {
   const Material material = test::quartz(radius, 0);
   const double overlap = 2e-7;
