@@ -36,8 +36,8 @@ packing::Assembly contacts_of(const analysis::LawFamily& family, double noise = 
   return a;
 }
 
-/// Three contacts of each misfit, at overlaps `range` apart in their logarithms, whose logarithms of forces are
-/// off a line of this slope by 1, -2 and 1 times the misfit: its least squares are the same line.
+/// Three contacts of each misfit, at overlaps `range` apart in their logarithms. Logarithms of their forces
+/// are off a line of this slope by 1, -2 and 1 times the misfit: its least squares are the same line.
 packing::Assembly about_line(double slope, double range, const std::vector<double>& misfits) {
   packing::Assembly a = contacts_of(PowerLaw::sphere);
   a.contacts.resize(3 * misfits.size());

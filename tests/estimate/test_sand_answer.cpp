@@ -119,17 +119,16 @@ TEST_CASE("a sand: under unequal stresses each number is its law at the stress i
   const auto oedometric = [&](double stress) { return G(stress) * 2 * (1 - nu.value) / (1 - 2 * nu.value); };
   const double G_vh = G(std::pow(3e5, sands::vertical_share) * std::pow(1.5e5, sands::horizontal_share)),
                G_hh = sands::shear_anisotropy * G(1.5e5), E_h = sands::young_anisotropy * by_young * G(1.5e5);
-  for (const auto& [field, value] :
-       {std::pair(Field::shear_modulus, G_vh),
-        {Field::horizontal_shear_modulus, G_hh},
-        {Field::bulk_modulus, K},
-        {Field::young_modulus, by_young * G(3e5)},
-        {Field::horizontal_young_modulus, E_h},
-        {Field::horizontal_shear_wave_speed, std::sqrt(G_hh / rho)},
-        {Field::compression_wave_speed, std::sqrt(oedometric(3e5) / rho)},
-        {Field::horizontal_compression_wave_speed, std::sqrt(oedometric(1.5e5) / rho)}}) {
-    CAPTURE(estimate::row_of(field).key);
-    CHECK(a[field].value == relative(value, 1e-12));
+  for (const auto& row : {std::pair(Field::shear_modulus, G_vh),
+                          {Field::horizontal_shear_modulus, G_hh},
+                          {Field::bulk_modulus, K},
+                          {Field::young_modulus, by_young * G(3e5)},
+                          {Field::horizontal_young_modulus, E_h},
+                          {Field::horizontal_shear_wave_speed, std::sqrt(G_hh / rho)},
+                          {Field::compression_wave_speed, std::sqrt(oedometric(3e5) / rho)},
+                          {Field::horizontal_compression_wave_speed, std::sqrt(oedometric(1.5e5) / rho)}}) {
+    CAPTURE(estimate::row_of(row.first).key);
+    CHECK(a[row.first].value == relative(row.second, 1e-12));
   }
   const double s = a[Field::stress_exponent].value, share = sands::share_deviation,
                s_error = sands::growth_exponent(sand, 2e5).deviation,
@@ -139,7 +138,7 @@ TEST_CASE("a sand: under unequal stresses each number is its law at the stress i
     Field field;
     double low, high;
   };
-  for (const auto& [input, field, low, high] :
+  for (const auto& [input, of, low, high] :
        {Move{"sand to sand", Field::shear_modulus, G_vh / factor, G_vh * factor},
         Move{"Poisson's ratio", Field::poisson_ratio, nu.value - nu.deviation, nu.value + nu.deviation},
         Move{"exponent", Field::stress_exponent, s - s_error, s + s_error},
@@ -150,7 +149,7 @@ TEST_CASE("a sand: under unequal stresses each number is its law at the stress i
              E_h * (1 - sands::young_anisotropy_deviation / sands::young_anisotropy),
              E_h * (1 + sands::young_anisotropy_deviation / sands::young_anisotropy)}}) {
     int found = 0;
-    const auto k = static_cast<std::size_t>(field);
+    const auto k = static_cast<std::size_t>(of);
     for (const estimate::Effect& effect : a.effects())
       if (effect.input == input && effect.high[k] > effect.low[k] * (1 + 1e-12)) {
         ++found;

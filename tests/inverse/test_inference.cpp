@@ -389,9 +389,9 @@ TEST_CASE("inference: of one measurement each source has its square over that of
     CAPTURE(row.key);
     const Observation one = measurement(row.quantity, beads(p), z, 0.03);
     const inverse::Inference found = infer(std::span(&one, 1), options).together.value();
-    const double K = rung.stiffness.bulk_modulus(), both = modulus(rung.stiffness, row.modulus);
+    const double K = rung.stiffness.bulk_modulus(), X = modulus(rung.stiffness, row.modulus);
     const double by_K = row.modulus == Modulus::K                                    ? 1
-                        : row.modulus == Modulus::C11 || row.modulus == Modulus::C33 ? K / both
+                        : row.modulus == Modulus::C11 || row.modulus == Modulus::C33 ? K / X
                                                                                      : 0;
     const double G_error = row.modulus == Modulus::G_hh ? rung.relative_error.G_hh : rung.relative_error.G_vh;
     const auto slope = [&](const auto& function) {
