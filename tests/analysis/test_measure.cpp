@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include <granum/contact/grains.hpp>
 #include <granum/core/stop.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/uniform_field.hpp>
@@ -95,6 +96,15 @@ TEST_CASE("counts of three spheres in a row, by hand") {
   CHECK(m.stress->symmetric(0, 0) == relative(4 * f_n * edge / 64e-9, 1e-13));
   REQUIRE(m.fabric);
   CHECK(m.fabric->tensor(0, 0) == relative(1, 1e-15));
+  packing::Assembly four = row(); // with one that touches nothing, and two contacts with walls
+  four.position.push_back({3e-3, 3e-3, 3e-3});
+  four.radius.push_back(2 * R);
+  four.wall_contacts = {{.i = 0, .branch = {-R, 0, 0}}, {.i = 3, .branch = {0, 0, R}}};
+  const Counts counts = measure(four).counts;
+  CHECK((counts.without_contact == 1 && counts.wall_contacts == 2 && counts.coordination_number == 1));
+  CHECK(counts.touching_coordination_number == relative(4.0 / 3, 1e-15));
+  CHECK(counts.coordination_number_with_walls == 1.5);
+  CHECK(measure(four).sizes.equivalent == relative(R * (3 + 8) / (3 + 4), 1e-14));
   const StopScope scope([] { return true; });
   CHECK_THROWS_AS((void)measure(row()), Stopped);
 }
@@ -152,6 +162,23 @@ TEST_CASE("K of rung 3 stays within the bounds of the packing, its shear moduli 
   // Without a network no bound is known.
   const Measurement free = measure(cubic(), own, {.closed_forms = true});
   CHECK(free.closed_form(effective::RungName::relaxed)->stiffness == formula);
+  const double K = formula.bulk_modulus();
+  const auto within = [&](double lower, double upper) {
+    Measurement moved = m;
+    moved.closed_forms = free.closed_forms;
+    moved.notes.clear();
+    moved.network->bulk_bounds = {.lower = lower, .upper = upper};
+    keep_within_bounds(moved);
+    const double found = moved.closed_form(effective::RungName::relaxed)->stiffness.bulk_modulus();
+    CHECK(moved.notes.size() == (found == K ? 0 : 1));
+    return found;
+  };
+  CHECK(within(0.9 * K, 1.1 * K) == K);
+  CHECK(within(0, 0) == K); // unknown
+  CHECK(within(0.8 * K, 0.9 * K) == relative(0.9 * K, 1e-12));
+  CHECK(within(1.1 * K, 1.2 * K) == relative(1.1 * K, 1e-12));
+  CHECK(within(0.2, 0.5) == relative(0.5, 1e-6));
+  check_threshold(1e-9, [&](double above) { return within(K * (1 + above), 2 * K) == K ? 1 : 0; });
 }
 
 TEST_CASE("a cubic lattice has the stress, the bounds, the moduli and the waves of its springs") {
@@ -165,7 +192,6 @@ TEST_CASE("a cubic lattice has the stress, the bounds, the moduli and the waves 
   CHECK(network.isotropic_affine().bulk_modulus() == relative(k_n / (3 * edge), 1e-12));
   const elastic::Matrix6& c = network.response.relaxed().matrix;
   CHECK(network.G_hh() == c(5, 5));
-  CHECK(network.G_vh() == relative((c(3, 3) + c(4, 4)) / 2, 1e-15));
   const Microstructure micro = m.microstructure();
   CHECK(micro.coordination_number == relative(6, 1e-15));
   CHECK(micro.mechanical_coordination_number == relative(6, 1e-15));
@@ -191,6 +217,75 @@ TEST_CASE("a cubic lattice has the stress, the bounds, the moduli and the waves 
       CHECK(along.slowest.speed == relative(std::sqrt(shear / density), 1e-9));
     }
   }
+}
+
+TEST_CASE("a lattice whose forces and stiffnesses differ by axes has them along its axes") {
+  packing::Assembly packing = cubic();
+  for (packing::Contact& c : packing.contacts) {
+    const double times = c.branch.x != 0 ? 1 : c.branch.y != 0 ? 2 : 4;
+    c.normal_force *= times;
+    c.tangential_stiffness *= times;
+  }
+  const Measurement m =
+      measure(packing, own, {.force_bins = 8, .network = network::ResponseOptions{.force_terms = false}});
+  const auto stress = [](double times) { return relative(times * f_n / (edge * edge), 1e-12); };
+  CHECK((m.state.value().stress_v == stress(4) && m.state->stress_h == stress(1.5)));
+  // Springs of two axes in series, as grains spin: k k'/(k + k').
+  const auto shear = [](double k, double other) { return k * other / (k + other) * k_t / edge; };
+  CHECK(m.solved_network().G_hh() == relative(shear(1, 2), 1e-9));
+  CHECK(m.network->G_vh() == relative((shear(2, 4) + shear(1, 4)) / 2, 1e-9));
+  CHECK(m.network->isotropic_relaxed().shear_modulus() !=
+        relative(m.network->isotropic_affine().shear_modulus(), 1e-3));
+  CHECK(m.forces.value().Z_2 == relative((1 + 4 + 16) * 3 / 49.0, 1e-13));
+  CHECK(m.forces->Z_5_3 ==
+        relative((1 + std::pow(2, 5.0 / 3) + std::pow(4, 5.0 / 3)) / 3 * std::pow(3.0 / 7, 5.0 / 3), 1e-13));
+  CHECK(m.forces->unevenness.value() == relative(force_unevenness(packing, law, R), 1e-12));
+  CHECK(m.state->unevenness.value().value == m.forces->unevenness);
+  for (const std::size_t count : {19U, 20U}) {
+    const std::vector<Vec3> normals = contact_normals(packing);
+    const Fabric fabric = measure_fabric(std::span(normals).first(count), everything());
+    CHECK((fabric.density.has_value() == (count == 20) && fabric.axisymmetry.has_value() == (count == 20)));
+  }
+}
+
+TEST_CASE("measure: when moments are left by forces, and when their rest is a weight") {
+  // Forces along y of contacts along x turn each grain and push none; one contact with more force pushes two.
+  const auto turned = [](double moment, double more) {
+    packing::Assembly a = cubic();
+    for (packing::Contact& c : a.contacts)
+      if (c.branch.x != 0)
+        c.tangential_force.y = (c.branch.x > 0 ? 0.5 : -0.5) * moment * f_n;
+    a.contacts[0].normal_force *= 1 + more;
+    return a;
+  };
+  const auto left = [&](double moment, double more, double rounding) {
+    const Given given{.law = law, .friction_coefficient = 0.5 * moment, .force_rounding = rounding};
+    const Measurement m = measure(turned(moment, more), given, {.force_bins = 8});
+    if (more == 0) {
+      CHECK(m.forces->mean_tangential_over_normal.value() == relative(moment / 6, 1e-12));
+      CHECK(m.forces->sliding_fraction.value() == relative(1.0 / 3, 1e-12));
+    }
+    return m.moments.empty() ? 1 : 0;
+  };
+  check_threshold(0.02, [&](double moment) { return left(moment, 0, 0); });
+  check_threshold(0.03, [&](double moment) { return left(moment, 0, 0.01); });
+  check_threshold(3 * unbalance(turned(0.11, 0.5)).force_ratio * (1 + 0.5 / 81), // over the mean force
+                  [&](double moment) { return left(moment, 0.5, 0); });
+  const auto weighs = [](double weight, double more) {
+    packing::Assembly a = cubic();
+    for (std::uint32_t g = 0; g < a.grain_count(); ++g)
+      a.wall_contacts.push_back({.i = g, .branch = {0, 0, -R}, .normal_force = weight * f_n});
+    a.contacts[0].normal_force *= 1 + more;
+    const bool there = unbalance(a).force_ratio > 1e-3 && common_weight(a).left_over < 0.1;
+    CHECK(measure_forces(a, {}, 8).weight.has_value() == there);
+    return there;
+  };
+  int some = 0;
+  for (int k = -20; k <= 20; ++k) {
+    some += weighs(1e-3 * std::exp(0.02 * k), 0);
+    some += weighs(0.1, 0.13 * std::exp(0.02 * k));
+  }
+  CHECK((some > 20 && some < 62));
 }
 
 TEST_CASE("a matrix has waves if the density is known, and none if it is not positive semidefinite") {
@@ -253,6 +348,113 @@ TEST_CASE("contacts without a stiffness get that of the law, others keep theirs 
   by_force.stiffness_from = packing::StiffnessFrom::force;
   CHECK(measure(cubic(), by_force, wanted).solved_network().response.affine().matrix(0, 0) ==
         relative(law.stiffness_at_force(f_n) / edge, 1e-9));
+}
+
+TEST_CASE("measure: rounding above 1 % of the overlaps leaves stiffnesses to the forces, springs of turning "
+          "are given") {
+  packing::Assembly packing = cubic();
+  for (packing::Contact& c : packing.contacts)
+    c.normal_stiffness = c.tangential_stiffness = 0;
+  check_threshold(0.01, [&](double rounded) {
+    Given given = own;
+    given.overlap_rounding = rounded * (2 * R - edge);
+    const double k = stiffened(packing, given).contacts[0].normal_stiffness;
+    return k == relative(law.stiffness_at_force(f_n), 1e-12)              ? 1
+           : k == relative(law.stiffness_at_overlap(2 * R - edge), 1e-12) ? 0
+                                                                          : 9;
+  });
+  Given turning = own;
+  const auto springs = [&] {
+    const packing::Contact c = stiffened(packing, turning).contacts[0];
+    return std::pair(c.rolling_stiffness > 0, c.twisting_stiffness > 0);
+  };
+  CHECK(springs() == std::pair(false, false));
+  turning.twisting = packing::TurningSpring{0.1};
+  CHECK(springs() == std::pair(false, true));
+  std::swap(turning.rolling, turning.twisting);
+  CHECK(springs() == std::pair(true, false));
+}
+
+TEST_CASE("measure: forces linear in overlaps are springs where no law was requested") {
+  packing::Assembly packing = cubic();
+  for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
+    packing::Contact& c = packing.contacts[k];
+    c.overlap = (2 * R - edge) * (1 + 0.01 * static_cast<double>(k));
+    c.normal_force = k_n * c.overlap;
+    c.normal_stiffness = c.tangential_stiffness = 0;
+  }
+  Given given{.law_assumed = true};
+  const Measurement m = measure(packing, given, {.law_check = true});
+  CHECK(m.law.value().stiffness_at_force(f_n) == relative(k_n, 1e-12));
+  CHECK((m.law_check.value().coefficient_ratio == relative(1, 1e-12) && m.law_check->worst_misfit < 1e-12));
+  CHECK_FALSE(m.grain);
+  CHECK_FALSE(measure(packing, given).law_check);
+  CHECK(stiffened(packing, given).contacts[7].normal_stiffness == relative(k_n, 1e-12));
+  given.normal_forces = false;
+  CHECK_FALSE(measure(packing, given).law);
+  CHECK_FALSE(measure(packing, {}).law);
+  given = {.grain_shear_modulus = 30e9, .law_assumed = true};
+  CHECK(measure(packing, given).law->stiffness_at_force(f_n) == relative(law.stiffness_at_force(f_n), 1e-12));
+  // Grains of several materials are compared with their own law.
+  given = {.law_assumed = true, .materials = std::vector(27, contact::GrainMaterial{30e9, 0.15})};
+  CHECK_FALSE(measure(packing, given).law_check);
+  CHECK(measure(packing, given, {.law_check = true}).law_check.value().force_exponent->value ==
+        relative(1, 1e-9));
+  given.normal_forces = false;
+  CHECK_FALSE(measure(packing, given, {.law_check = true}).law_check);
+}
+
+TEST_CASE("measure: from how clear an exponent contacts are Hertz' though their factors differ") {
+  packing::Assembly packing = cubic();
+  Given given{.type = std::vector<long>(27, 1)};
+  std::fill_n(given.type.begin() + 9, 9, 2); // the factor of their contacts is twice as large
+  int some = 0;
+  const auto compare = [&](double exponent, double noise) {
+    for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
+      packing::Contact& c = packing.contacts[k];
+      c.normal_stiffness = c.tangential_stiffness = 0;
+      c.overlap = (2 * R - edge) * (1 + 0.01 * static_cast<double>(k));
+      c.normal_force = 1e8 * (given.type[c.i] + given.type[c.j] == 4 ? 2 : 1) *
+                       std::pow(c.overlap, exponent) * (1 + noise * (k % 2 == 0 ? 1 : -1));
+    }
+    const Measured found = common_exponent(packing, given.type).value();
+    const bool hertz =
+        found.standard_error <= 0.02 && std::abs(found.value - 1.5) <= 2 * found.standard_error + 1e-4;
+    const Measurement m = measure(packing, given);
+    CHECK((m.grain.has_value() == hertz && m.notes.size() == 1));
+    some += hertz;
+    if (hertz) {
+      CHECK(*m.grain == mean_material_of_forces(packing, 0.15));
+      const packing::Contact c = stiffened(packing, given).contacts[7];
+      CHECK(c.normal_stiffness == relative(1.5 * c.normal_force / c.overlap, 1e-12));
+    }
+  };
+  for (int k = -15; k <= 15; ++k) {
+    const double times = std::exp(0.02 * k);
+    compare(1.5, 0.035 * times);
+    compare(1.5 + 1e-4 * times, 0);
+    compare(1.5 + 0.02 * times, 0.018);
+  }
+  CHECK((some > 20 && some < 73));
+}
+
+TEST_CASE("measure: grains of several materials weigh as their contacts' lengths squared") {
+  packing::Assembly packing = row();
+  packing.radius[2] = 2 * R;
+  packing.contacts[1].normal_force = -f_n;
+  const std::vector<contact::GrainMaterial> materials{{30e9, 0.15}, {10e9, 0.3}, {20e9, 0.2}};
+  const auto first = contact::pair_material(materials[0], materials[1]),
+             second = contact::pair_material(materials[1], materials[2]);
+  const effective::MixedContacts mixed = mixed_contacts(packing, materials),
+                                 by_hand = effective::mixed_contacts(
+                                     std::vector<effective::MaterialPair>{
+                                         {.material = first, .weight = 4 * R * R, .force = f_n},
+                                         {.material = second, .weight = 9 * R * R, .force = 0}},
+                                     1.0 / 3);
+  CHECK(mixed.mean.shear_modulus == relative(by_hand.mean.shear_modulus, 1e-12));
+  CHECK(mixed.mean.poisson_ratio == relative(by_hand.mean.poisson_ratio, 1e-12));
+  CHECK(relative_stiffnesses(packing, materials, mixed.mean)[1] ==
+        relative(effective::relative_stiffness(second, mixed.mean, 1.0 / 3), 1e-12));
 }
 
 TEST_CASE("missing parts raise an error") {
@@ -366,14 +568,22 @@ TEST_CASE("measure: from how clear forces the material follows, and what is said
   const Given cones{.law_family = [](const contact::GrainMaterial& grain, double) {
     return contact::NormalLaw(contact::PowerLaw::cone(grain, 0.4));
   }};
-  check_threshold(0.01, [&](double off) { // of the forces of two thirds
-    for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
+  const auto clear = [&](double off, double rounded, std::size_t count = 81) {
+    packing = cubic();
+    packing.contacts.resize(count);
+    for (std::size_t k = 0; k < count; ++k) { // of the forces of two thirds
       packing::Contact& c = packing.contacts[k];
       c.overlap = (2 * R - edge) * (1 + 0.01 * static_cast<double>(k));
       c.normal_force = contact::PowerLaw::cone({30e9, 0.15}, 0.4).force(c.overlap) * (1 + off * part(k));
     }
-    return measure(packing, cones).grain.has_value() ? 1 : 0;
-  });
+    Given given = cones;
+    given.overlap_rounding = rounded * 1.4 * (2 * R - edge); // of the median
+    return measure(packing, given).grain.has_value() ? 1 : 0;
+  };
+  check_threshold(0.01, [&](double off) { return clear(off, 0); });
+  check_threshold(0.01 + 1.5 * 0.05, [&](double off) { return clear(off, 0.05); });
+  check_threshold(0.1, [&](double rounded) { return clear(0, rounded); });
+  CHECK((clear(0, 0, 10) == 1 && clear(0, 0, 9) == 0));
   const auto rolled = [&](double ratio, double deviation) {
     packing::Assembly rolling = cubic();
     rolling.radius[5] *= 1.5;
@@ -382,7 +592,7 @@ TEST_CASE("measure: from how clear forces the material follows, and what is said
       c.rolling_stiffness = k_n * std::pow(1 / (1 / rolling.radius[c.i] + 1 / rolling.radius[c.j]), 2) *
                             ratio * (1 + std::sqrt(1.5) * deviation * part(k));
     }
-    return measure(rolling, own);
+    return measure(rolling, own, {.closed_forms = true});
   };
   const auto notes = [&](double ratio, double deviation, const char* words) {
     const std::vector<std::string> all = rolled(ratio, deviation).notes;
@@ -390,9 +600,14 @@ TEST_CASE("measure: from how clear forces the material follows, and what is said
                          [&](const std::string& note) { return note.find(words) != std::string::npos; });
   };
   check_threshold(0.05, [&](double x) { return notes(0.1, x, "%"); });
+  CHECK(notes(0.1, 0.8, " 79 %") == 1);
   check_threshold(1, [&](double x) { return notes(x, 0, "up to 1"); });
-  for (const double k_r : {0.3, 1 + 5e-10, 1.01}) // known up to 1, but for rounding
-    CHECK(rolled(k_r, 0).state.value().rolling == doctest::Approx(k_r > 1.001 ? 0 : k_r).epsilon(1e-9));
+  for (const double k_r : {0.3, 1 + 5e-10, 1.01}) { // known up to 1, but for rounding
+
+    const Measurement m = rolled(k_r, 0);
+    CHECK(m.state.value().rolling == doctest::Approx(k_r > 1.001 ? 0 : k_r).epsilon(1e-9));
+    CHECK(m.closed_form(effective::RungName::relaxed).has_value() == (k_r < 1.001));
+  }
 }
 
 TEST_CASE(

@@ -198,6 +198,10 @@ TEST_CASE("the table of laws: names and keys are unique, and its values lie in t
     CHECK(shape_names().find(name(row.shape)) != std::string::npos);
     for (const LawParameter& parameter : row.parameters) {
       CHECK(keys.insert(parameter.key).second);
+      if (parameter.key == "cone_slope" || parameter.key == "profile_constant") // as near to a plane as
+        CHECK(parameter.low * parameter.high == relative(1, 1e-12));            // to a needle
+      if (parameter.dimension == Dimension::length)
+        CHECK(parameter.high == (parameter.key == "roughness" ? 10e-6 : 1000));
       CHECK(parameter.low <= parameter.value);
       CHECK(parameter.value <= parameter.high);
       CHECK(value_of(parameter, {}) == parameter.value);

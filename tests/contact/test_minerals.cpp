@@ -3,6 +3,9 @@
 
 #include <set>
 
+#include <granum/core/text.hpp>
+
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::contact;
@@ -49,6 +52,13 @@ TEST_CASE("minerals: one, or several by their shares") {
   CHECK(text_of(mineral_shares("glass")) == "glass");
   CHECK(mineral_shares("glass")[0].share == 1);
   CHECK(text_of({}).empty());
+  check_threshold(1e-6, [](double off) { // rounding of the sum
+    try {
+      return mineral_shares("quartz:0.7,calcite:" + exact_text(0.3 + off)).empty() ? 9 : 0;
+    } catch (const InvalidArgument&) {
+      return 1;
+    }
+  });
   for (const char* bad :
        {"", "quartz:0.7", "quartz:0.7,calcite:0.4", "quartz:0.5,quartz:0.5", "quartz,calcite",
         "quartz:-1,calcite:2", "quartz:1,calcite:0", "quartz:0.5,cheese:0.5", "quartz:,",

@@ -7,6 +7,7 @@
 #include <granum/contact/grains.hpp>
 #include <granum/contact/laws.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::contact;
@@ -107,6 +108,9 @@ TEST_CASE("rough spheres: the kernel for sweeps is the law, from the onset to ov
   }
   CHECK(worst < 1e-9);
   CHECK(worst_slope < 1e-7);
+  check_threshold(0x1p-30 * R, [](double roughness) { // below, sweeps take smooth spheres
+    return std::holds_alternative<SphereKernel>(RoughSphere(quartz, R, roughness).kernel()) ? 1 : 0;
+  });
   CHECK(kernel(0).force == 0);
   CHECK(kernel(u0 / 2).force == relative(law.force(u0 / 2), 1e-14));
 }
@@ -162,7 +166,19 @@ TEST_CASE("rough spheres: numbers far out of the ordinary end in no NaN") {
       CHECK(law.exponent_at_force(f) <= 1);
       if (d < 1e100)
         CHECK(law.energy(d) >= 0);
+      const PowerLaw smooth = PowerLaw::sphere(quartz, R); // but for less than rounding
+      if (f > 0 && roughness * smooth.stiffness_at_force(f) / f < 0x1p-61)
+        CHECK((d == smooth.overlap(f) && law.energy(d) == smooth.energy(d)));
     }
+  check_threshold(10e-6, [](double roughness) {
+    try {
+      return RoughSphere::of_numbers(quartz, {2, 1e9, roughness}).roughness() > 0 ? 0 : 9;
+    } catch (const InvalidArgument&) {
+      return 1;
+    }
+  });
+  for (const double alpha : {1.0, 3.0})
+    CHECK_THROWS_AS((void)RoughSphere::of_numbers(quartz, {alpha, 1e9, 1e-9}), InvalidArgument);
   for (const auto& [radius, roughness] : {std::pair(R, -1e-9), {-R, 1e-9}, {R, 10.1e-6}, {1e-6, 1.1e-6}})
     CHECK_THROWS_AS(RoughSphere(quartz, radius, roughness), InvalidArgument);
   CHECK(RoughSphere(quartz, 1e-6, 1e-6).roughness() == 1e-6);

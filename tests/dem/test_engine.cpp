@@ -2,6 +2,8 @@
 #include <granum/contact/rough_sphere.hpp>
 #include <granum/dem/engine.hpp>
 
+#include <granum/packing/forces.hpp>
+
 #include "lattice_state.hpp"
 #include "unit.hpp"
 
@@ -30,6 +32,117 @@ TEST_CASE("Coulomb's limit is satisfied at every contact, and sliding is counted
     }
   }
   CHECK(sliding > 0);
+}
+
+TEST_CASE("the figures of a step are those of its contacts, between walls and without") {
+  for (const bool walls : {false, true}) {
+    CAPTURE(walls);
+    const Material material = test::quartz(radius, 0.5);
+    Specimen start = test::fcc(radius, 3, 2e-7);
+    if (walls)
+      start.walls = test::walls(0.3);
+    test::set_in_motion(start);
+    Engine engine(start, material);
+    for (int k = 0; k < 20; ++k)
+      engine.step();
+    const packing::Assembly assembly = contact_network(engine.state(), material);
+    double stiffness = 0, forces = 0, unbalanced = 0, touching = 0;
+    for (const packing::Contact& c : assembly.contacts) {
+      stiffness += c.normal_stiffness * dot(c.branch, c.branch);
+      forces += c.normal_force;
+    }
+    for (const packing::Contact& c : assembly.wall_contacts)
+      forces += c.normal_force;
+    for (const packing::Residual& rest : residuals(assembly)) {
+      const double size = std::hypot(norm(rest.force), norm(rest.moment) / radius);
+      unbalanced += size;
+      touching += size > 0;
+    }
+    const StepFigures& figures = engine.figures();
+    const double all = static_cast<double>(assembly.contacts.size() + assembly.wall_contacts.size());
+    CHECK(figures.contacts == assembly.contacts.size());
+    CHECK(figures.wall_contacts == assembly.wall_contacts.size());
+    CHECK(figures.mean_normal_force == relative(forces / all, 1e-9));
+    CHECK(engine.unbalanced_force_ratio() == relative(unbalanced / touching / (forces / all), 1e-3));
+    if (!walls) {
+      CHECK(figures.p_wave_modulus ==
+            relative(stiffness * (1.0 / 5 + 2.0 / 15 * material.tangential_ratio) / assembly.volume(), 1e-9));
+      const Mat3 stress = contact_stress(assembly).tensor;
+      for (int axis = 0; axis < 3; ++axis) {
+        CHECK(figures.stress(axis, axis) == relative(stress(axis, axis), 1e-6));
+        CHECK(figures.boundary_stress[axis] == figures.stress(axis, axis));
+      }
+    }
+  }
+}
+
+TEST_CASE("velocities follow from forces with drag, which is that of the lowest frequency in the motion") {
+  const Material material = test::quartz(radius, 0);
+  for (const std::vector<double>& size : {std::vector<double>{}, {1, 0.6}})
+    for (const double fixed : {-1.0, 0.0, 2e4}) {
+      CAPTURE(fixed);
+      Specimen state = pair_state(1e-7, size);
+      state.velocity = {{1e-3, 2e-4, 0}, {-3e-3, 0, 1e-4}};
+      Engine engine(state, material);
+      if (fixed >= 0)
+        engine.set_damping(fixed);
+      const auto mass = [&](std::size_t g) { // of both together, as the sizes
+        const double one = material.density * 4 / 3 * std::numbers::pi * std::pow(radius, 3);
+        return size.empty() ? one : one * (1 + std::pow(size[1], 3)) * size[g] / (1 + size[1]);
+      };
+      const auto force_on = [&](const Specimen& of, std::size_t g) { // of two grains that touch, or do not
+        const packing::Assembly assembly = contact_network(of, material);
+        const Vec3 f = assembly.contacts.empty() ? Vec3{} : force(assembly.contacts[0]);
+        return g == 0 ? -f : f;
+      };
+      for (int k = 0; k < 12; ++k) {
+        const Specimen before = engine.state();
+        const double dt = engine.time_step();
+        engine.step();
+        const Specimen after = engine.state();
+        double work = 0, twice_kinetic = 0;
+        for (const std::size_t g : {0U, 1U}) {
+          work += dot(force_on(before, g) - force_on(after, g), before.velocity[g]);
+          twice_kinetic += mass(g) * dot(before.velocity[g], before.velocity[g]);
+        }
+        const double damping =
+            fixed >= 0
+                ? fixed
+                : std::clamp(2 * std::sqrt(std::max(0.0, work / (dt * twice_kinetic))), 2e-4 / dt, 0.5 / dt);
+        const double drag = damping * dt / 2;
+        for (const std::size_t g : {0U, 1U}) {
+          const Vec3 expected =
+              (1 / (1 + drag)) * ((1 - drag) * before.velocity[g] + dt / mass(g) * force_on(after, g));
+          CHECK(norm(after.velocity[g] - expected) < 1e-6 * (norm(expected) + 1e-4));
+        }
+        CHECK(engine.kinetic_energy() == relative((mass(0) * dot(after.velocity[0], after.velocity[0]) +
+                                                   mass(1) * dot(after.velocity[1], after.velocity[1])) /
+                                                      2,
+                                                  1e-9));
+      }
+    }
+}
+
+TEST_CASE("the time step is chosen anew where the stiffness has grown by a tenth, or after a hundred steps") {
+  const Material material = test::quartz(radius, 0);
+  const double overlap = 2e-7;
+  for (const double growth : {0.5, 1e-3}) { // of all overlaps in fifty steps
+    Engine engine(test::fcc(radius, 3, overlap), material);
+    const double strain = growth * overlap / (50 * 2 * radius);
+    double chosen = material.law.stiffness_at_overlap(overlap);
+    int changes = 0;
+    for (int k = 1; k <= 110; ++k) {
+      const double before = engine.time_step();
+      engine.set_velocity_gradient(-strain / before * Mat3::identity());
+      engine.step();
+      const double now = contact_network(engine.state(), material).contacts.at(0).normal_stiffness;
+      const bool changed = engine.time_step() != before;
+      CHECK(changed == (now > 1.1 * chosen || k == 100));
+      chosen = changed ? now : chosen;
+      changes += changed;
+    }
+    CHECK(changes >= 1);
+  }
 }
 
 TEST_CASE("a tangential force shrinks with its stiffness when the contact unloads") {

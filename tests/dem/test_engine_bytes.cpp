@@ -4,6 +4,7 @@
 #include <granum/dem/specimen.hpp>
 
 #include "lattice_state.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::dem;
@@ -98,6 +99,33 @@ TEST_CASE("a state or an engine of impossible numbers is refused as its file") {
     ByteReader reader(bytes.bytes(), "bad");
     CHECK_THROWS_WITH_AS((void)load_specimen(reader), doctest::Contains("bad"), FileError);
   };
+  const auto limit = [&](double at, auto change) {
+    check_threshold(at, [&](double value) {
+      Specimen state = sound;
+      change(state, value);
+      ByteWriter bytes;
+      save_specimen(bytes, state);
+      ByteReader reader(bytes.bytes(), "bytes");
+      try {
+        (void)load_specimen(reader);
+      } catch (const FileError&) {
+        return 1;
+      }
+      return 0;
+    });
+  };
+  const auto filled = [](Specimen& s, double share) { // of the cubes of the radii over the cell
+    const double cubes = static_cast<double>(s.grain_count()) * std::pow(s.radius, 3);
+    s.cell = std::cbrt(cubes / share / determinant(s.cell)) * s.cell;
+  };
+  limit(1e-4, filled);
+  limit(1, filled);
+  limit(1e-6, [](Specimen& s, double size) {
+    s.size.assign(s.grain_count(), 1);
+    s.size[3] = size;
+  });
+  for (const int axis : {0, 1, 2})
+    limit(1e3, [=](Specimen& s, double cells) { s.position.front()[axis] = -cells * s.cell(axis, axis); });
   refused([](Specimen& s) { s.position.pop_back(); });
   refused([](Specimen& s) { s.position.front().x = NAN; });
   refused([](Specimen& s) { s.position.front().y = 1e9; });

@@ -21,11 +21,37 @@ TEST_CASE(
   for (int axis = 0; axis < 3; ++axis)
     CHECK(report.stress()(axis, axis) == relative(pressure, 1e-6));
   CHECK(report.unbalanced_force_ratio < 1e-6);
+  CHECK(report.steps % 10 == 0);
   CHECK(report.largest_inertial_number <= 5e-4 * (1 + 1e-12));
   const double overlap = material.law.overlap(std::numbers::sqrt2 * radius * radius * pressure);
   const packing::Assembly assembly = contact_network(engine.state(), material);
   // R in p = f/(sqrt 2 R^2) is half of the branch: 2 overlap/R apart from the radius.
   CHECK(assembly.contacts.front().overlap == relative(overlap, 1e-3));
+}
+
+TEST_CASE("a step of the servo closes a 27th of each gap, but for the largest rate") {
+  const Material material = test::quartz(radius, 0.5);
+  for (const double off : {1e-6, 0.5}) {
+    Engine engine(test::fcc(radius, 3, 2e-7), material);
+    const StepFigures figures = engine.figures();
+    const Mat3 before = engine.cell();
+    Vec3 target = figures.boundary_stress;
+    target.x *= 1 + off, target.z *= 1 - 2 * off / 3;
+    const double pressure = (target.x + target.y + target.z) / 3, dt = engine.time_step(),
+                 time = engine.diameter() * std::sqrt(material.density / pressure);
+    const QuasistaticOptions options{.inertial_number = 1e-4, .max_steps = 1};
+    const QuasistaticReport report = equilibrate(engine, target, options);
+    double squares = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double rate = std::clamp((target[axis] - figures.boundary_stress[axis]) /
+                                         (27 * dt * std::max(figures.p_wave_modulus, pressure)),
+                                     -1e-4 / time, 1e-4 / time);
+      squares += rate * rate;
+      CHECK(std::abs((1 - engine.cell()(axis, axis) / before(axis, axis)) / dt - rate) < 1e-6 * 1e-4 / time);
+    }
+    CHECK(report.largest_inertial_number == relative(std::sqrt(squares / 3) * time, 1e-9));
+    CHECK((off > 0.1) == (std::sqrt(squares / 2) * time > 0.99e-4));
+  }
 }
 
 TEST_CASE("small strains of a lattice give the closed-form moduli") {

@@ -2,6 +2,7 @@
 #include <granum/dem/specimen.hpp>
 
 #include "lattice_state.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 namespace {
@@ -42,6 +43,12 @@ TEST_CASE("a frozen state includes tangential forces and sliding contacts") {
   CHECK(assembly.contacts[0].sliding);
   CHECK_FALSE(assembly.contacts[1].sliding);
   CHECK(assembly.contacts[1].tangential_force == Vec3{1e-3, 0, 0});
+  const double limit = 0.5 * assembly.contacts[0].normal_force;
+  check_threshold(1e-9, [&](double below) { // rounding of the limit
+    state.history = {{0, 1, {0, (1 - below) * limit, 0}, 1.0}};
+    return dem::contact_network(state, material).contacts[0].sliding ? 1 : 0;
+  });
+  state.history = {{0, 1, {0, 1.1 * limit, 0}, 1.0}};
   dem::Material sticking = material;
   sticking.friction_coefficient = std::numeric_limits<double>::infinity();
   CHECK_FALSE(dem::contact_network(state, sticking).contacts[0].sliding);

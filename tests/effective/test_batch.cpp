@@ -5,6 +5,7 @@
 
 #include "core/vector/power.hpp"
 #include "support.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 #include "vector_levels.hpp"
 
@@ -138,6 +139,7 @@ TEST_CASE("batch: bad rows are named and zero, the others are computed") {
   in.pressure[257] = nan;
   in.coordination_number[258] = -6;
   in.porosity[599] = 38;
+  in.pressure[599] = in.coordination_number[599] = 0.5; // which are possible
   Outputs out(600), good(600);
   const BatchReport report = uniform_strain(batch_of(law, in), out.columns());
   REQUIRE(uniform_strain(batch_of(law, Inputs(600)), good.columns()).ok());
@@ -153,6 +155,20 @@ TEST_CASE("batch: bad rows are named and zero, the others are computed") {
     CHECK(out.bulk[k] == (bad ? 0 : good.bulk[k]));
     CHECK(out.shear[k] == (bad ? 0 : good.shear[k]));
   }
+}
+
+TEST_CASE("batch: rows are good up to the limits of pressures, contacts and porosities") {
+  const auto limit = [](double at, std::vector<double> Inputs::*column) {
+    check_threshold(at, [&](double value) {
+      Inputs in(3);
+      (in.*column)[1] = value;
+      Outputs out(3);
+      return uniform_strain(batch_of(test::law_of(2, 0.15), in), out.columns()).failed;
+    });
+  };
+  limit(1e200, &Inputs::pressure);
+  limit(1e6, &Inputs::coordination_number);
+  limit(1, &Inputs::porosity);
 }
 
 TEST_CASE("batch: of many bad rows the first thousand are named, all are counted") {

@@ -6,7 +6,10 @@
 #include <granum/contact/rough_sphere.hpp>
 #include <granum/effective/relaxation.hpp>
 
+#include "effective/contact_prior_coefficients.hpp"
+#include "effective/contact_prior_kernel.hpp"
 #include "support.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::test;
@@ -216,7 +219,63 @@ TEST_CASE("contact prior: notes on friction, sizes and overlaps") {
   unequal.contacts.branch_square = 1.3;
   const ContactPrior prior = effective::contact_prior(unequal);
   CHECK(prior.validity.notes != effective::contact_prior(spheres(0.5, 1e5)).validity.notes);
-  CHECK(prior.rattler_error > effective::contact_prior(spheres(0.6, 1e5)).rattler_error);
+  CHECK(prior.rattler_error == 1.5);
+  CHECK(effective::contact_prior(spheres(0.6, 1e5)).rattler_error == effective::kernel::rattler_scatter);
+  const std::string loose_note = effective::contact_prior(spheres(0.81234, 0)).validity.notes.front();
+  CHECK((loose_note.find("0.812") != std::string::npos && loose_note.find("0.8123") == std::string::npos));
+  int small = 0; // where friction is too little for the void ratio by more than two deviations
+  for (double mu = 0.01; mu < 0.6; mu *= 1.01) {
+    const auto& c = effective::kernel::contact_coefficients;
+    const bool too_small =
+        effective::kernel::rigid_contacts_of_friction(mu, c) >
+        effective::kernel::densest_rigid_contacts(0.65, c) + 2 * effective::kernel::friction_scatter;
+    CHECK(notes(spheres(0.65, 0), friction(mu)) == (too_small ? 1 : 0));
+    small += too_small;
+  }
+  CHECK((small > 10 && small < 400));
+  // Overlaps before and after a change of stress are noted from 0.01 diameters on.
+  const ContactCounts counts{.mechanical_coordination_number = 5, .rattler_fraction = 0.02};
+  for (double p = 1e6; p < 1e9; p *= 1.05) {
+    const auto there = effective::carried_contacts(spheres(0.6, 1e5), counts, p);
+    const auto back = effective::carried_contacts(spheres(0.6, p), counts, 1e5);
+    CHECK(there.validity.notes.size() == (there.relative_overlap > 0.01 ? 1 : 0));
+    CHECK(back.validity.notes.size() == (overlap_of(spheres(0.6, p), counts) > 0.01 ? 1 : 0));
+  }
+}
+
+TEST_CASE(
+    "contact prior: how far packings scatter, and the pressure up to which they were made without friction") {
+  namespace k = effective::kernel;
+  const auto prior = [](double e, Preparation preparation, double densest, double made_at = 0) {
+    preparation.densest_void_ratio = densest;
+    preparation.pressure = made_at;
+    return effective::contact_prior(spheres(e, 1e5), preparation);
+  };
+  CHECK(prior(0.62, dense, 0).packing_scatter == k::line_scatter);
+  for (const Preparation& other : {Preparation{}, loose, friction(0.3)})
+    CHECK(prior(0.62, other, 0).packing_scatter == k::friction_scatter);
+  CHECK(prior(0.62, loose, 0.57).packing_scatter ==
+        relative(std::hypot(k::above_densest_scatter, k::above_densest_code_scatter), 1e-12));
+  const auto at = [&](double pressure) { return z(prior(0.62, dense, 0.57, pressure).middle); };
+  CHECK(at(0) == at(10e3)); // where it is not known
+  CHECK(at(0.5) != at(0));
+  CHECK(std::abs(at(0.5) - at(2)) < std::abs(at(0.5) - at(0)) / 10);
+  State unequal = spheres(0.6, 1e5);
+  unequal.contacts.branch = 1.1;
+  unequal.contacts.branch_square = 1.3;
+  const auto refused = [](const State& s, double densest) {
+    Preparation preparation = loose;
+    preparation.densest_void_ratio = densest;
+    try {
+      effective::require_valid(preparation, s);
+    } catch (const InvalidArgument&) {
+      return 1;
+    }
+    return 0;
+  };
+  check_threshold(0.5, [&](double densest) { return refused(spheres(0.6, 1e5), densest); });
+  check_threshold(0.2, [&](double densest) { return refused(unequal, densest); });
+  check_threshold(1.02 * 1.6 - 1, [&](double densest) { return refused(unequal, densest); });
 }
 
 TEST_CASE("contact prior: rattlers of z* are those of the prior, and fewer the more contacts there are") {

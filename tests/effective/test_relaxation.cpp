@@ -290,6 +290,13 @@ TEST_CASE("relaxed: overlaps shorten branches as they do in a packing whose cont
       CAPTURE(w);
       CHECK(relaxed(s, 5.9).stiffness.bulk_modulus() == relative(h * K, 3 * w * w + 1e-13));
     }
+  State few = state_of(2, 0, 0.15, 1e7, 1e7); // also with less than one contact a grain
+  few.coordination_number = 0.8;
+  CHECK(shortened(few) < 0.99);
+  CHECK(relaxed(few, 5.9).stiffness.bulk_modulus() ==
+        relative(relaxation(5.9, few.tangential_ratio, 1.0 / 3).bulk.value * shortened(few) *
+                     effective::uniform_strain(few).stiffness.bulk_modulus(),
+                 1e-12));
   // Beyond a tenth of the diameter there are no grains left to speak of: finite, and with a note.
   const State crushed = state_of(2, 0, 0.15, 1e12, 1e12);
   CHECK(relaxed(crushed, 5.9).stiffness.positive_definite());
@@ -304,6 +311,9 @@ TEST_CASE("relaxed: extremes have no stiffness or a finite one") {
   s = state_of(2, 0.1, 0.15, 1e5, 1e5);
   CHECK(relaxed(s, 3.5).stiffness == elastic::TransverselyIsotropic{});
   CHECK_FALSE(relaxed(s, 3.5).validity.ok());
+  State rolling = s;
+  rolling.rolling = 0.5; // which was not fitted there
+  CHECK(relaxed(rolling, 3.5).validity.notes.front() != relaxed(s, 3.5).validity.notes.front());
   s.tangential_ratio = 0;
   CHECK(relaxed(s, 5.9).stiffness == elastic::TransverselyIsotropic{});
   CHECK(relaxed(s, 6.4).stiffness.positive_definite());

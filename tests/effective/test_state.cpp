@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/effective/state.hpp>
 
+#include <granum/contact/rough_sphere.hpp>
+
 #include "support.hpp"
 #include "thresholds.hpp"
 #include "unit.hpp"
@@ -158,6 +160,10 @@ TEST_CASE("b of a state is that of its law at the mean force") {
     State s = state_of(alpha, 0.2, 0.15, 1.8e5, 1e5);
     CHECK(effective::contact_exponent(s) == s.law.exponent_at_force(effective::mean_contact_force(s)));
     CHECK(std::abs(effective::contact_exponent(s) - 1 / (1 + alpha)) < 1e-15);
+    State few = s;
+    few.law = contact::RoughSphere(s.law.grain(), s.radius, 50e-9);
+    few.coordination_number = 0.5;
+    CHECK(effective::contact_exponent(few) == few.law.exponent_at_force(effective::mean_contact_force(few)));
     s.coordination_number = 0;
     CHECK(effective::contact_exponent(s) == s.law.exponent_at_force(0));
     s.void_ratio = -1;

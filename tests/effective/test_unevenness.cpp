@@ -8,6 +8,7 @@
 #include <granum/effective/uniform_field.hpp>
 
 #include "effective/relaxation_coefficients.hpp"
+#include "effective/unevenness_kernel.hpp"
 #include "support.hpp"
 #include "unit.hpp"
 
@@ -91,6 +92,18 @@ TEST_CASE("dense unevenness: forces of a dense packing remember the pressure of 
   CHECK(unknown.value > effective::dense_unevenness(packed, 1e5).value);
   CHECK(unknown.standard_error > 3 * effective::dense_unevenness(packed, 1e4).standard_error);
   CHECK(unknown.by_pressure > 0);
+  // A tenth of the scatter of the first forces is left, by the square of the overlap, give or take a quarter.
+  const auto prepared_at = [&](double p) { return effective::dense_unevenness(packed, p); };
+  const effective::Unevenness tenth = prepared_at(1e5 * std::pow(0.1, 0.75));
+  CHECK(unknown.value == relative(tenth.value, 1e-12));
+  CHECK(std::hypot(tenth.standard_error, 0.25 * (prepared_at(1e5).value - tenth.value) / 0.9) ==
+        relative(unknown.standard_error, 1e-9));
+  State between = packed; // half as much is known at 5.65, between 5.5 and 5.8
+  between.mechanical_coordination_number = 5.65;
+  const effective::Unevenness half = effective::dense_unevenness(between, 1e4);
+  CHECK(half.by_pressure == relative(prepared_at(1e4).by_pressure / 2, 1e-9));
+  CHECK(half.standard_error ==
+        relative((effective::kernel::usual_unevenness_scatter + prepared_at(1e4).standard_error) / 2, 1e-9));
   // A packing of fewer contacts was not made without friction: from z* = 5.5 down nothing is known.
   State loose = packed;
   for (const double z : {4.5, 5.0, 5.5}) {

@@ -4,6 +4,7 @@
 #include <granum/effective/relaxation.hpp>
 #include <granum/sands/pooled_law.hpp>
 
+#include "estimate/parts.hpp"
 #include "questions.hpp"
 #include "unit.hpp"
 
@@ -71,6 +72,15 @@ TEST_CASE("answer: counted contacts give rung 3, with only its standard error") 
   const auto upper = [&](Field field) { return a[field].high / a[field].value - 1; };
   CHECK(close(upper(Field::shear_modulus), rung3.relative_error.G_vh, 1e-7));
   CHECK(close(upper(Field::bulk_modulus), rung3.relative_error.bulk_modulus, 1e-7));
+  const auto lower = [&](Field field) { return 1 - a[field].low / a[field].value; };
+  CHECK(close(lower(Field::shear_modulus), rung3.relative_error.G_vh, 1e-7));
+  CHECK(close(lower(Field::bulk_modulus), rung3.relative_error.bulk_modulus, 1e-7));
+  for (const Field exponent :
+       {Field::stress_exponent, Field::vertical_exponent, Field::horizontal_exponent}) {
+    const double error = 0.03 * a[exponent].value / a[Field::stress_exponent].value;
+    CHECK(a[exponent].high - a[exponent].value == relative(error, 1e-9));
+    CHECK(a[exponent].value - a[exponent].low == relative(error, 1e-9));
+  }
   REQUIRE(a.shares().front().input == "rung 3");
   CHECK(a.shares().front().share == 1);
   // The same by C_n and z*, and by C_n and rattlers.
@@ -173,6 +183,39 @@ TEST_CASE("answer: the effect of an uncertain input is added in quadrature") {
   CHECK(a.shares().front().input == "grain modulus");
   REQUIRE(a.shares().size() == 2);
   CHECK(a.shares().front().share + a.shares().back().share == doctest::Approx(1));
+}
+
+TEST_CASE("answer: a range is as wide as its effects in quadrature, by logarithms or differences, within its "
+          "limits") {
+  const estimate::FieldRow &G = estimate::row_of(Field::shear_modulus),
+                           &nu = estimate::row_of(Field::poisson_ratio);
+  estimate::Values middle{}, less{}, more{}, none{};
+  const auto at = [](estimate::Values& values, const estimate::FieldRow& row) -> double& {
+    return values[static_cast<std::size_t>(row.field)];
+  };
+  at(middle, G) = 4, at(less, G) = 2, at(more, G) = 12;
+  at(middle, nu) = 0.2, at(less, nu) = 0.1, at(more, nu) = 0.35;
+  none = less;
+  at(none, G) = 0, at(none, nu) = 0.2;
+  const estimate::Effect one = estimate::effect_of("one", true, middle, less, more),
+                         two = estimate::effect_of("two", true, middle, more, less),
+                         zero = estimate::effect_of("zero", true, middle, none, middle);
+  const std::vector both{one, two}, all{one, two, zero};
+  const double root = std::sqrt(2);
+  const Range of_G = estimate::range_of(G, middle, both, ""),
+              of_nu = estimate::range_of(nu, middle, both, "");
+  CHECK(of_G.low == relative(4 * std::pow(0.5, root), 1e-12));
+  CHECK(of_G.high == relative(4 * std::pow(3, root), 1e-12));
+  CHECK(of_nu.low == relative(0.2 - 0.1 * root, 1e-12));
+  CHECK(of_nu.high == relative(0.2 + 0.15 * root, 1e-12));
+  CHECK(estimate::range_of(G, middle, both, "two").high == relative(12, 1e-12));
+  CHECK(estimate::range_of(G, middle, all, "").low == 0);
+  const std::vector<estimate::Effect> many(9, one);
+  CHECK(estimate::range_of(nu, middle, many, "").high == 0.5); // the most that it can be
+  const auto shares = estimate::shares_of(Field::shear_modulus, std::vector{one, zero, one});
+  REQUIRE(shares.size() == 2);
+  CHECK(shares[0].share == relative(200.0 / 216, 1e-12));
+  CHECK(shares[1].share == relative(16.0 / 216, 1e-12));
 }
 
 TEST_CASE("answer: water adds mass, and stiffness only to V_p and only without air") {

@@ -134,6 +134,27 @@ TEST_CASE("input values: what is implied follows what is given, and may be compl
   CHECK(of(moved, "k0").moved(0.1).state.stress_h == doctest::Approx(60e3).epsilon(1e-15));
 }
 
+TEST_CASE(
+    "input values: K_0 and sigma_h of a row agree within 1 %, silt of a sieve curve is its share by mass") {
+  check_threshold(0.01, [](double off) {
+    InputValues row = with({{Input::void_ratio, 0.6}});
+    row.give(Input::stress_v, 100e3, Source::table);
+    row.give(Input::stress_h, 50e3, Source::table);
+    row.give(Input::k0, 0.5 * (1 + off), Source::table);
+    return refusal(row).empty() ? 0 : 1;
+  });
+  InputValues sieved = usual();
+  sieved.give(Input::sieve, sizes::Distribution::sieve(std::vector<sizes::SievePoint>{
+                                {0.02e-3, 0}, {sands::silt_size, 0.04}, {0.5e-3, 1}}));
+  const Question q = question_of(completed(sieved));
+  CHECK(q.sand.fines.value() == doctest::Approx(0.04).epsilon(1e-12));
+  CHECK(q.sand.d50.value() ==
+        doctest::Approx(2 * q.state.radius * sieved.sizes->quantile(0.5, 3)).epsilon(1e-12));
+  InputValues of_radius = usual();
+  of_radius.give(Input::radius, 0.2e-3);
+  CHECK(question_of(completed(of_radius)).sand.d50.value() == 2 * 0.2e-3);
+}
+
 TEST_CASE("input values: limits of the void ratio may be uncertain, of a sand and of beads") {
   const InputValues known = completed(with({{Input::relative_density, 0.6},
                                             {Input::least_void_ratio, 0.6},

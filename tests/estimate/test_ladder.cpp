@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/estimate/ladder.hpp>
 
+#include <granum/core/text.hpp>
 #include <granum/effective/uniform_field.hpp>
 #include <set>
 
@@ -200,6 +201,27 @@ TEST_CASE("ladder: the error of rung 3 is stated by its parts") {
       sources.insert(effect.input);
   const std::string text = estimate::choose(answer, 0.05).rungs[3].error_source;
   CHECK(static_cast<std::size_t>(std::count(text.begin(), text.end(), '%')) == sources.size());
+  double largest = 0;
+  for (const estimate::Effect& effect : answer.effects())
+    for (const Field field : {Field::bulk_modulus, Field::shear_modulus, Field::horizontal_shear_modulus}) {
+      const auto k = static_cast<std::size_t>(field);
+      largest = std::max(largest, (effect.high[k] - effect.low[k]) / answer[field].value / 2);
+    }
+  CHECK(text.find(percent_text(largest)) != std::string::npos);
+  // An input is worth knowing if the error would fall by a twentieth.
+  int worth = 0;
+  for (double deviation = 0.02; deviation < 0.4; deviation *= 1.02) {
+    const estimate::UncertainInput fabric = uncertain_fabric(dense_spheres(), deviation, false);
+    const estimate::Answer of_fabric = estimate::answer(dense_spheres(), std::span(&fabric, 1));
+    double now = 0, then = 0;
+    for (const Field field : {Field::bulk_modulus, Field::shear_modulus, Field::horizontal_shear_modulus}) {
+      now = std::max(now, of_fabric[field].relative_error());
+      then = std::max(then, of_fabric.without(field, "fabric").relative_error());
+    }
+    CHECK(mentions(estimate::choose(of_fabric, 1e-3).advice, "fabric") == (then < 0.95 * now));
+    worth += then < 0.95 * now;
+  }
+  CHECK((worth > 5 && worth < 150));
 }
 
 TEST_CASE("ladder: a better known input may allow a cheaper rung") {

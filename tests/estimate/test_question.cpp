@@ -238,6 +238,14 @@ TEST_CASE("question: stresses that no friction can hold are refused, those of no
     }
 }
 
+TEST_CASE("question: the extreme stresses that friction holds are possible but for rounding") {
+  for (const double sign : {1, -1})
+    check_threshold(1e-9, [=](double beyond) {
+      const double end = sign > 0 ? stress::largest_stress_ratio : stress::least_stress_ratio;
+      return refused(with_ratio(GrainShape::sphere, end * (1 + sign * beyond))) == "stress_h" ? 1 : 0;
+    });
+}
+
 TEST_CASE("question: what a deviation leads to is refused where no packing has it") {
   using Change = void (*)(Question&);
   for (const auto& [change, name] :

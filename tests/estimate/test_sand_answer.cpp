@@ -6,6 +6,7 @@
 #include <granum/contact/power_law.hpp>
 #include <granum/effective/relaxation.hpp>
 #include <granum/effective/slip.hpp>
+#include <granum/elastic/waves.hpp>
 
 #include "unit.hpp"
 
@@ -104,6 +105,93 @@ TEST_CASE("a sand: G equals the pooled law to the bit, the moduli are consistent
   const double p = 4e5 / 3, p_atm = 101.3e3;
   CHECK(answer[Field::pm4sand_coefficient].value * p_atm * std::sqrt(p / p_atm) ==
         relative(answer[Field::shear_modulus].value, 1e-13));
+}
+
+TEST_CASE("a sand: under unequal stresses each number is its law at the stress it follows, moved by its "
+          "deviation") {
+  const sands::Sand sand{.uniformity = 2};
+  estimate::Question q = quartz(0.65, 3e5, 1.5e5, sand);
+  const estimate::Answer a = estimate::answer(q);
+  const auto G = [&](double stress) { return sands::pooled_shear_modulus(sand, 0.65, stress); };
+  const auto nu = sands::poisson_ratio(sand, 2e5);
+  const double by_young = 2 * (1 + nu.value), K = G(2e5) * by_young / (3 * (1 - 2 * nu.value)),
+               rho = 2650 / 1.65;
+  const auto oedometric = [&](double stress) { return G(stress) * 2 * (1 - nu.value) / (1 - 2 * nu.value); };
+  const double G_vh = G(std::pow(3e5, sands::vertical_share) * std::pow(1.5e5, sands::horizontal_share)),
+               G_hh = sands::shear_anisotropy * G(1.5e5), E_h = sands::young_anisotropy * by_young * G(1.5e5);
+  for (const auto& row : {std::pair(Field::shear_modulus, G_vh),
+                          {Field::horizontal_shear_modulus, G_hh},
+                          {Field::bulk_modulus, K},
+                          {Field::young_modulus, by_young * G(3e5)},
+                          {Field::horizontal_young_modulus, E_h},
+                          {Field::horizontal_shear_wave_speed, std::sqrt(G_hh / rho)},
+                          {Field::compression_wave_speed, std::sqrt(oedometric(3e5) / rho)},
+                          {Field::horizontal_compression_wave_speed, std::sqrt(oedometric(1.5e5) / rho)}}) {
+    CAPTURE(estimate::row_of(row.first).key);
+    CHECK(a[row.first].value == relative(row.second, 1e-12));
+  }
+  const double s = a[Field::stress_exponent].value, share = sands::share_deviation,
+               s_error = sands::growth_exponent(sand, 2e5).deviation,
+               factor = sands::stated_factor(sand, 0.65, 2e5);
+  struct Move {
+    const char* input;
+    Field field;
+    double low, high;
+  };
+  for (const auto& [input, of, low, high] :
+       {Move{"sand to sand", Field::shear_modulus, G_vh / factor, G_vh * factor},
+        Move{"Poisson's ratio", Field::poisson_ratio, nu.value - nu.deviation, nu.value + nu.deviation},
+        Move{"exponent", Field::stress_exponent, s - s_error, s + s_error},
+        Move{"anisotropy", Field::horizontal_shear_modulus,
+             G_hh * (1 - sands::shear_anisotropy_deviation / sands::shear_anisotropy),
+             G_hh * (1 + sands::shear_anisotropy_deviation / sands::shear_anisotropy)},
+        Move{"anisotropy", Field::horizontal_young_modulus,
+             E_h * (1 - sands::young_anisotropy_deviation / sands::young_anisotropy),
+             E_h * (1 + sands::young_anisotropy_deviation / sands::young_anisotropy)}}) {
+    int found = 0;
+    const auto k = static_cast<std::size_t>(of);
+    for (const estimate::Effect& effect : a.effects())
+      if (effect.input == input && effect.high[k] > effect.low[k] * (1 + 1e-12)) {
+        ++found;
+        CHECK(effect.low[k] == relative(low, 1e-12));
+        CHECK(effect.high[k] == relative(high, 1e-12));
+      }
+    CHECK(found == 1);
+  }
+  const auto m = static_cast<std::size_t>(Field::horizontal_exponent),
+             n = static_cast<std::size_t>(Field::vertical_exponent);
+  const estimate::Effect& of_share = a.effects()[3];
+  CHECK(of_share.high[m] - of_share.low[m] == relative(2 * share * s, 1e-12));
+  CHECK(of_share.high[n] - of_share.low[n] == relative(2 * share * s, 1e-12));
+  // In water the skeleton has the same K, and the moduli of its waves.
+  const elastic::TransverselyIsotropic skeleton{
+      .C11 = oedometric(1.5e5),
+      .C33 = oedometric(3e5),
+      .C12 = oedometric(1.5e5) - 2 * G_hh,
+      .C13 = (9 * K - 4 * oedometric(1.5e5) - oedometric(3e5) + 4 * G_hh) / 4,
+      .C44 = G_vh};
+  CHECK(skeleton.bulk_modulus() == relative(K, 1e-12));
+  q.saturation = 1;
+  const elastic::TransverselyIsotropic wet =
+      elastic::saturated(skeleton, {.grain_bulk_modulus = contact::bulk_modulus(q.state.law.grain()),
+                                    .fluid_bulk_modulus = elastic::water_and_air_bulk_modulus(1),
+                                    .void_ratio = 0.65});
+  const double wet_rho = rho + elastic::water_density * 0.65 / 1.65;
+  CHECK(field(q, Field::compression_wave_speed).value == relative(std::sqrt(wet.C33 / wet_rho), 1e-12));
+  CHECK(field(q, Field::horizontal_compression_wave_speed).value ==
+        relative(std::sqrt(wet.C11 / wet_rho), 1e-12));
+}
+
+TEST_CASE("a sand: a Poisson's ratio that no contacts have gives the fewest or the most, and it is from 0 to "
+          "0.45") {
+  const auto with = [](double shift) {
+    estimate::Question q = quartz(0.65, 2e5, 2e5);
+    q.sand.poisson_shift = shift;
+    return estimate::answer(q);
+  };
+  CHECK(with(-1)[Field::mechanical_coordination_number].value == 12);
+  CHECK(with(1)[Field::poisson_ratio].value == 0.45);
+  CHECK(with(-1)[Field::poisson_ratio].value == 0);
 }
 
 TEST_CASE("a sand: rung 3 at the inferred contacts has this Poisson's ratio and, with the softness, this G") {

@@ -3,6 +3,7 @@
 
 #include <granum/fabric/orientation.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 TEST_CASE(
@@ -73,6 +74,16 @@ TEST_CASE("anisotropy estimate: known directions") {
 }
 
 TEST_CASE("anisotropy estimate: bad input") {
+  for (const double sign : {1, -1})
+    check_threshold(1e-6, [=](double off) { // of the length of a normal
+      try {
+        return fabric::estimate_anisotropy(std::vector<Vec3>{{0, 0, 1 + sign * off}, {1, 0, 0}}).contacts == 2
+                   ? 0
+                   : 9;
+      } catch (const InvalidArgument&) {
+        return 1;
+      }
+    });
   const std::vector<Vec3> none, one{{0, 0, 1}}, longer{{0, 0, 1}, {0, 0, 1.1}},
       undefined{{0, 0, 1}, {std::nan(""), 0, 0}};
   for (const std::vector<Vec3>& bad : {none, one, longer, undefined}) {

@@ -3,6 +3,7 @@
 
 #include <granum/fabric/orientation.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 namespace {
@@ -61,6 +62,25 @@ TEST_CASE("likelihood estimate: a maximum at the end of the range is reported as
   CHECK_FALSE(inside.at_boundary);
   // 30 contacts of P2 = 1, one of -1/2: 30/(1+x) = (1/2)/(1-x/2) at x = 59/31
   CHECK(inside.anisotropy == relative(3 * (59. / 31) / (4 + 59. / 31), 1e-13));
+}
+
+TEST_CASE("likelihood estimate: a standard error above 1 has a note") {
+  int noted = 0;
+  for (std::size_t count = 2; count < 30; ++count) {
+    const auto estimate = fabric::estimate_anisotropy_by_likelihood(fabric::sample_normals(0.2, count, 3));
+    CHECK(estimate.validity.notes.size() ==
+          (estimate.at_boundary ? 1U : 0U) + (estimate.standard_error > 1 ? 1U : 0U));
+    noted += estimate.standard_error > 1;
+  }
+  CHECK((noted > 1 && noted < 28));
+  const double height = std::sqrt((1 + 2e-2) / 3), width = std::sqrt(1 - height * height); // P2 = 0.01
+  check_threshold(std::pow(12 / 16.0 / 0.01, 2), [&](double count) {
+    std::vector<Vec3> normals(2 * static_cast<std::size_t>(count / 2), Vec3{width, 0, height});
+    const double low = std::sqrt((1 - 2e-2) / 3);
+    for (std::size_t k = 0; k < normals.size(); k += 2)
+      normals[k] = {std::sqrt(1 - low * low), 0, low};
+    return fabric::estimate_anisotropy_by_likelihood(normals).validity.notes.size();
+  });
 }
 
 TEST_CASE("likelihood estimate: contacts along cube diagonals do not determine a, with a note") {

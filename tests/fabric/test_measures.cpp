@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/fabric/orientation.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using fabric::FabricMeasures;
@@ -97,6 +98,22 @@ TEST_CASE("fabric measures: contact tensor of LAMMPS and fabric tensor convert i
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       CHECK(std::abs(back(i, j) - F(i, j)) < 1e-16);
+  for (const double sign : {1, -1}) { // rounding of the traces
+    const auto refused = [](const auto& convert, const Mat3& tensor) {
+      try {
+        (void)convert(tensor);
+      } catch (const InvalidArgument&) {
+        return 1;
+      }
+      return 0;
+    };
+    check_threshold(1e-6, [&](double off) {
+      return refused(fabric::contact_tensor, F + (sign * off / 3) * Mat3::identity());
+    });
+    check_threshold(1e-5, [&](double off) {
+      return refused(fabric::fabric_from_contact_tensor, A + (sign * off / 3) * Mat3::identity());
+    });
+  }
   CHECK_THROWS_AS((void)fabric::contact_tensor(Mat3::identity()), InvalidArgument);
   CHECK_THROWS_AS((void)fabric::fabric_from_contact_tensor(F), InvalidArgument);
   for (const auto& [i, j] : {std::pair(0, 2), std::pair(2, 0)}) { // half of each

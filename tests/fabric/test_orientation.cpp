@@ -3,6 +3,7 @@
 
 #include <granum/core/numerics.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 namespace {
@@ -70,6 +71,20 @@ TEST_CASE("orientation: bad input") {
   const double undefined = std::nan("");
   CHECK_THROWS_AS((void)fabric::density(undefined, 0), InvalidArgument);
   CHECK_THROWS_AS((void)fabric::density(0, 1.01), InvalidArgument);
+  const auto limit = [](double end, const auto& moments) {
+    check_threshold(end, [&](double a) {
+      try {
+        (void)moments(a);
+      } catch (const InvalidArgument&) {
+        return 1;
+      }
+      return 0;
+    });
+  };
+  for (const double end : {-5.0, 5.0 / 3})
+    limit(end, fabric::second_moments);
+  for (const double end : {-7.0 / 3, 7.0 / 5})
+    limit(end, fabric::fourth_moments);
   for (const double bad : {3.0, undefined})
     CHECK_THROWS_AS((void)fabric::second_moments(bad), InvalidArgument);
   for (const double bad : {1.5, -2.5})

@@ -93,4 +93,7 @@ TEST_CASE("rose: bad input") {
   CHECK_THROWS_AS((void)fabric::rose(longer, 0, 9), InvalidArgument);
   CHECK_THROWS_AS((void)fabric::rose(one, 1.1, 9), InvalidArgument);
   CHECK_THROWS_AS((void)fabric::rose(one, 0, 0), InvalidArgument);
+  CHECK(fabric::rose(one, 0, 1000).size() == 1000);
+  CHECK_THROWS_AS((void)fabric::rose(one, 0, 1001), InvalidArgument);
+  CHECK_THROWS_AS((void)fabric::rose_of_counts(std::vector<std::size_t>(1001, 1), 0), InvalidArgument);
 }

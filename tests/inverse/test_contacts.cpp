@@ -97,6 +97,8 @@ TEST_CASE("z* and roughness come back from V_s and V_p over pressures") {
   CHECK(z_of(measured, answer) == doctest::Approx(5.4).epsilon(0.004));
   REQUIRE(contacts.numbers.size() == 2);
   CHECK(contacts.numbers[1].value.value == doctest::Approx(30e-9).epsilon(0.03));
+  CHECK(contacts.numbers[1].before == relative(std::log(10) * contacts.numbers[1].value.value, 1e-12));
+  CHECK(inverse::unknown_contacts("rough").numbers[0].expected == 20e-9);
   CHECK(contacts.numbers[0].determined());
   CHECK(contacts.numbers[1].determined());
   CHECK_FALSE(contacts.would_determine);
@@ -156,6 +158,10 @@ TEST_CASE("z*, softness and alpha come back") {
   CHECK(implied.numbers[2].value.value == doctest::Approx(true_alpha).epsilon(0.02));
   CHECK(implied.softness == relative(implied.numbers[1].value.value, 1e-9));
   CHECK(implied.local_exponent == relative(1 / (1 + implied.numbers[2].value.value), 1e-9));
+  const double isostatic = effective::isostatic_coordination_number(sand(1e5).tangential_ratio);
+  CHECK(implied.numbers[0].before == relative((6 - isostatic) / std::sqrt(12.0), 1e-12));
+  CHECK(implied.numbers[1].before == relative(std::log(3) * implied.numbers[1].value.value, 1e-12));
+  CHECK(implied.numbers[2].before == relative(std::log(2) * implied.numbers[2].value.value, 1e-12));
   REQUIRE(implied.correlation.size() == 9);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) {

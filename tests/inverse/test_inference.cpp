@@ -7,8 +7,11 @@
 #include <granum/core/stop.hpp>
 #include <granum/core/text.hpp>
 #include <granum/effective/contact_prior.hpp>
+#include <granum/estimate/answer.hpp>
 
+#include "inverse/contact_model.hpp"
 #include "sample_statistics.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using effective::Modulus;
@@ -200,6 +203,11 @@ TEST_CASE("inference: another packing, prepared alike") {
   CHECK(alike.mechanical_coordination_number.value == relative(5.3, 1e-9));
   CHECK(alike.mechanical_coordination_number.standard_error >
         same.mechanical_coordination_number.standard_error);
+  const auto square = [](const inverse::InferredPacking& p) {
+    return std::pow(p.mechanical_coordination_number.standard_error, 2);
+  };
+  const double scatter = effective::contact_prior(answer.together->state(known)).coordination_error;
+  CHECK(square(alike) - square(same) == relative(scatter * scatter, 1e-6));
   // Sands lose more with the void ratio than equal contacts would let them.
   const double there =
       answer.together->predict(Quantity::G_vh, looser, inverse::AskedPacking::prepared_alike).value;
@@ -280,6 +288,12 @@ TEST_CASE("inference: measurements that no coordination number explains") {
   CHECK_FALSE(too_soft.together);
   const std::string value = granum::detail::formatted("%.4g MPa", soft.value.value / 1e6);
   CHECK(too_soft.validity.notes.front().find(value) != std::string::npos);
+  const auto names = [](const inverse::InferenceAnswer& answer, const char* format, double number) {
+    return answer.validity.notes.front().find(granum::detail::formatted(format, number)) != std::string::npos;
+  };
+  CHECK((names(too_soft, "%.4g kPa", 1e3) && names(none, "%.4g m/s", stiff.value.value)));
+  CHECK(names(too_soft, "would have %.4g MPa", too_soft.alone.front().implied.softest / 1e6));
+  CHECK(names(none, "would be %.4g m/s", stiff.value.value / 1.01));
   // Beside one that is explained, the fit goes on and the note stays.
   const auto mixed = infer(std::vector{measurement(Quantity::G_vh, beads(1e6), 5), soft}, options_with());
   CHECK(mixed.together);
@@ -362,6 +376,183 @@ TEST_CASE("inference: shares of the error by leaving its sources out") {
     else
       continue;
     CHECK((all - variance(fewer, exact)) / all == relative(share, 1e-3));
+  }
+}
+
+TEST_CASE("inference: of one measurement each source has its square over that of the slope by z*") {
+  InferenceOptions options = options_with();
+  options.inputs = grain_modulus_within(0.05);
+  const double z = 5.2, p = 3e6, h = 1e-4;
+  const auto [x, scatter] = effective::expected_rattlers(beads(p), z);
+  const effective::RelaxedEstimate rung = relaxed(effective::with_contacts(beads(p), z, x), z);
+  for (const auto& row : inverse::quantities()) {
+    CAPTURE(row.key);
+    const Observation one = measurement(row.quantity, beads(p), z, 0.03);
+    const inverse::Inference found = infer(std::span(&one, 1), options).together.value();
+    const double K = rung.stiffness.bulk_modulus(), X = modulus(rung.stiffness, row.modulus);
+    const double by_K = row.modulus == Modulus::K                                    ? 1
+                        : row.modulus == Modulus::C11 || row.modulus == Modulus::C33 ? K / X
+                                                                                     : 0;
+    const double G_error = row.modulus == Modulus::G_hh ? rung.relative_error.G_hh : rung.relative_error.G_vh;
+    const auto slope = [&](const auto& function) {
+      return (std::log(function(h)) - std::log(function(-h))) / (2 * h);
+    };
+    const double of_rung =
+        (row.speed ? 0.5 : 1) * std::hypot(by_K * rung.relative_error.bulk_modulus, (1 - by_K) * G_error);
+    const double of_rattlers = scatter * slope([&, fraction = double(x)](double d) {
+                                 return value_of(row.quantity, beads(p), z, fraction * std::exp(d));
+                               });
+    const double of_grains =
+        0.05 * slope([&, fraction = double(x)](double d) {
+          return value_of(row.quantity, beads(p, p, 0.61, 29e9 * std::exp(d)), z, fraction);
+        });
+    const double by_z = slope([&](double d) { return value_of(row.quantity, beads(p), z + d); });
+    const std::pair<const char*, double> parts[] = {{"measurement", 0.03},
+                                                    {"rung 3", of_rung},
+                                                    {"rattlers", of_rattlers},
+                                                    {"grain-shear-modulus", of_grains}};
+    double all = 0;
+    for (const auto& part : parts)
+      all += part.second * part.second;
+    for (const auto& share : found.error_shares()) {
+      double expected = 0;
+      for (const auto& part : parts)
+        if (share.source == part.first)
+          expected = part.second * part.second / all;
+      CHECK(std::abs(share.share - expected) < 1e-5);
+    }
+    CHECK(found.packing(one.state).mechanical_coordination_number.standard_error ==
+          relative(std::sqrt(all) / by_z, 1e-5));
+    // Only what one state has of its own is added where the quantity itself is predicted.
+    const double own = (1 - effective::scatter_share_of_preparation()) * of_rung * of_rung;
+    const Measured again = found.predict(row.quantity, one.state);
+    CHECK(again.standard_error / again.value == relative(std::sqrt(0.03 * 0.03 + 2 * own), 1e-5));
+  }
+}
+
+TEST_CASE("inference: two values of one state share the scatter of rung 3, those of two states do not") {
+  const double off = 0.01, noise = 0.02;
+  for (const double apart : {0.0, 1e-9}) {
+    std::vector<Observation> two{measurement(Quantity::G_vh, beads(1e6), 5.2, noise),
+                                 measurement(Quantity::G_vh, beads(1e6 * (1 + apart)), 5.2, noise)};
+    two[0].value = {two[0].value.value * std::exp(off), noise * two[0].value.value * std::exp(off)};
+    two[1].value = {two[1].value.value * std::exp(-off), noise * two[1].value.value * std::exp(-off)};
+    const inverse::Inference found = infer(two, options_with()).together.value();
+    const State fitted = found.state(beads(1e6));
+    const double rung = relaxed(fitted, *fitted.mechanical_coordination_number).relative_error.G_vh,
+                 own = std::sqrt(1 - effective::scatter_share_of_preparation()) * rung;
+    CHECK(found.chi_square() ==
+          relative(2 * off * off / (noise * noise + (apart > 0 ? own * own : 0)), 1e-5));
+    CHECK(found.measurements()[0].deviation == relative(off / std::hypot(noise, own), 1e-4));
+    CHECK(found.measurements()[1].deviation == relative(-off / std::hypot(noise, own), 1e-4));
+  }
+}
+
+TEST_CASE("inference: errors below 0.01 % count as that, and no solid has values beyond the limits") {
+  const auto error = [](double stated) {
+    Observation one = measurement(Quantity::G_vh, beads(1e6), 5.2, stated);
+    const auto answer = infer(std::span(&one, 1), options_with());
+    for (const auto& share : answer.together->error_shares())
+      if (share.source == "measurement")
+        return share.share;
+    return 0.0;
+  };
+  CHECK(error(0) == relative(error(1e-4), 1e-6));
+  CHECK(error(1.1e-4) == relative(1.21 * error(1e-4), 1e-3));
+  const auto limit = [](Quantity quantity, double at) {
+    check_threshold(at, [&](double value) {
+      try {
+        require_measured(inverse::row_of(quantity), {value, 0});
+      } catch (const InvalidArgument&) {
+        return 1;
+      }
+      return 0;
+    });
+  };
+  limit(Quantity::G_vh, 1);
+  limit(Quantity::G_vh, 1e14);
+  limit(Quantity::V_s, 0.01);
+  limit(Quantity::V_s, 1e5);
+}
+
+TEST_CASE("inference: a fitted growth is refused beyond its error, and beyond twice that outside of 0 to 1") {
+  const auto refused = [](double value, double error) {
+    try {
+      inverse::detail::require_determined_growth({value, error}, 0.3);
+    } catch (const InvalidArgument&) {
+      return 1;
+    }
+    return 0;
+  };
+  check_threshold(0.3, [&](double error) { return refused(0.5, error); });
+  check_threshold(0.2, [&](double below) { return refused(-below, 0.1); });
+  check_threshold(1.2, [&](double value) { return refused(value, 0.1); });
+  // The nearest stresses that determine it do so within 0.5.
+  double close = 1.01, far = 8;
+  const auto exponent_error = [](double ratio) -> std::optional<double> {
+    std::vector<Observation> all;
+    for (const double p : {1e6, ratio * 1e6})
+      all.push_back(measurement(Quantity::V_s, beads(p), 5, 0.01));
+    try {
+      return infer(all, options_with(GrowthRule::fitted)).together->growth_exponent()->standard_error;
+    } catch (const InvalidArgument&) {
+      return std::nullopt;
+    }
+  };
+  for (int step = 0; step < 14; ++step)
+    (exponent_error(std::sqrt(close * far)) ? far : close) = std::sqrt(close * far);
+  CHECK(exponent_error(far).value() == relative(0.5, 0.01));
+}
+
+TEST_CASE(
+    "inference: uncertain inputs move a state as other values of them do, all positive ones in logarithms") {
+  using estimate::Input;
+  estimate::InputValues values;
+  const std::pair<Input, double> numbers[] = {{Input::grain_shear_modulus, 29e9},
+                                              {Input::grain_poisson_ratio, 0.2},
+                                              {Input::radius, 0.5e-3},
+                                              {Input::tangential_ratio, 0.7},
+                                              {Input::rolling, 0.3},
+                                              {Input::void_ratio, 0.6},
+                                              {Input::fabric, 0.2},
+                                              {Input::grain_density, 2500},
+                                              {Input::pressure, 1e5}};
+  estimate::Deviations stated;
+  for (const auto& [input, number] : numbers) {
+    values.give(input, number);
+    stated[input] = 0.1 * number;
+  }
+  values.grain_shape = estimate::GrainShape::sphere;
+  const estimate::InputValues all = completed(values);
+  const inverse::SharedInputs shared = inverse::shared_inputs(all, uncertain_inputs(all, stated));
+  CHECK(shared.keys.size() == 8); // the pressure is of a state alone
+  CHECK(inverse::shared_rows(all).size() >= 8);
+  const State state = state_of(all, {3e5, 2e5});
+  for (std::size_t k = 0; k < shared.keys.size(); ++k) {
+    CAPTURE(shared.keys[k]);
+    std::vector<double> deviations(shared.keys.size());
+    deviations[k] = 0.7;
+    const auto row = std::find_if(estimate::inputs().begin(), estimate::inputs().end(),
+                                  [&](const auto& r) { return r.option() == "--" + shared.keys[k]; });
+    const double number = all.number(row->input);
+    const bool by_sum = row->input == Input::fabric || row->input == Input::grain_poisson_ratio;
+    estimate::InputValues other = all;
+    other.set(row->input, by_sum ? 1.07 * number : std::exp(0.07) * number);
+    const State expected = state_of(other, {3e5, 2e5});
+    State moved = state;
+    double grain_density = 2500;
+    shared.move(moved, grain_density, deviations);
+    CHECK(grain_density == relative(other.number(Input::grain_density), 1e-12));
+    CHECK(moved.law.stiffness_at_force(0.1) == relative(expected.law.stiffness_at_force(0.1), 1e-12));
+    for (const auto member : {&State::tangential_ratio, &State::rolling, &State::radius, &State::void_ratio,
+                              &State::fabric_anisotropy, &State::stress_v, &State::stress_h})
+      CHECK(moved.*member == relative(expected.*member, 1e-12));
+    for (const double far : {-1e3, 1e3})
+      if (row->input == Input::rolling) {
+        deviations[k] = far;
+        shared.move(moved, grain_density, deviations);
+        CHECK(moved.rolling == doctest::Approx(far > 0 ? 1 : 0).epsilon(1e-12));
+      }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <granum/contact/power_law.hpp>
 #include <granum/core/stop.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::inverse;
@@ -46,6 +47,9 @@ TEST_CASE("a sand's own law gives level 1, its exponent and its ratio back") {
   CHECK(found.exponent().value == relative(sands::growth_exponent(sand.sand, 1e5).value, 1e-9));
   CHECK_FALSE(found.tells_contacts());
   CHECK(found.degrees_of_freedom() == 0);
+  // An error below 0.01 % counts as that, beside half of the variance from test to test.
+  CHECK(infer_sand(std::vector{measured(Quantity::G_vh, G, 0, 1e5)}, sand).level().standard_error ==
+        relative(std::hypot(1e-4, sands::scatter_within_a_sand / std::numbers::sqrt2), 1e-6));
   const StopScope scope([] { return true; });
   CHECK_THROWS_AS((void)infer_sand(std::vector{measured(Quantity::G_vh, 1e8, 0.01, 1e5)}, quartz()), Stopped);
 }
@@ -137,6 +141,53 @@ TEST_CASE("a contradiction enlarges the errors and is reported") {
         3 * good.level().standard_error / good.level().value);
 }
 
+TEST_CASE("from which scatter values of one sand contradict each other, and their sum of squares") {
+  int some = 0;
+  for (double factor = 1.005; factor < 1.4; factor *= 1.005) {
+    const SandInference found = infer_sand(std::vector{measured(Quantity::G_vh, 90e6, 0.02, 1e5),
+                                                       measured(Quantity::G_vh, 90e6 * factor, 0.02, 1e5)},
+                                           quartz());
+    const double square =
+        std::pow(std::log(factor), 2) / 2 / (0.02 * 0.02 + std::pow(sands::scatter_within_a_sand, 2) / 2);
+    CHECK(found.chi_square() == relative(square, 1e-9));
+    CHECK(found.degrees_of_freedom() == 1);
+    CHECK(found.probability() == relative(std::erfc(std::sqrt(square / 2)), 1e-9));
+    CHECK(found.widening() == relative(std::max(1.0, std::sqrt(square)), 1e-9));
+    CHECK(found.validity().ok() == (found.probability() >= 0.01));
+    CHECK(found.measurements()[1].value.standard_error / found.measurements()[1].value.value ==
+          relative(found.level().standard_error / found.level().value, 1e-6));
+    some += found.validity().ok();
+  }
+  CHECK((some > 10 && some < 60));
+}
+
+TEST_CASE("from which ratio of speeds contacts are known, and from which they are too stiff") {
+  const double deviation = sands::poisson_ratio({}, 1e5).deviation;
+  int known = 0, stiff = 0;
+  const auto look = [&](double V_s, double nu, double error) {
+    const double V_p = V_s * std::sqrt(2 * (1 - nu) / (1 - 2 * nu));
+    const SandInference found = infer_sand(
+        std::vector{measured(Quantity::V_s, V_s, error, 1e5), measured(Quantity::V_p, V_p, error, 1e5)},
+        quartz());
+    CHECK(found.tells_contacts() ==
+          (found.poisson_ratio().standard_error / found.widening() < 0.7 * deviation));
+    known += found.tells_contacts();
+    // ln of the softness by the parameters, whose covariance is known for each alone.
+    const auto softness = found.contacts(Field::contact_softness, at(1e5));
+    const bool bonded =
+        found.tells_contacts() && softness.low > 2 && sands::level_remark(found.level().value).empty();
+    CHECK((found.validity().notes.size() > found.doubts(at(1e5)).notes.size()) ==
+          (bonded || !sands::level_remark(found.level().value).empty() || found.probability() < 0.01));
+    stiff += bonded;
+  };
+  for (int k = 0; k < 60; ++k)
+    look(250, 0.15, 0.005 * std::exp(0.05 * k));
+  CHECK((known > 5 && known < 55));
+  for (int k = 0; k < 60; ++k)
+    look(250 + 4 * k, 0.3, 0.002);
+  CHECK(stiff > 0);
+}
+
 TEST_CASE("V_p and V_s together determine contacts, V_s alone does not") {
   const double nu = 0.12;
   const double ratio = std::sqrt(2 * (1 - nu) / (1 - 2 * nu));
@@ -214,14 +265,32 @@ TEST_CASE("a compression wave too slow for its shear wave is refused") {
         quartz());
   };
   CHECK_THROWS_WITH_AS((void)of(220, 0.01), doctest::Contains("V_p"), InvalidArgument);
-  CHECK_NOTHROW((void)of(224, 0.01));
-  CHECK_NOTHROW((void)of(220, 0.02));
+  const auto refused = [](const auto& infer) {
+    try {
+      infer();
+    } catch (const InvalidArgument&) {
+      return 1;
+    }
+    return 0;
+  };
+  const double least = 200 * std::sqrt(4 / 3.0);
+  for (const double error : {0.01, 0.02})
+    check_threshold(least * std::exp(-3 * error * std::sqrt(2)),
+                    [&](double V_p) { return refused([&] { (void)of(V_p, error); }); });
   // A modulus beside a speed, by the density of the packing.
   const double rho = 2650 / 1.58;
   const auto beside = [&](Quantity quantity, double modulus) {
     return infer_sand(std::vector{measured(Quantity::V_p, 300, 0, 1e5), measured(quantity, modulus, 0, 1e5)},
                       quartz());
   };
+  check_threshold(0.75 * rho * 300 * 300 * std::exp(3 * 0.05),
+                  [&](double modulus) { // by the error of the modulus
+                    return refused([&] {
+                      (void)infer_sand(std::vector{measured(Quantity::V_p, 300, 0, 1e5),
+                                                   measured(Quantity::G_vh, modulus, 0.05, 1e5)},
+                                       quartz());
+                    });
+                  });
   CHECK_THROWS_AS((void)beside(Quantity::K, 1.01 * rho * 300 * 300), InvalidArgument);
   CHECK_NOTHROW((void)beside(Quantity::K, 0.99 * rho * 300 * 300));
   CHECK_THROWS_AS((void)beside(Quantity::G_hh, 0.76 * rho * 300 * 300), InvalidArgument);
@@ -241,6 +310,17 @@ TEST_CASE("an exponent that fitted measurements do not determine, or that no san
   CHECK_THROWS_AS((void)fitted(90e6, 4e5, 90e6 * std::pow(4, 1.4), 0.01), InvalidArgument);
   CHECK_THROWS_AS((void)fitted(90e6, 4e5, 90e6 * std::pow(4, -0.4), 0.01), InvalidArgument);
   CHECK(fitted(90e6, 4e5, 180e6, 0.02).exponent().standard_error < 0.05);
+  double close = 101e3, far = 4e5; // the nearest pressures that determine it do so within 0.25
+  const auto error = [&](double p) -> std::optional<double> {
+    try {
+      return fitted(90e6, p, 90e6 * std::sqrt(p / 1e5), 0.02).exponent().standard_error;
+    } catch (const InvalidArgument&) {
+      return std::nullopt;
+    }
+  };
+  for (int step = 0; step < 14; ++step)
+    (error(std::sqrt(close * far)) ? far : close) = std::sqrt(close * far);
+  CHECK(error(far).value() == relative(0.25, 0.01));
 }
 
 TEST_CASE(

@@ -5,15 +5,17 @@
 
 #include <granum/sizes/distribution.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::sizes;
 
 namespace {
 
-const std::vector<Distribution> unequal{Distribution::bidisperse(1.4), Distribution::uniform(1, 3),
-                                        Distribution::lognormal(0.35), Distribution::power_law(3.5, 10),
-                                        Distribution::uniformity(2.5), Distribution::uniformity(4)};
+std::vector<Distribution> unequal() {
+  return {Distribution::bidisperse(1.4),    Distribution::uniform(1, 3),   Distribution::lognormal(0.35),
+          Distribution::power_law(3.5, 10), Distribution::uniformity(2.5), Distribution::uniformity(4)};
+}
 
 double mean_of(const std::vector<double>& radii) {
   return std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
@@ -39,7 +41,7 @@ TEST_CASE("equal grains are exactly 1, by every way") {
 }
 
 TEST_CASE("quadrature and a sample of radii agree") {
-  for (const Distribution& sizes : unequal) {
+  for (const Distribution& sizes : unequal()) {
     CAPTURE(sizes.text());
     const std::vector<double> radii = sample_radii(sizes, 20000, 4);
     const double mean = mean_of(radii);
@@ -99,7 +101,7 @@ TEST_CASE("rattlers are the small grains: the share of them is met, and the othe
   const double square = small * small + of_large * (large * large - small * small);
   CHECK(means.branch_square == relative((square + means.branch * means.branch) / 2, 1e-12));
   CHECK(means.grain_volume == expected_contact_means(two).grain_volume); // of all grains
-  for (const Distribution& sizes : unequal) {
+  for (const Distribution& sizes : unequal()) {
     CAPTURE(sizes.text());
     double before = expected_contact_means(sizes).branch;
     check_same(expected_contact_means(sizes, 1e-12), expected_contact_means(sizes), 0.02);
@@ -136,6 +138,17 @@ TEST_CASE("means that no packing can have are refused") {
        {ContactMeans{.branch = 0}, ContactMeans{.branch = 1.2, .branch_square = 1.3},
         ContactMeans{.pair_radius = std::nan("")}, ContactMeans{.grain_volume = -1}})
     CHECK_THROWS_AS(require_valid(bad), InvalidArgument);
+  check_threshold(1e-9, [](double below) { // rounding of the mean square
+    try {
+      require_valid(ContactMeans{.branch = 1.2, .branch_square = 1.44 * (1 - below)});
+    } catch (const InvalidArgument&) {
+      return 1;
+    }
+    return 0;
+  });
+  const Distribution two = Distribution::bidisperse(2);
+  CHECK(expected_contact_means(two, 1 - 2e-9).branch > expected_contact_means(two, 1 - 1e-3).branch);
+  CHECK_THROWS_AS((void)expected_contact_means(two, 1 - 5e-10), InvalidArgument);
   const std::vector<double> none, one{1}, with_zero{1, 0};
   const std::vector<TouchingPair> contact{{1, 1}}, negative{{1, -1}};
   CHECK_THROWS_AS((void)counted_contact_means(none, contact, 1), InvalidArgument);

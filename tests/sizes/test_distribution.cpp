@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/sizes/distribution.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::sizes;
@@ -102,6 +103,9 @@ TEST_CASE("a lognormal has the tails stated in its header") {
   CHECK(whole.share_below(cut.smallest() / scale) == doctest::Approx(0.01).epsilon(0.02));
   CHECK(whole.share_below(cut.largest() / scale, 3) == doctest::Approx(0.99).epsilon(0.001));
   CHECK(Distribution::lognormal(0.35, 5).size_ratio() == relative(5, 1e-14));
+  // Nothing is beyond nine standard deviations of both medians.
+  CHECK(std::log(Distribution::lognormal(0.05, 1e6).size_ratio()) ==
+        relative(2 * (9 * 0.05 + 1.5 * 0.05 * 0.05), 1e-13));
 }
 
 TEST_CASE("a uniformity is met exactly, also where the tails are cut elsewhere") {
@@ -133,6 +137,8 @@ TEST_CASE("a sieve curve passes through its points, and has sizes in metres") {
   CHECK(g.d60 == relative(0.6e-3 * std::pow(1 / 0.6, 0.2), 1e-12));
   CHECK(mean_radius_of(sizes, g.d50) == relative(mean, 1e-12));
   CHECK_FALSE(Distribution::lognormal(0.3).mean_radius());
+  const Distribution coarse = Distribution::sieve(std::vector<SievePoint>{{1e-4, 0}, {2e-4, 0}, {4e-4, 1}});
+  CHECK(2 * coarse.mean_radius().value() * coarse.smallest() == relative(2e-4, 1e-14));
   // A straight curve is the power law of exponent 4.
   const std::vector<SievePoint> straight{{1e-4, 0}, {1e-3, 1}};
   CHECK(Distribution::sieve(straight).moment(5) == relative(Distribution::power_law(4, 10).moment(5), 1e-13));
@@ -174,6 +180,30 @@ TEST_CASE("impossible distributions are refused by name") {
   CHECK_THROWS_WITH_AS((void)D::bidisperse(0.5), doctest::Contains("ratio = 0.5"), InvalidArgument);
   CHECK_THROWS_WITH_AS((void)D::lognormal(-0.1), doctest::Contains("sigma = -0.1"), InvalidArgument);
   CHECK_THROWS_WITH_AS((void)D::uniformity(4, 10), doctest::Contains("ratio = 10"), InvalidArgument);
+  const auto limit = [](double at, const auto& make) {
+    check_threshold(at, [&](double x) {
+      try {
+        make(x);
+      } catch (const InvalidArgument&) {
+        return 1;
+      }
+      return 0;
+    });
+  };
+  limit(1e3, [](double ratio) { (void)D::bidisperse(ratio); });
+  limit(1e3, [](double ratio) { (void)D::uniform(2, 2 * ratio); });
+  limit(1e3, [](double ratio) { (void)D::power_law(3, ratio); });
+  for (const double sign : {1, -1})
+    limit(10, [=](double exponent) { (void)D::power_law(sign * exponent, 2); });
+  limit(1.2, [](double sigma) { (void)D::lognormal(sigma); });
+  limit(1e6, [](double ratio) { (void)D::lognormal(0.3, ratio); });
+  limit(1e-6, [](double above) { (void)D::lognormal(0.3, 1 + above); });
+  limit(20, [](double C_u) { (void)D::uniformity(C_u); });
+  limit(1e6, [](double ratio) { (void)D::uniformity(2, ratio); });
+  limit(1e-6, [](double above) { (void)D::uniformity(2, 4 * (1 + above)); });
+  limit(1e6, [](double ratio) {
+    (void)D::sieve(std::vector<SievePoint>{{1e-6, 0}, {1e-5, 0.5}, {1e-6 * ratio, 1}});
+  });
   for (const char* text : {"bidisperse:2:1", "uniform:3:1", "uniform:0:1", "lognormal:0.3:0.5",
                            "power-law:3:0.1", "uniformity:0.9"})
     CHECK_THROWS_AS((void)parse_distribution(text), InvalidArgument);
@@ -195,6 +225,7 @@ TEST_CASE("a sieve curve that cannot be is refused at its point") {
   refused({{1e-3, 0.6}, {2e-3, 0.5}, {4e-3, 1}}, "2");
   refused({{0, 0}, {1e-3, 1}}, "d = 0 m");
   refused({{1e-4, 0}, {1e-3, 60}}, "passing = 60");
+  refused({{1e-4, 0}, {1e-3, 1.5}}, "passing = 1.5");
   refused({{1e-10, 0}, {1e-3, 1}}, "2");
   refused({{1e-4, 0.1}, {1e-3, 1}}, "1");
   refused({{1e-4, 0}, {1e-3, 0.9}}, "2");

@@ -8,6 +8,7 @@
 #include "dem/lattice_state.hpp"
 #include "dem/stop_at.hpp"
 #include "measured_specimen.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::triaxial;
@@ -190,6 +191,20 @@ TEST_CASE("impossible options of a test are refused") {
       CHECK_THROWS_AS(ShearTest(specimen(), material, bad), InvalidArgument);
     }
   };
+  for (const auto& [option, limit] : {std::pair(&ShearOptions::inertial_number, 0.1),
+                                      {&ShearOptions::largest_strain, 1.0},
+                                      {&ShearOptions::drag_share, 1.0},
+                                      {&ShearOptions::time_step_fraction, 1.0}})
+    check_threshold(limit, [member = option](double value) {
+      ShearOptions one = options_of(ShearPath::txc);
+      one.*member = value;
+      try {
+        require_valid(one);
+      } catch (const InvalidArgument&) {
+        return 1;
+      }
+      return 0;
+    });
   refused(&ShearOptions::mean_stress, {0});
   refused(&ShearOptions::inertial_number, {-1});
   refused(&ShearOptions::eta_step, {0});
@@ -233,26 +248,57 @@ TEST_CASE(
   CHECK(growth(1, 0.5) > 0.05); // so a drag that is too strong would be noticed
 }
 
-TEST_CASE("a servo is proportional and integral, and its integral rests while the rate is at its limit") {
-  ShearOptions options = options_of(ShearPath::txc);
-  options.eta_step = options.strain_step = 10;
-  bool stop = true;
-  options.stop_requested = [&] { return stop = !stop; }; // after each step
-  ShearTest test(specimen(), material, options);
-  const dem::Engine& engine = test.engine();
-  double integral = 0;
-  for (int k = 0; k < 300; ++k) {
-    const dem::StepFigures& figures = engine.figures();
-    const double p = test.now().stress.mean(), dt = engine.time_step(), before = engine.cell()(0, 0);
-    const double driven = options.inertial_number / (engine.diameter() * std::sqrt(material.density / p));
-    const double gap = pressure - figures.boundary_stress.x, limit = 3 * driven;
-    const double proportional = gap / (13 * dt * std::max(figures.p_wave_modulus, p));
-    const double wanted = proportional + integral;
-    if (std::abs(wanted) < limit || wanted * gap < 0)
-      integral = std::clamp(integral + proportional / 130, -limit, limit);
-    REQUIRE(test.advance() == ShearEvent::stopped);
-    const double rate = (1 - engine.cell()(0, 0) / before) / dt;
-    REQUIRE(std::abs(rate - std::clamp(wanted, -limit, limit)) < 1e-6 * driven);
+TEST_CASE(
+    "each path drives one strain and holds the stress of another by a servo, proportional and integral, "
+    "whose integral rests while the rate is at its limit") {
+  for (const ShearPath path : all_shear_paths) {
+    CAPTURE(name(path));
+    ShearOptions options = options_of(path);
+    options.eta_step = options.strain_step = 10;
+    bool stop = true;
+    options.stop_requested = [&] { return stop = !stop; }; // after each step
+    ShearTest test(specimen(), material, options);
+    const dem::Engine& engine = test.engine();
+    const bool axial = path == ShearPath::txc || path == ShearPath::rtxe;
+    const double sense = path == ShearPath::txc || path == ShearPath::txe ? 1 : -1,
+                 volume = determinant(engine.cell()), length = engine.cell()(2, 2);
+    double integrals[3] = {}, work = 0, error = 0, largest = 0;
+    for (int k = 0; k < 150; ++k) {
+      const dem::StepFigures& figures = engine.figures();
+      const Vec3 stress = figures.boundary_stress;
+      const Mat3 before = engine.cell();
+      const double p = (stress.x + stress.y + stress.z) / 3, dt = engine.time_step();
+      const double time = engine.diameter() * std::sqrt(material.density / p);
+      const double driven = sense * options.inertial_number / time, limit = 3 * std::abs(driven);
+      const auto servo = [&](double gap, double& integral) {
+        const double proportional = gap / (13 * dt * std::max(figures.p_wave_modulus, p));
+        const double wanted = proportional + integral;
+        if (std::abs(wanted) < limit || wanted * gap < 0)
+          integral = std::clamp(integral + proportional / 130, -limit, limit);
+        return std::clamp(wanted, -limit, limit);
+      };
+      const double trim = axial ? 0 : servo((stress.y - stress.x) / 2, integrals[1]);
+      const Vec3 rates =
+          axial ? Vec3{servo(pressure - stress.x, integrals[0]), servo(pressure - stress.y, integrals[1]),
+                       driven}
+                : Vec3{driven / 2 + trim, driven / 2 - trim, servo(pressure - stress.z, integrals[0])};
+      REQUIRE(test.advance() == ShearEvent::stopped);
+      for (int axis = 0; axis < 3; ++axis)
+        REQUIRE(std::abs((1 - engine.cell()(axis, axis) / before(axis, axis)) / dt - rates[axis]) <
+                1e-6 * std::abs(driven));
+      const Vec3 after = engine.figures().boundary_stress;
+      work += dt / 2 *
+              (determinant(before) * dot(stress, rates) + determinant(engine.cell()) * dot(after, rates)) /
+              volume;
+      error = std::max(error, axial ? std::max(std::abs(after.x - pressure), std::abs(after.y - pressure))
+                                    : std::abs(after.z - pressure));
+      largest = std::max(largest, std::sqrt(dot(rates, rates) / 3) * time);
+      CHECK(std::abs(test.now().axial_strain - std::log(length / engine.cell()(2, 2))) < 1e-15);
+    }
+    CHECK(test.now().work == relative(work, 1e-6));
+    CHECK(std::abs(test.now().volumetric_strain - std::log(volume / determinant(engine.cell()))) < 1e-14);
+    CHECK(test.path_error() == relative(error / pressure, 1e-9));
+    CHECK(test.largest_inertial_number() == relative(largest, 1e-6));
+    CHECK(std::abs(integrals[0]) > 0); // what it has learnt
   }
-  CHECK(std::abs(integral) > 0); // what it has learnt
 }

@@ -6,6 +6,7 @@
 
 #include "dem/lattice_state.hpp"
 #include "dem/stop_at.hpp"
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::triaxial;
@@ -97,6 +98,7 @@ TEST_CASE("unequal grains are drawn from their distribution, keep their sizes, a
   CHECK(c_n < 6.3);
   const dem::Specimen opened = unjam(jammed, recipe);
   CHECK(opened.size == jammed.size);
+  CHECK(opened.cell(1, 1) == relative((1 + recipe.unjamming_strain) * jammed.cell(1, 1), 1e-14));
   CHECK(contact_stress(dem::contact_network(opened, recipe.material)).mean() < 1e-3 * recipe.first_pressure);
   SpecimenRecipe other = recipe;
   other.seed = 6;
@@ -125,6 +127,31 @@ TEST_CASE("impossible recipes are refused by name") {
       CHECK_THROWS_AS((void)frictionless_specimen(bad), InvalidArgument);
     }
   };
+  for (const auto& [member, limit] : {std::pair(&SpecimenRecipe::radius, 1e-9),
+                                      {&SpecimenRecipe::radius, 1e3},
+                                      {&SpecimenRecipe::expansion_void_ratio, 0.4},
+                                      {&SpecimenRecipe::expansion_void_ratio, 1.0},
+                                      {&SpecimenRecipe::unjamming_strain, 0.1},
+                                      {&SpecimenRecipe::agitation, 0.5}})
+    check_threshold(limit, [&, what = member](double value) {
+      SpecimenRecipe one = recipe;
+      one.*what = value;
+      try {
+        require_valid(one);
+      } catch (const InvalidArgument&) {
+        return 1;
+      }
+      return 0;
+    });
+  // The cell at e = 0.2 is wider than four of the largest grains, and the skin of the pair list.
+  for (const char* text : {"bidisperse:20:0.5", "lognormal:0.5", "uniform:1:3"}) {
+    const sizes::Distribution sizes = sizes::parse_distribution(text);
+    const double width = 4 * sizes.largest() + 0.6, grains = static_cast<double>(least_grains(sizes));
+    const auto edge = [&](double n) {
+      return std::cbrt(n * 4 / 3 * std::numbers::pi * sizes.moment(3) * 1.2);
+    };
+    CHECK((edge(grains) >= width && (edge(grains - 1) < width || grains == 40)));
+  }
   refused(&SpecimenRecipe::radius, {-1, 1e300, 1e-300});
   refused(&SpecimenRecipe::first_pressure, {0, nan});
   refused(&SpecimenRecipe::expansion_void_ratio, {-0.1});
