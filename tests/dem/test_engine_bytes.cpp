@@ -106,12 +106,7 @@ TEST_CASE("a state or an engine of impossible numbers is refused as its file") {
       ByteWriter bytes;
       save_specimen(bytes, state);
       ByteReader reader(bytes.bytes(), "bytes");
-      try {
-        (void)load_specimen(reader);
-      } catch (const FileError&) {
-        return 1;
-      }
-      return 0;
+      return refusals([&] { (void)load_specimen(reader); });
     });
   };
   const auto filled = [](Specimen& s, double share) { // of the cubes of the radii over the cell

@@ -266,12 +266,7 @@ TEST_CASE(
   const auto refused = [](const State& s, double densest) {
     Preparation preparation = loose;
     preparation.densest_void_ratio = densest;
-    try {
-      effective::require_valid(preparation, s);
-    } catch (const InvalidArgument&) {
-      return 1;
-    }
-    return 0;
+    return refusals([&] { effective::require_valid(preparation, s); });
   };
   check_threshold(0.5, [&](double densest) { return refused(spheres(0.6, 1e5), densest); });
   check_threshold(0.2, [&](double densest) { return refused(unequal, densest); });

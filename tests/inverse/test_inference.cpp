@@ -461,12 +461,7 @@ TEST_CASE("inference: errors below 0.01 % count as that, and no solid has values
   CHECK(error(1.1e-4) == relative(1.21 * error(1e-4), 1e-3));
   const auto limit = [](Quantity quantity, double at) {
     check_threshold(at, [&](double value) {
-      try {
-        require_measured(inverse::row_of(quantity), {value, 0});
-      } catch (const InvalidArgument&) {
-        return 1;
-      }
-      return 0;
+      return refusals([&] { require_measured(inverse::row_of(quantity), {value, 0}); });
     });
   };
   limit(Quantity::G_vh, 1);
@@ -477,12 +472,7 @@ TEST_CASE("inference: errors below 0.01 % count as that, and no solid has values
 
 TEST_CASE("inference: a fitted growth is refused beyond its error, and beyond twice that outside of 0 to 1") {
   const auto refused = [](double value, double error) {
-    try {
-      inverse::detail::require_determined_growth({value, error}, 0.3);
-    } catch (const InvalidArgument&) {
-      return 1;
-    }
-    return 0;
+    return refusals([&] { inverse::detail::require_determined_growth({value, error}, 0.3); });
   };
   check_threshold(0.3, [&](double error) { return refused(0.5, error); });
   check_threshold(0.2, [&](double below) { return refused(-below, 0.1); });

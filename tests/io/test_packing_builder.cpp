@@ -49,17 +49,6 @@ std::size_t counted(const ImportedPacking& packing, Finding finding) {
   return 0;
 }
 
-/// 1 if an action is refused.
-template <class Action>
-int refused(const Action& action) {
-  try {
-    action();
-  } catch (const std::exception&) {
-    return 1;
-  }
-  return 0;
-}
-
 } // namespace
 
 TEST_CASE("packing builder: rows of a pair from either side and in any order make one contact") {
@@ -96,7 +85,7 @@ TEST_CASE("packing builder: what is refused, and from where on") {
       PackingBuilder builder = chain(2);
       PairRow row = row_of(builder, 0, 1);
       change(row, value);
-      return refused([&] {
+      return refusals([&] {
         if (states_branch)
           builder.require_agreement(row);
         builder.add(row);
@@ -112,7 +101,7 @@ TEST_CASE("packing builder: what is refused, and from where on") {
   threshold(1e60, [](PairRow& row, double x) { row.tangential_force.z = x; });
   check_threshold(1e60, [](double x) {
     const auto change = [x](std::size_t, GrainRow& grain) { grain.radius = x; };
-    return refused([&] { (void)chain(2, {.box = CsvBox{Mat3::identity(), {}}}, change); });
+    return refusals([&] { (void)chain(2, {.box = CsvBox{Mat3::identity(), {}}}, change); });
   });
   // Two rows of a pair state the same up to rounding.
   for (Vec3 PairRow::*const member : {&PairRow::branch, &PairRow::tangential_force})
@@ -124,20 +113,20 @@ TEST_CASE("packing builder: what is refused, and from where on") {
       (row.*member) *= 1 - x;
       builder.add(row);
       std::size_t contacts = 0; // two where branches differ, none where forces do
-      (void)refused([&] { contacts = builder.finish(0, {}).assembly.contacts.size(); });
+      (void)refusals([&] { contacts = builder.finish(0, {}).assembly.contacts.size(); });
       return contacts;
     });
   // A given box is that of the file, to 1e-4 of its longest edge.
   check_threshold(4e-4, [](double x) {
     PackingBuilder builder("grains", "contacts", {.box = CsvBox{Mat3::diagonal(4 + x, 3, 2), {}}});
-    return refused([&] { builder.set_cell(Mat3::diagonal(4, 3, 2), {}, 1); });
+    return refusals([&] { builder.set_cell(Mat3::diagonal(4, 3, 2), {}, 1); });
   });
   PackingBuilder walls = chain(1);
   const PairRow row{.branch = {1, 0, 0}};
   for (const long wall : {0L, 4294967295L})
-    CHECK(refused([&] { walls.add_wall(row, wall); }) == 0);
+    CHECK(refusals([&] { walls.add_wall(row, wall); }) == 0);
   for (const long wall : {-1L, 4294967296L})
-    CHECK(refused([&] { walls.add_wall(row, wall); }) == 1);
+    CHECK(refusals([&] { walls.add_wall(row, wall); }) == 1);
   CHECK(counted(walls.finish(0, {}), Finding::wall_contacts) == 2);
 }
 

@@ -77,7 +77,8 @@ def sources():
 
 
 def places(line):
-    return [(place, name) for name, (pattern, _) in OPERATORS.items() for place, _ in enumerate(pattern.finditer(line))]
+    return [(place, name) for name, (pattern, _) in OPERATORS.items() for place, found in enumerate(pattern.finditer(line))
+            if found[0].count("(") == found[0].count(")") or name != "condition"]  # (a ? b : c) * d is no condition
 
 
 def choose(options):

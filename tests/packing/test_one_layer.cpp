@@ -47,12 +47,7 @@ TEST_CASE("one layer: a grain or a contact beside the plane makes it a packing i
   packing.wall_contacts = {{.i = 3, .j = 0, .branch = {0, 0, -0.5}}}; // between plates
   CHECK_NOTHROW(require_space(packing));
   const auto in_space = [](const Assembly& assembly) {
-    try {
-      require_space(assembly);
-    } catch (const InvalidArgument&) {
-      return 0;
-    }
-    return 1;
+    return 1 - refusals([&] { require_space(assembly); });
   };
   check_threshold(1e-6 * 0.5, [&](double off) { // rounding of the largest radius
     Assembly all = discs(4, 9);

@@ -139,12 +139,7 @@ TEST_CASE("means that no packing can have are refused") {
         ContactMeans{.pair_radius = std::nan("")}, ContactMeans{.grain_volume = -1}})
     CHECK_THROWS_AS(require_valid(bad), InvalidArgument);
   check_threshold(1e-9, [](double below) { // rounding of the mean square
-    try {
-      require_valid(ContactMeans{.branch = 1.2, .branch_square = 1.44 * (1 - below)});
-    } catch (const InvalidArgument&) {
-      return 1;
-    }
-    return 0;
+    return refusals([&] { require_valid(ContactMeans{.branch = 1.2, .branch_square = 1.44 * (1 - below)}); });
   });
   const Distribution two = Distribution::bidisperse(2);
   CHECK(expected_contact_means(two, 1 - 2e-9).branch > expected_contact_means(two, 1 - 1e-3).branch);
