@@ -80,7 +80,17 @@ TEST_CASE("an experiment compresses, shears, and freezes according to the scene"
   for (std::size_t k = 0; k < 3; ++k) {
     CHECK(iso.points[k].at.stress.mean() == relative(scene.study.pressures[k], 1e-5));
     CHECK(iso.points[k].probes.has_value() == (k == 2));
+    const triaxial::PathPoint& at = iso.points[k].at;
+    CHECK(at.stress_difference < 1e-4 * at.stress.mean());
+    CHECK(std::abs(at.stress.ratio()) < 1e-4);
+    // The volume of the grains stays, and the cell shrinks about as much along each axis.
+    CHECK(std::abs(at.volumetric_strain -
+                   std::log((1 + iso.points[0].void_ratio) / (1 + iso.points[k].void_ratio))) < 1e-12);
+    CHECK(std::abs(at.axial_strain - at.volumetric_strain / 3) <= 0.2 * at.volumetric_strain);
   }
+  CHECK(iso.points[0].at.volumetric_strain == 0);
+  CHECK(iso.steps == iso.points[0].at.step + iso.points[1].at.step + iso.points[2].at.step);
+  CHECK((iso.largest_inertial_number > 0 && iso.largest_inertial_number < 0.01));
   CHECK(iso.notes.empty());
   CHECK(iso.points[2].at.volumetric_strain > iso.points[1].at.volumetric_strain);
   CHECK(iso.points[2].void_ratio < iso.points[0].void_ratio);
@@ -92,6 +102,13 @@ TEST_CASE("an experiment compresses, shears, and freezes according to the scene"
     REQUIRE(run.points.size() >= 3);
     CHECK(run.curve.size() > 2 * run.points.size());
     CHECK(std::abs(run.curve.back().axial_strain) >= scene.shear.largest_strain);
+    CHECK(sense * run.curve[1].stress.ratio() == relative(scene.shear.eta_step / 5, 0.1));
+    CHECK(run.path_error < 0.02);
+    for (const triaxial::PathPoint& point : run.curve)
+      CHECK(sense * point.stress.ratio() <= sense * run.peak.stress.ratio());
+    CHECK(std::ranges::any_of(run.points, [&](const StateRecord& point) {
+      return std::abs(point.at.axial_strain) == relative(scene.shear.strain_step, 0.02);
+    }));
     double next = scene.shear.eta_step;
     for (const StateRecord& point : run.points) {
       const double eta = sense * point.at.stress.ratio();
@@ -130,6 +147,10 @@ TEST_CASE("stored results of a frozen state are consistent: probes, cycles, hist
       CHECK(by_force > 0.95 * point.contacts); // few press with more than 8 times the mean
       CHECK(2.0 * point.contacts / 80 == relative(point.micro.coordination_number, 1e-14));
       CHECK(trace(point.fabric) == relative(1, 1e-12));
+      CHECK(point.coordination_number_all == point.micro.coordination_number);
+      CHECK(point.interior_void_ratio == point.void_ratio);
+      CHECK(
+          (point.G_hh() == point.network[35] && point.G_vh() == (point.network[21] + point.network[28]) / 2));
     }
   CHECK(probed >= 3);
   // Cycles of shear are kept of TXC.
