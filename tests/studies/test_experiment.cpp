@@ -4,11 +4,13 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <numeric>
 #include <set>
 
 #include <sys/stat.h>
 
+#include "studies/plan/plan.hpp"
 #include <granum/triaxial/specimen.hpp>
 
 #include "io/temporary_folder.hpp"
@@ -195,6 +197,42 @@ TEST_CASE("an experiment is the same bits on two threads, from its checkpoints, 
   }
   CHECK(rounds > 3);
   check_same(one, run_experiment(small_scene(), {}, checkpoints));
+}
+
+/// The progress that is shown weighs the pieces by these steps.
+TEST_CASE("the predicted steps of a stress path follow from its rate, and from the states that are frozen") {
+  const auto predicted = [](const Scene& scene) { // of all paths
+    std::atomic<bool> stop = false;
+    double first = 0; // share of the first piece, a packing
+    const auto report = [&](const Progress& progress) {
+      first = stop ? first : progress.done;
+      stop = true;
+    };
+    (void)run_experiment(scene, {.report = report, .stop = &stop});
+    const double packing = preparation_work(scene);
+    return (packing / first - packing - specimen_work(scene, Density::dense, Shape::sphere)) / 80;
+  };
+  Scene scene = small_scene();
+  const auto of = [&](ShearPath path) {
+    scene.shear.paths = {path};
+    return predicted(scene);
+  };
+  const double txc = of(ShearPath::txc);
+  CHECK(of(ShearPath::rtxe) == relative(txc, 1e-9));
+  CHECK(of(ShearPath::rtxc) == relative(txc * 1.5 / 0.95, 1e-9));
+  CHECK(of(ShearPath::txe) == relative(txc * 0.6 / 0.95, 1e-9));
+  const double of_point = 0.95 * 1000 * std::cbrt(0.08); // steps
+  scene.shear.paths = {ShearPath::txc};
+  scene.shear.eta_step = 0.1;
+  CHECK(predicted(scene) - txc == relative(5 * of_point, 1e-6));
+  scene.shear.eta_step = 0.2;
+  scene.shear.strain_step = 1.25e-4;
+  CHECK(predicted(scene) - txc == relative(2 * of_point, 1e-6));
+  const double d = 2 * scene.grain.radius, p = 100e3, rho = scene.grain.density;
+  const double seconds = scene.shear.largest_strain * d * std::sqrt(rho / p) / scene.shear.inertial_number;
+  const double mass = rho * std::numbers::pi / 6 * std::pow(d, 3);
+  const double oscillation = std::sqrt(mass / law(scene, Shape::sphere).stiffness_at_force(p * d * d));
+  CHECK(txc - 7 * of_point == relative(0.95 * seconds / (0.5 * oscillation), 1e-6));
 }
 
 TEST_CASE("a checkpoint in the place of another specimen's, path's or piece's is refused") {
