@@ -174,6 +174,24 @@ TEST_CASE("curves and paths show stresses and strains of the experiment") {
     CHECK(path.y[k] == relative(-1.5 * (path.x[k] - 100e3), 1e-10));
 }
 
+TEST_CASE("every axis of a figure is in the unit of its title") {
+  std::set<std::string> units;
+  for (const Figure& figure : experiment_figures(synthetic::experiment()))
+    for (const Panel& panel : figure.panels)
+      for (const plot::Axis& axis : {panel.chart.x, panel.chart.y}) {
+        CAPTURE(axis.title);
+        const std::size_t open = axis.title.find('[');
+        const std::string unit =
+            open == std::string::npos ? "" : axis.title.substr(open + 1, axis.title.find(']') - open - 1);
+        units.insert(unit);
+        const double factor = unit.empty() || unit == "1/sr" ? 1
+                              : unit == "10\u207b\u2076"     ? 1e-6
+                                                             : find_unit(unit)->factor;
+        CHECK(axis.unit == relative(factor, 1e-14));
+      }
+  CHECK(units.size() == 6); // kPa, MPa, %, 1/sr, 1e-6 and none
+}
+
 TEST_CASE("exponents are shown next to the printed ones") {
   const Experiment experiment = synthetic::experiment();
   const Panel panel = find_panel(experiment, "fig15_loose");
