@@ -284,6 +284,9 @@ TEST_CASE("verdict on the probes: with what forces add, and states that forces h
   CHECK(holds(with_terms(0.012, 0.002, 0.003)));
   CHECK_FALSE(holds(with_terms(0.012, -0.002, 0.003)));
   CHECK(holds(with_terms(0.5, -0.3, 0)));
+  CHECK(std::ranges::any_of(verdicts(sphere_scene(), with_terms(0.5, -0.3, 0)), [](const Verdict& v) {
+    return v.measured.find("; 1 ") != std::string::npos; // left out
+  }));
 }
 
 TEST_CASE("verdict on specimens at rest: three quarters of the states") {
