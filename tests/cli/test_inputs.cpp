@@ -360,6 +360,10 @@ TEST_CASE("frames are chosen as all, the last, one, or a range with a stride") {
     CHECK_THROWS_AS((void)parse_frames(wrong), InvalidArgument);
 }
 
+TEST_CASE("files that exist stay unless they are to be replaced") {
+  CHECK((existing(true) == io::Existing::replace && existing(false) == io::Existing::keep));
+}
+
 TEST_CASE("a box, stresses and a profile are read item by item, each in its own unit") {
   const auto box = parse_box("1mm,2cm,3m");
   CHECK(box->cell == Mat3::diagonal(1e-3, 2e-2, 3));
