@@ -2,20 +2,26 @@
 #include "cli/reproduce/figures.hpp"
 
 #include <complex>
+#include <fstream>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "cli/analyse/analyse.hpp"
+#include "cli/reproduce/reproduce_document.hpp"
+#include "cli/trade/trade.hpp"
 #include "studies/paper/paper.hpp"
 #include "studies/reproduce/experiment_findings.hpp"
 #include <granum/effective/relaxation.hpp>
 #include <granum/fabric/orientation.hpp>
 #include <granum/io/csv/table.hpp>
 
+#include "io/temporary_folder.hpp"
 #include "plot/chart_text.hpp"
 #include "studies/count_pieces.hpp"
+#include "studies/read_specimen.hpp"
+#include "studies/written_packing.hpp"
 #include "synthetic_experiment.hpp"
 #include "thresholds.hpp"
 #include "unit.hpp"
@@ -176,24 +182,6 @@ TEST_CASE("curves and paths show stresses and strains of the experiment") {
   // TXE holds the vertical stress: q = -3 (p' - 100 kPa)/2
   for (std::size_t k = 0; k < path.x.size(); ++k)
     CHECK(path.y[k] == relative(-1.5 * (path.x[k] - 100e3), 1e-10));
-}
-
-TEST_CASE("every axis of a figure is in the unit of its title") {
-  std::set<std::string> units;
-  for (const Figure& figure : experiment_figures(synthetic::experiment()))
-    for (const Panel& panel : figure.panels)
-      for (const plot::Axis& axis : {panel.chart.x, panel.chart.y}) {
-        CAPTURE(axis.title);
-        const std::size_t open = axis.title.find('[');
-        const std::string unit =
-            open == std::string::npos ? "" : axis.title.substr(open + 1, axis.title.find(']') - open - 1);
-        units.insert(unit);
-        const double factor = unit.empty() || unit == "1/sr" ? 1
-                              : unit == "10\u207b\u2076"     ? 1e-6
-                                                             : find_unit(unit)->factor;
-        CHECK(axis.unit == relative(factor, 1e-14));
-      }
-  CHECK(units.size() == 6); // kPa, MPa, %, 1/sr, 1e-6 and none
 }
 
 TEST_CASE("exponents are shown next to the printed ones") {
@@ -445,6 +433,120 @@ TEST_CASE("of more than eight files the first and last of each kind are named, a
   CHECK((count(nine, ".x:") == 2 && count(nine, " 7 more") == 1));
   CHECK((count(both, ".x:") == 4 && count(both, " 5 more") == 1 && count(both, " 1 more") == 1));
   CHECK((count(pairs, ".x:") == 4 && count(pairs, " more") == 1));
+}
+
+namespace {
+
+/// Frames of a specimen at two pressures, with everything that can be asked for.
+AnalyseAnswer measured_answer() {
+  AnalyseAnswer answer;
+  for (const packing::Assembly& assembly : samples::specimen_at({50e3, 100e3}, 60)) {
+    studies::MeasureOptions options{.given = {.grain_shear_modulus = 30e9, .grain_density = 2650},
+                                    .wanted = analysis::everything(),
+                                    .profile = studies::ProfileChoice{.axis = 2, .slices = 2},
+                                    .modes = 2};
+    answer.frames.push_back(studies::answer_frame(samples::through_csv(assembly), options));
+    answer.frames.back().code_stress = studies::PrintedStress{1e5, 1e5, 1e5, 1, 1, 1};
+    answer.frames.back().probes = {{.modulus = "G", .value = 1e8, .network_over_probe = 1}};
+  }
+  answer.series = studies::series_of(answer.frames, studies::SeriesBy::all);
+  return answer;
+}
+
+studies::TradeRow trade_row(studies::Varied varied, double value, double x) {
+  studies::TradeRow row;
+  row.varied = varied;
+  row.value = value;
+  row.specimens = 3;
+  row.reference = x > 0.5;
+  row.cpu_seconds = 10 * x;
+  row.steps = 1000 * x;
+  row.shear_modulus = studies::Deviation{.bias = 0.01 * x, .standard_error = 0.02 * x, .scatter = 0.03 * x};
+  row.exponent = studies::Deviation{.bias = 0.04 * x, .standard_error = 0.05 * x, .scatter = 0.06 * x};
+  return row;
+}
+
+} // namespace
+
+TEST_CASE("every column and axis is in the unit of its title, on the screen, in files and in pictures") {
+  std::set<std::string> units;
+  const auto check = [&](const std::string& title, double factor) {
+    const std::size_t open = title.find('[');
+    const std::string unit =
+        open == std::string::npos ? "" : title.substr(open + 1, title.find(']') - open - 1);
+    CAPTURE(title);
+    const auto known = find_unit(unit);
+    units.insert(unit);
+    if (known || unit == "10\u207b\u2076" || unit == "1/sr" || unit.empty())
+      CHECK(factor == relative(known ? known->factor : unit.starts_with("10") ? 1e-6 : 1, 1e-14));
+  };
+  const auto check_shown = [&](const io::ShownColumn& shown, const std::string& of_all) {
+    const bool quotient = shown.heading.find('/') != std::string::npos; // has no unit
+    std::string title = shown.heading + (quotient || !shown.symbol.empty() ? "" : of_all);
+    if (!shown.symbol.empty())
+      title += " [" + std::string(trimmed(shown.symbol)) + "]";
+    if (title.find('[') != std::string::npos && !shown.dimension)
+      check(title, shown.unit);
+  };
+  std::vector<studies::TradeRow> rows;
+  for (const studies::Varied varied : studies::all_varied)
+    for (const double x : {0.25, 0.375, 0.75})
+      rows.push_back(trade_row(varied, 1000 * x, x));
+  const Experiment experiment = synthetic::experiment();
+  for (const Document& document :
+       {analysed(measured_answer()),
+        experiment_document(experiment, experiment_verdicts(experiment), {}).document, rows_document(rows),
+        trade_document({.trade = studies::default_trade(), .samples = {}, .rows = rows}, {})})
+    for (const Section& section : document.sections) {
+      if (const auto* table = std::get_if<Table>(&section.what)) {
+        std::string of_all; // the unit of a whole table is the heading of its names
+        for (const auto& column : table->columns)
+          if (column.shown && column.shown->heading.starts_with('['))
+            of_all = column.shown->heading;
+          else if (column.shown)
+            check_shown(*column.shown, of_all);
+      }
+      if (const auto* items = std::get_if<Items>(&section.what))
+        for (const auto& item : items->items)
+          if (item.shown)
+            check_shown(*item.shown, "");
+      if (const auto* picture = std::get_if<Picture>(&section.what))
+        for (const plot::Chart& chart : picture->charts)
+          for (const plot::Axis& axis : {chart.x, chart.y})
+            check(axis.title, axis.unit);
+    }
+  for (const Figure& figure : experiment_figures(experiment))
+    for (const Panel& panel : figure.panels)
+      for (const plot::Axis& axis : {panel.chart.x, panel.chart.y})
+        check(axis.title, axis.unit);
+  for (const char* unit : {"kPa", "MPa", "%", "mm", "10\u207b\u2076", "1/sr", ""})
+    CHECK_MESSAGE(units.contains(unit), unit);
+}
+
+TEST_CASE("rows of a trade study go through their CSV file") {
+  const TemporaryFolder folder;
+  std::vector<studies::TradeRow> rows{trade_row(studies::Varied::shear, 2e-4, 0.7),
+                                      trade_row(studies::Varied::boundary, 250, 0.3)};
+  rows[0].peak_ratio = studies::Deviation{.bias = 0.1, .standard_error = 0.2, .scatter = 0.3};
+  rows[0].exponent.reset();
+  rows[1].boundary = studies::Boundary::rough_walls;
+  rows[1].density = Density::loose;
+  std::ofstream(folder.path() / "rows.csv") << csv(rows_document(rows));
+  const std::vector<studies::TradeRow> read = read_trade_rows(folder.path() / "rows.csv");
+  REQUIRE(read.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    CHECK((read[k].varied == rows[k].varied && read[k].boundary == rows[k].boundary));
+    CHECK((read[k].density == rows[k].density && read[k].reference == rows[k].reference));
+    CHECK((read[k].value == rows[k].value && read[k].specimens == rows[k].specimens));
+    CHECK((read[k].cpu_seconds == rows[k].cpu_seconds && read[k].steps == rows[k].steps));
+    for (const auto figure :
+         {&studies::TradeRow::shear_modulus, &studies::TradeRow::exponent, &studies::TradeRow::peak_ratio}) {
+      const std::optional<studies::Deviation>&a = read[k].*figure, &b = rows[k].*figure;
+      REQUIRE(a.has_value() == b.has_value());
+      if (a)
+        CHECK((a->bias == b->bias && a->standard_error == b->standard_error && a->scatter == b->scatter));
+    }
+  }
 }
 
 TEST_CASE("an assembly is painted from back to front, grains moved into the cell") {
