@@ -523,7 +523,20 @@ TEST_CASE("every column and axis is in the unit of its title, on the screen, in 
     CHECK_MESSAGE(units.contains(unit), unit);
 }
 
-TEST_CASE("rows of a trade study go through their CSV file") {
+TEST_CASE("rows of a trade study go through their CSV file, laws are shown where they have a scatter") {
+  std::vector<studies::TradeRow>
+      sizes; // whose scatter follows c N^(-1/2), which the screen has with its biases
+  for (const double x : {0.25, 0.375, 0.75})
+    sizes.push_back(trade_row(studies::Varied::grains, 1000 * x, x));
+  const auto laws_shown = [&] {
+    return screen(trade_document({.trade = studies::default_trade(), .samples = {}, .rows = sizes}, {}),
+                  false)
+               .find("b/N") != std::string::npos;
+  };
+  CHECK(laws_shown());
+  for (studies::TradeRow& row : sizes)
+    row.shear_modulus->scatter = row.exponent->scatter = 0;
+  CHECK_FALSE(laws_shown());
   const TemporaryFolder folder;
   std::vector<studies::TradeRow> rows{trade_row(studies::Varied::shear, 2e-4, 0.7),
                                       trade_row(studies::Varied::boundary, 250, 0.3)};
