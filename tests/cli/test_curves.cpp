@@ -233,3 +233,28 @@ TEST_CASE(
     CHECK((curves.find(fmt::format(", {} m,", depth)) != std::string::npos) ==
           (depth == 2 || depth == 4 || depth == 8 || depth == 12 || depth == 16 || depth == 20));
 }
+
+TEST_CASE(
+    "completion: options with a value have one in bash and zsh, words, files or folders, flags have none") {
+  const TemporaryFolder folder;
+  std::vector<std::string> words{"granum", "reference", "--out", folder.path().string()};
+  std::vector<char*> arguments;
+  for (std::string& word : words)
+    arguments.push_back(word.data());
+  REQUIRE(granum::cli::parse_and_run(4, arguments.data()) == granum::cli::ExitCode::ok);
+  const auto has = [&](const char* file, const std::string& part) {
+    std::ostringstream text;
+    text << std::ifstream(folder.path() / file).rdbuf();
+    return text.str().find(part) != std::string::npos;
+  };
+  const std::string fills = ")\n      mapfile -t COMPREPLY < <(compgen ";
+  CHECK(has("bash/granum", "'granum infer --growth'" + fills + "-W 'packings fixed fitted sand'"));
+  CHECK(has("bash/granum", "'granum estimate --out'" + fills + "-f"));
+  CHECK(has("bash/granum", "'granum analyse --out'" + fills + "-d"));
+  CHECK(has("bash/granum", "'granum estimate --void-ratio'"));
+  CHECK(has("zsh/_granum", "'*--growth=["));
+  CHECK(has("zsh/_granum", ":(packings fixed fitted sand)'"));
+  CHECK_FALSE(has("bash/granum", "'granum estimate --json'"));
+  CHECK((has("zsh/_granum", "'*--json[") && !has("zsh/_granum", "'*--json=[")));
+  CHECK(has("man1/granum-estimate.1", "\\-\\-void\\-ratio"));
+}
