@@ -4,9 +4,11 @@
 // fractions; G/G0 is cut to [0.001, 1] and damping to [0, 0.49].
 // Strata, source/SoilType.cpp, NonlinearProperty.cpp: each key below is read; strains and damping are in per
 // cent and strains increase; two strains would have no interpolation.
+#include <cstdio>
 #include <fstream>
 #include <set>
 
+#include <fmt/format.h>
 #include <granum/core/text.hpp>
 #include <granum/io/csv/table.hpp>
 #include <nlohmann/json.hpp>
@@ -195,4 +197,64 @@ TEST_CASE("sweeps: weights below each layer's water, names of equal curves, dept
   };
   CHECK(fitted("porosity", "0.375", "0.4").at("s").get<double>() ==
         doctest::Approx(fitted("e", "0.6", "0.66666666666666667").at("s").get<double>()).epsilon(1e-9));
+}
+
+TEST_CASE(
+    "pictures: a fit's laws meet in the middle with the slopes of their legend, curves are six of many") {
+  const TemporaryFolder folder;
+  const std::string table = (folder.path() / "p.csv").string(), svg = (folder.path() / "p.svg").string();
+  std::ofstream(table) << "p_kPa,G_MPa\n50,70\n100,100\n200,130\n400,190\n";
+  const auto drawn = [&](std::vector<std::string> words, const std::string& command) {
+    words.insert(words.end(), {"--picture", svg, "--force"});
+    (void)swept(words, command);
+    std::ostringstream text;
+    text << std::ifstream(svg).rdbuf();
+    return text.str();
+  };
+  const std::string fit = drawn({table}, "fit");
+  std::vector<double> rises, middles; // of the law, of cones and of spheres
+  for (std::size_t at = fit.find(" d=\"M"); rises.size() < 3; at = fit.find(" d=\"M", at + 1)) {
+    REQUIRE(at != std::string::npos);
+    double x1 = 0, y1 = 0, x2 = 0, y2 = 0;
+    if (std::sscanf(fit.c_str() + at, " d=\"M%lf,%lfL%lf,%lf\"", &x1, &y1, &x2, &y2) != 4)
+      continue;
+    middles.push_back((y1 + y2) / 2);
+    rises.push_back(y1 - y2);
+    CHECK(middles.back() == doctest::Approx(middles.front()).epsilon(1e-3));
+  }
+  CHECK(rises[1] == doctest::Approx(1.5 * rises[2]).epsilon(1e-3));
+  CHECK(rises[0] > rises[2]);
+  for (const char* legend : {" = 0.500, cone<", " = 0.333, sphere<"})
+    CHECK(fit.find(legend) != std::string::npos);
+  const std::string curves = drawn({"--void-ratio", "0.7", "--unit-weight", "16kN/m3", "--depth", "2m..20m",
+                                    "--points", "10", "--strain", "0.0001%..1%", "--for", "table"},
+                                   "sweep");
+  for (int depth = 2; depth <= 20; depth += 2)
+    CHECK((curves.find(fmt::format(", {} m,", depth)) != std::string::npos) ==
+          (depth == 2 || depth == 4 || depth == 8 || depth == 12 || depth == 16 || depth == 20));
+}
+
+TEST_CASE(
+    "completion: options with a value have one in bash and zsh, words, files or folders, flags have none") {
+  const TemporaryFolder folder;
+  std::vector<std::string> words{"granum", "reference", "--out", folder.path().string()};
+  std::vector<char*> arguments;
+  for (std::string& word : words)
+    arguments.push_back(word.data());
+  REQUIRE(granum::cli::parse_and_run(4, arguments.data()) == granum::cli::ExitCode::ok);
+  const auto has = [&](const char* file, const std::string& part) {
+    std::ostringstream text;
+    text << std::ifstream(folder.path() / file).rdbuf();
+    return text.str().find(part) != std::string::npos;
+  };
+  const std::string fills = ")\n      mapfile -t COMPREPLY < <(compgen ";
+  CHECK(has("bash/granum", "'granum infer --growth'" + fills + "-W 'packings fixed fitted sand'"));
+  CHECK(has("bash/granum", "'granum estimate --out'" + fills + "-f"));
+  CHECK(has("bash/granum", "'granum analyse --out'" + fills + "-d"));
+  CHECK(has("bash/granum", "'granum estimate --void-ratio'"));
+  CHECK(has("zsh/_granum", "'*--growth=["));
+  CHECK(has("zsh/_granum", ":(packings fixed fitted sand)'"));
+  CHECK_FALSE(has("bash/granum", "'granum estimate --json'"));
+  CHECK((has("zsh/_granum", "'*--json[") && !has("zsh/_granum", "'*--json=[")));
+  CHECK(has("man1/granum-estimate.1", "\\-\\-void\\-ratio"));
 }

@@ -334,13 +334,146 @@ TEST_CASE("numbers that look like a mistake are noted from where on, with the nu
     });
 }
 
-TEST_CASE("the surface energy of grains is read in each of its units") {
+TEST_CASE("frames are chosen as all, the last, one, or a range with a stride") {
+  const auto taken = [](const char* text) { // of eight
+    const FrameChoice choice = parse_frames(text);
+    std::string out = choice.only_last ? "last " : "";
+    for (std::size_t k = 0; k < 8; ++k)
+      out += choice.takes(k) ? static_cast<char>('0' + k) : '.';
+    return out;
+  };
+  for (const auto& [text, frames] : {std::pair{"all", "01234567"},
+                                     {"last", "last 01234567"},
+                                     {"3", "...3...."},
+                                     {"0", "0......."},
+                                     {"2:5", "..2345.."},
+                                     {"4:", "....4567"},
+                                     {":4", "01234..."},
+                                     {":", "01234567"},
+                                     {"2:2", "..2....."},
+                                     {"1:6:2", ".1.3.5.."},
+                                     {"1::3", ".1..4..7"}})
+    CHECK(taken(text) == frames);
+  CHECK(parse_frames("1000000000000000").first == 1000000000000000); // 1e15, the largest
+  for (const char* wrong :
+       {"", "none", "-1", "1.5", "1:2:3:4", "3:2", "1:2:0", "1:2:", "x:2", "2:x", "1000000000000002"})
+    CHECK_THROWS_AS((void)parse_frames(wrong), InvalidArgument);
+}
+
+TEST_CASE("files that exist stay unless they are to be replaced") {
+  CHECK((existing(true) == io::Existing::replace && existing(false) == io::Existing::keep));
+}
+
+TEST_CASE("a box, stresses and a profile are read item by item, each in its own unit") {
+  const auto box = parse_box("1mm,2cm,3m");
+  CHECK(box->cell == Mat3::diagonal(1e-3, 2e-2, 3));
+  CHECK_FALSE(parse_box(""));
+  CHECK(parse_stress("1Pa,2kPa,3MPa,-4Pa,5Pa,-6kPa") == studies::PrintedStress{1, 2e3, 3e6, -4, 5, -6e3});
+  for (const auto& [text, axis] : {std::pair{"x:1", 0}, {"y:1", 1}, {"z:1", 2}})
+    CHECK((parse_profile(text)->axis == axis && parse_profile(text)->slices == 1));
+  CHECK(parse_profile("y:10000")->slices == 10000);
+  CHECK_FALSE(parse_profile(""));
+  for (const char* wrong :
+       {"1mm,2mm", "1mm,2mm,3mm,4mm", "1mm,0mm,1mm", "1mm,1mm,-1mm", "1kPa,1mm,1mm", "1mm,,1mm"})
+    CHECK_THROWS_AS((void)parse_box(wrong), InvalidArgument);
+  for (const char* wrong : {"1Pa,2Pa,3Pa,4Pa,5Pa", "1Pa,2Pa,3Pa,4Pa,5Pa,6Pa,7Pa", "1Pa,2Pa,3Pa,4Pa,5Pa,6m"})
+    CHECK_THROWS_AS((void)parse_stress(wrong), InvalidArgument);
+  for (const char* wrong :
+       {"z", "z:", "z:0", "z:-1", "z:1.5", "z:10001", "w:3", "zz:3", " z:3", "3:z", "z3:2"})
+    CHECK_THROWS_AS((void)parse_profile(wrong), InvalidArgument);
+}
+
+TEST_CASE("a window is read axis by axis, its depth instead of z") {
+  const auto ends = [](const char* window, const char* depth) {
+    const studies::WindowChoice choice = parse_window(window, depth).value();
+    std::array<double, 8> out{}; // in mm; -9 where open
+    for (std::size_t k = 0; k < 3; ++k) {
+      out[2 * k] = 1e3 * choice.low[k].value_or(-9e-3);
+      out[2 * k + 1] = 1e3 * choice.high[k].value_or(-9e-3);
+    }
+    out[6] = choice.depth ? 1e3 * choice.depth->first : -9;
+    out[7] = choice.depth ? 1e3 * choice.depth->second : -9;
+    return out;
+  };
+  CHECK(ends("1mm..2mm,3mm..4mm,5mm..6mm", "") == std::array<double, 8>{1, 2, 3, 4, 5, 6, -9, -9});
+  CHECK(ends("..2mm,3mm..,..", "") == std::array<double, 8>{-9, 2, 3, -9, -9, -9, -9, -9});
+  CHECK(ends("..,..,..2mm", "") == std::array<double, 8>{-9, -9, -9, -9, -9, 2, -9, -9});
+  CHECK(ends("1mm..2mm,..,..", "0mm..4mm") == std::array<double, 8>{1, 2, -9, -9, -9, -9, 0, 4});
+  CHECK(ends("..,1mm..2mm,..", "2mm..4mm") == std::array<double, 8>{-9, -9, 1, 2, -9, -9, 2, 4});
+  CHECK(ends("", "2mm..4mm") == std::array<double, 8>{-9, -9, -9, -9, -9, -9, 2, 4});
+  CHECK_FALSE(parse_window("", ""));
+  for (const auto& [window, depth] : {std::pair{"..,..", ""},
+                                      {"..,..,..,..", ""},
+                                      {"..,..,1mm", ""},
+                                      {"..,..,1kPa..", ""},
+                                      {"..,..,1mm..", "0mm..1mm"},
+                                      {"..,..,..1mm", "0mm..1mm"},
+                                      {"", "1mm.."},
+                                      {"", "..1mm"},
+                                      {"", "-1mm..1mm"},
+                                      {"", "0mm..0mm"},
+                                      {"", ".."}})
+    CHECK_THROWS_AS((void)parse_window(window, depth), InvalidArgument);
+}
+
+TEST_CASE("materials of types are read by either pair of moduli, each once") {
+  const auto read = parse_materials(
+      {"1:shear-modulus=30GPa,poisson-ratio=0.2", "-1000000000:bulk-modulus=40GPa,shear-modulus=30GPa"});
+  REQUIRE(read.size() == 2);
+  // K = 2 G (1+nu)/(3 (1-2nu)): 40 = 2*30*1.2/(3*0.6)
+  for (const long type : {1L, -1000000000L}) {
+    CHECK(read.at(type).shear_modulus == 30e9);
+    CHECK(read.at(type).poisson_ratio == relative(0.2, 1e-14));
+  }
+  const char* const one = "1:shear-modulus=30GPa,poisson-ratio=0.2";
+  CHECK_THROWS_AS((void)parse_materials({one, one}), InvalidArgument);
+  for (const char* wrong :
+       {"shear-modulus=30GPa,poisson-ratio=0.2", "x:shear-modulus=30GPa,poisson-ratio=0.2",
+        "1.5:shear-modulus=30GPa,poisson-ratio=0.2", "1000000001:shear-modulus=30GPa,poisson-ratio=0.2",
+        "1:shear-modulus=30GPa", "1:poisson-ratio=0.2", "1:bulk-modulus=40GPa,poisson-ratio=0.2",
+        "1:shear-modulus", "1:shear-modulus=30GPa,poisson-ratio=0.2,bulk-modulus=40GPa",
+        "1:shear-modulus=30GPa,poisson-ratio=0.2,x=1",
+        "1:shear-modulus=30GPa,shear-modulus=30GPa,poisson-ratio=0.2",
+        "1:shear-modulus=-30GPa,poisson-ratio=0.2", "1:shear-modulus=30GPa,bulk-modulus=0GPa",
+        "1:shear-modulus=30GPa,poisson-ratio=0.51",
+        "1:shear-modulus=30GPa,poisson-ratio=0.2,poisson-ratio=0.2",
+        "1:shear-modulus=30GPa,bulk-modulus=40GPa,bulk-modulus=40GPa"})
+    CHECK_THROWS_AS((void)parse_materials({wrong}), InvalidArgument);
+}
+
+TEST_CASE("springs against turning and the surface energy of grains are read in each of their units") {
+  using Of = packing::TurningSpring::Of;
+  const std::tuple<const char*, Of, double> springs[] = {{"", Of::normal, 1},
+                                                         {"N/m", Of::displacement, 1},
+                                                         {"kN/m", Of::displacement, 1e3},
+                                                         {"MN/m", Of::displacement, 1e6},
+                                                         {"Nm", Of::angle, 1},
+                                                         {"N*m", Of::angle, 1},
+                                                         {"Nmm", Of::angle, 1e-3},
+                                                         {" kNm", Of::angle, 1e3}};
+  for (const auto& [unit, of, factor] : springs) {
+    const auto spring = parse_turning("--rolling-stiffness", "50" + std::string(unit));
+    CHECK(spring->of == of);
+    CHECK(spring->value == relative(50 * factor, 1e-14));
+  }
+  CHECK(parse_turning("", "marshall")->of == Of::marshall);
+  CHECK(parse_turning("", "0")->value == 0);
+  CHECK_FALSE(parse_turning("", ""));
+  for (const char* wrong : {"-1N/m", "1Pa", "N/m", "mars"})
+    CHECK_THROWS_AS((void)parse_turning("", wrong), InvalidArgument);
+  using enum contact::AdhesionModel;
   for (const auto& [unit, factor] : {std::pair("J/m2", 1.0),
                                      {"J/m^2", 1.0},
                                      {"N/m", 1.0},
                                      {"mJ/m2", 1e-3},
                                      {"mJ/m^2", 1e-3},
                                      {"mN/m", 1e-3}})
-    CHECK(parse_adhesion(std::string("jkr:50") + unit)->surface_energy ==
-          doctest::Approx(50 * factor).epsilon(1e-14));
+    for (const auto& [name, model] : {std::pair("jkr:50", jkr), {"DMT:50", dmt}}) {
+      CHECK(parse_adhesion(std::string(name) + unit)->model == model);
+      CHECK(parse_adhesion(std::string(name) + unit)->surface_energy == relative(50 * factor, 1e-14));
+    }
+  CHECK(parse_adhesion("jkr:0J/m2")->surface_energy == 0);
+  CHECK_FALSE(parse_adhesion(""));
+  for (const char* wrong : {"jkr", "jkr:", "jkr:1", "jkr:1Pa", "jkr:-1J/m2", "sjkr:1J/m2", "1J/m2"})
+    CHECK_THROWS_AS((void)parse_adhesion(wrong), InvalidArgument);
 }

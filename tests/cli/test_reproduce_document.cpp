@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/reproduce/reproduce_document.hpp"
 
+#include <map>
+#include <type_traits>
+
+#include <fmt/format.h>
+#include <granum/io/csv/table.hpp>
+
 #include "studies/count_pieces.hpp"
 #include "synthetic_experiment.hpp"
 #include "unit.hpp"
@@ -131,6 +137,110 @@ TEST_CASE("reproduce: files have a row for each state, and empty cells for missi
   CHECK(count(file(of, "curves.csv"), "\n") == 4 + 1 + curve);
   CHECK(count(file(of, "histograms.csv"), "\n") ==
         4 + 1 + points * (studies::polar_bins + studies::force_bins));
+}
+
+TEST_CASE("reproduce: each column of the files has its own number of a state") {
+  Experiment experiment = synthetic::experiment();
+  experiment.specimens.resize(1);
+  experiment.specimens[0].runs.resize(2);
+  experiment.specimens[0].runs[0].points.clear();
+  PathRun& run = experiment.specimens[0].runs[1];
+  run.points.resize(1);
+  StateRecord& state = run.points[0];
+  std::map<std::string, double> expected; // by heading
+  double last = 10;
+  const auto set = [&](const char* heading, auto& number) {
+    number = static_cast<std::remove_reference_t<decltype(number)>>(++last);
+    expected[heading] = last;
+  };
+  set("s_v_Pa", state.at.stress.v);
+  set("s_h_Pa", state.at.stress.h);
+  expected["p_Pa"] = (11 + 2 * 12) / 3.0;
+  expected["eta"] = -1 / expected["p_Pa"];
+  set("axial_strain", state.at.axial_strain);
+  set("volumetric_strain", state.at.volumetric_strain);
+  set("frozen_s_v_Pa", state.stress.v);
+  set("frozen_s_h_Pa", state.stress.h);
+  set("e", state.void_ratio);
+  set("e_interior", state.interior_void_ratio);
+  set("C_n", state.micro.coordination_number);
+  set("C_n_all_grains", state.coordination_number_all);
+  set("C_n_all_grains_error", state.coordination_error);
+  set("z_star", state.micro.mechanical_coordination_number);
+  set("rattler_fraction", state.micro.rattler_fraction);
+  set("a", state.micro.fabric_anisotropy);
+  set("a_error", state.micro.fabric_anisotropy_error);
+  set("sliding_fraction", state.micro.sliding_fraction);
+  set("contacts", state.contacts);
+  set("unbalanced_force_ratio", state.unbalanced_force_ratio);
+  set("rest_steps", state.rest_steps);
+  state.probes.emplace();
+  set("G_hh_probe_Pa", state.probes->G_hh);
+  set("G_hv_probe_Pa", state.probes->G_hv);
+  set("G_vh_probe_Pa", state.probes->G_vh);
+  set("probe_strain", state.probes->amplitude);
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j)
+      state.fabric(i, j) = state.fabric(j, i) = expected[fmt::format("F{}{}", i + 1, j + 1)] =
+          0.1 + 0.01 * i + 0.03 * j * j;
+  for (std::size_t k = 0; k < 36; ++k) {
+    const std::size_t i = k / 6, j = k % 6;
+    state.network[k] = 1000 + static_cast<double>(k);
+    state.affine[k] = 2000 + static_cast<double>(k);
+    if (i <= j) {
+      expected[fmt::format("network_C{}{}_Pa", i + 1, j + 1)] = state.network[k];
+      expected[fmt::format("affine_C{}{}_Pa", i + 1, j + 1)] = state.affine[k];
+    }
+  }
+  expected["G_hh_Pa"] = 1035;
+  expected["G_vh_Pa"] = (1021 + 1028) / 2.0;
+  const auto solid = [](double G_hh, double G_vh) {
+    return elastic::TransverselyIsotropic{.C11 = 2 * G_hh, .C33 = 1, .C12 = 0, .C13 = 0, .C44 = G_vh};
+  };
+  state.closed = studies::ClosedForms{.uniform_strain = solid(51, 52),
+                                      .uniform_stress = solid(53, 54),
+                                      .relaxed = solid(55, 56),
+                                      .G_hh_error = 0.1,
+                                      .G_vh_error = 0.2};
+  expected.insert({{"G_hh_uniform_strain_Pa", 51},
+                   {"G_vh_uniform_strain_Pa", 52},
+                   {"G_hh_uniform_stress_Pa", 53},
+                   {"G_vh_uniform_stress_Pa", 54},
+                   {"G_hh_relaxed_Pa", 55},
+                   {"G_hh_relaxed_error_Pa", 5.5},
+                   {"G_vh_relaxed_Pa", 56},
+                   {"G_vh_relaxed_error_Pa", 11.2}});
+  const auto check = [&](const io::CsvTable& table, std::size_t first) {
+    for (std::size_t k = first; k < table.headings().size(); ++k) {
+      CAPTURE(table.headings()[k]);
+      REQUIRE(expected.contains(table.headings()[k]));
+      CHECK(std::stod(table.fields(0)[k]) == relative(expected[table.headings()[k]], 1e-14));
+    }
+  };
+  for (std::size_t k = 0; k < studies::polar_bins; ++k)
+    state.polar_counts[k] = static_cast<std::uint32_t>(500 + k);
+  for (std::size_t k = 0; k < studies::force_bins; ++k)
+    state.force_counts[k] = static_cast<std::uint32_t>(600 + k);
+  run.curve = {state.at};
+  set("work_J_per_m3", run.curve[0].work);
+  set("step", run.curve[0].step);
+  run.loops = {{.eta = 0.5, .amplitude = 0, .points = {{61, 62}}}};
+  const ExperimentDocument of = document(experiment);
+  const io::CsvTable states("states.csv", file(of, "states.csv")), bins("b", file(of, "histograms.csv")),
+      loops("loops.csv", file(of, "loops.csv"));
+  CHECK(states.headings().size() == 4 + expected.size() - 2);
+  check(states, 4);
+  check(io::CsvTable("curves.csv", file(of, "curves.csv")), 4);
+  CHECK(loops.fields(0) == std::vector<std::string>{"cone", "dense", "1", "TXC", "0.5", "61", "62"});
+  REQUIRE(bins.row_count() == 18 + 32);
+  for (std::size_t k = 0; k < 50; ++k) { // of 5 degrees, and of a quarter of the mean force
+    const std::vector<std::string>& row = bins.fields(k);
+    const double place = static_cast<double>(k < 18 ? k : k - 18), width = k < 18 ? 5 : 0.25;
+    CHECK(std::stod(row[4]) == relative(expected["eta"], 1e-14));
+    CHECK(std::abs(std::stod(row[7]) - place * width) + std::abs(std::stod(row[8]) - (place + 1) * width) <
+          1e-12);
+    CHECK(std::stod(row[9]) == (k < 18 ? 500 : 600) + place);
+  }
 }
 
 TEST_CASE("reproduce: a document without any data is a page all the same") {

@@ -4,11 +4,13 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <numeric>
 #include <set>
 
 #include <sys/stat.h>
 
+#include "studies/plan/plan.hpp"
 #include <granum/triaxial/specimen.hpp>
 
 #include "io/temporary_folder.hpp"
@@ -80,7 +82,17 @@ TEST_CASE("an experiment compresses, shears, and freezes according to the scene"
   for (std::size_t k = 0; k < 3; ++k) {
     CHECK(iso.points[k].at.stress.mean() == relative(scene.study.pressures[k], 1e-5));
     CHECK(iso.points[k].probes.has_value() == (k == 2));
+    const triaxial::PathPoint& at = iso.points[k].at;
+    CHECK(at.stress_difference < 1e-4 * at.stress.mean());
+    CHECK(std::abs(at.stress.ratio()) < 1e-4);
+    // The volume of the grains stays, and the cell shrinks about as much along each axis.
+    CHECK(std::abs(at.volumetric_strain -
+                   std::log((1 + iso.points[0].void_ratio) / (1 + iso.points[k].void_ratio))) < 1e-12);
+    CHECK(std::abs(at.axial_strain - at.volumetric_strain / 3) <= 0.2 * at.volumetric_strain);
   }
+  CHECK(iso.points[0].at.volumetric_strain == 0);
+  CHECK(iso.steps == iso.points[0].at.step + iso.points[1].at.step + iso.points[2].at.step);
+  CHECK((iso.largest_inertial_number > 0 && iso.largest_inertial_number < 0.01));
   CHECK(iso.notes.empty());
   CHECK(iso.points[2].at.volumetric_strain > iso.points[1].at.volumetric_strain);
   CHECK(iso.points[2].void_ratio < iso.points[0].void_ratio);
@@ -92,6 +104,13 @@ TEST_CASE("an experiment compresses, shears, and freezes according to the scene"
     REQUIRE(run.points.size() >= 3);
     CHECK(run.curve.size() > 2 * run.points.size());
     CHECK(std::abs(run.curve.back().axial_strain) >= scene.shear.largest_strain);
+    CHECK(sense * run.curve[1].stress.ratio() == relative(scene.shear.eta_step / 5, 0.1));
+    CHECK(run.path_error < 0.02);
+    for (const triaxial::PathPoint& point : run.curve)
+      CHECK(sense * point.stress.ratio() <= sense * run.peak.stress.ratio());
+    CHECK(std::ranges::any_of(run.points, [&](const StateRecord& point) {
+      return std::abs(point.at.axial_strain) == relative(scene.shear.strain_step, 0.02);
+    }));
     double next = scene.shear.eta_step;
     for (const StateRecord& point : run.points) {
       const double eta = sense * point.at.stress.ratio();
@@ -130,6 +149,10 @@ TEST_CASE("stored results of a frozen state are consistent: probes, cycles, hist
       CHECK(by_force > 0.95 * point.contacts); // few press with more than 8 times the mean
       CHECK(2.0 * point.contacts / 80 == relative(point.micro.coordination_number, 1e-14));
       CHECK(trace(point.fabric) == relative(1, 1e-12));
+      CHECK(point.coordination_number_all == point.micro.coordination_number);
+      CHECK(point.interior_void_ratio == point.void_ratio);
+      CHECK(
+          (point.G_hh() == point.network[35] && point.G_vh() == (point.network[21] + point.network[28]) / 2));
     }
   CHECK(probed >= 3);
   // Cycles of shear are kept of TXC.
@@ -174,6 +197,42 @@ TEST_CASE("an experiment is the same bits on two threads, from its checkpoints, 
   }
   CHECK(rounds > 3);
   check_same(one, run_experiment(small_scene(), {}, checkpoints));
+}
+
+/// The progress that is shown weighs the pieces by these steps.
+TEST_CASE("the predicted steps of a stress path follow from its rate, and from the states that are frozen") {
+  const auto predicted = [](const Scene& scene) { // of all paths
+    std::atomic<bool> stop = false;
+    double first = 0; // share of the first piece, a packing
+    const auto report = [&](const Progress& progress) {
+      first = stop ? first : progress.done;
+      stop = true;
+    };
+    (void)run_experiment(scene, {.report = report, .stop = &stop});
+    const double packing = preparation_work(scene);
+    return (packing / first - packing - specimen_work(scene, Density::dense, Shape::sphere)) / 80;
+  };
+  Scene scene = small_scene();
+  const auto of = [&](ShearPath path) {
+    scene.shear.paths = {path};
+    return predicted(scene);
+  };
+  const double txc = of(ShearPath::txc);
+  CHECK(of(ShearPath::rtxe) == relative(txc, 1e-9));
+  CHECK(of(ShearPath::rtxc) == relative(txc * 1.5 / 0.95, 1e-9));
+  CHECK(of(ShearPath::txe) == relative(txc * 0.6 / 0.95, 1e-9));
+  const double of_point = 0.95 * 1000 * std::cbrt(0.08); // steps
+  scene.shear.paths = {ShearPath::txc};
+  scene.shear.eta_step = 0.1;
+  CHECK(predicted(scene) - txc == relative(5 * of_point, 1e-6));
+  scene.shear.eta_step = 0.2;
+  scene.shear.strain_step = 1.25e-4;
+  CHECK(predicted(scene) - txc == relative(2 * of_point, 1e-6));
+  const double d = 2 * scene.grain.radius, p = 100e3, rho = scene.grain.density;
+  const double seconds = scene.shear.largest_strain * d * std::sqrt(rho / p) / scene.shear.inertial_number;
+  const double mass = rho * std::numbers::pi / 6 * std::pow(d, 3);
+  const double oscillation = std::sqrt(mass / law(scene, Shape::sphere).stiffness_at_force(p * d * d));
+  CHECK(txc - 7 * of_point == relative(0.95 * seconds / (0.5 * oscillation), 1e-6));
 }
 
 TEST_CASE("a checkpoint in the place of another specimen's, path's or piece's is refused") {

@@ -284,6 +284,13 @@ TEST_CASE("verdict on the probes: with what forces add, and states that forces h
   CHECK(holds(with_terms(0.012, 0.002, 0.003)));
   CHECK_FALSE(holds(with_terms(0.012, -0.002, 0.003)));
   CHECK(holds(with_terms(0.5, -0.3, 0)));
+  for (const std::ptrdiff_t judged : {2, 1, 0}) { // states of the loose specimen, and one that is left out
+    std::vector<SpecimenResult> study = with_terms(0.5, -0.3, 0);
+    study[1].states = {study[1].states.begin() + 2 - judged, study[1].states.begin() + 3};
+    CHECK(std::ranges::any_of(verdicts(sphere_scene(), study), [](const Verdict& v) {
+            return v.measured.find("; 1 ") != std::string::npos;
+          }) == (judged > 0));
+  }
 }
 
 TEST_CASE("verdict on specimens at rest: three quarters of the states") {

@@ -2,6 +2,7 @@
 #include "studies/analyse/force_chains.hpp"
 
 #include <granum/plot/palette.hpp>
+#include <granum/plot/svg_text.hpp>
 
 #include "count_pieces.hpp"
 #include "unit.hpp"
@@ -44,6 +45,50 @@ TEST_CASE("force chains are as wide as their force, those above the mean in colo
   for (const char* number :
        {" 2 ", " 1 ", " 75 %"}) // contacts, those above the mean force, their share of it
     CHECK(chains->finding.find(number) != std::string::npos);
+}
+
+TEST_CASE("force chains are of contacts in a slice of four mean radii, in a picture round all grains") {
+  using plot::svg_number;
+  packing::Assembly packing = row();
+  packing.radius = {1, 1, 1, 1, 3, 3}; // of 10/6 in the mean
+  packing.position[4] = {10, 8, -3};
+  packing.position[5] = {-2, -8, 9};
+  packing.contacts[2].normal_force = 95;
+  const double scale = 420 / (9.0 + 3 + 3 + 3), foot = -6, top = 12, left = -5, right = 13;
+  const auto chains = force_chains(packing);
+  const auto tag = [](double width, double height) {
+    return "viewBox=\"0 0 " + svg_number(width) + " " + svg_number(height) + "\"";
+  };
+  CHECK(chains->svg.find(tag(24 + scale * (right - left), 24 + scale * (top - foot))) != std::string::npos);
+  for (int k = 0; k < 3; ++k)
+    CHECK(count(chains->in_page, "x1=\"" + svg_number(12 + scale * (2 * k - left)) + "\" y1=\"" +
+                                     svg_number(12 + scale * top) + "\" x2=\"" +
+                                     svg_number(12 + scale * (2 * k + 2 - left)) + "\" y2=\"" +
+                                     svg_number(12 + scale * top) + "\"") == 1);
+  CHECK(count(chains->in_page, "r=\"" + svg_number(scale) + "\"") == 4);
+  CHECK(count(chains->in_page, "stroke-width=\"6.33\"") == 1); // 95 over 33 of 2.2
+  packing.contacts[2].normal_force = 1000;
+  CHECK(count(force_chains(packing)->in_page, "stroke-width=\"6.57\"") == 1); // as before
+  for (const double y : {3.33, 3.34}) {                                       // half of 4 times 10/6
+    packing.position[0].y = y;
+    packing.contacts[0].branch.y = 0;
+    CHECK(count(force_chains(packing)->in_page, "<line") == (y < 10.0 / 3 ? 3 : 2));
+    CHECK(count(force_chains(packing)->in_page, "<circle") == (y < 10.0 / 3 ? 4 : 3));
+  }
+  packing.contacts[0].branch.y = -0.1; // its middle counts
+  CHECK(count(force_chains(packing)->in_page, "<line") == 3);
+}
+
+TEST_CASE("force chains of more than 10,000 contacts are drawn without grains and weak contacts") {
+  for (const std::size_t contacts : {10'000U, 10'001U}) {
+    packing::Assembly packing = row();
+    packing.contacts.assign(contacts, packing.contacts[0]);
+    packing.contacts[0].normal_force = 100;
+    const std::string picture = force_chains(packing)->in_page;
+    CHECK(count(picture, "<line") == (contacts == 10'000 ? 10'000 : 1));
+    CHECK(count(picture, "<circle") == (contacts == 10'000 ? 4 : 0));
+    CHECK(count(picture, "stroke-width=\"9.00\"") == 1); // at most
+  }
 }
 
 TEST_CASE("force chains are drawn the same wherever the packing is, without pressing contacts not at all") {

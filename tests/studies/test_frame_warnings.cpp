@@ -60,9 +60,14 @@ void set_moments(analysis::Measurement& m, double force_ratio, double moment_rat
   m.forces->unbalance = packing::Unbalance{.force_ratio = force_ratio, .moment_ratio = moment_ratio};
 }
 
-std::size_t warnings_with(const io::ImportedPacking& packing, studies::MeasuredFrame frame) {
+std::vector<std::string> warnings_of(const io::ImportedPacking& packing, studies::MeasuredFrame frame) {
+  frame.warnings.clear();
   studies::add_warnings(packing, frame);
-  return frame.warnings.size();
+  return frame.warnings;
+}
+
+std::size_t warnings_with(const io::ImportedPacking& packing, const studies::MeasuredFrame& frame) {
+  return warnings_of(packing, frame).size();
 }
 
 /// Four grains, each in contact with the two beside it in the list, through faces along z too.
@@ -155,6 +160,51 @@ TEST_CASE("frame warnings: a specimen at rest has none, and each begins at its t
   CHECK(warnings_with(open, measured) == 1);
 }
 
+TEST_CASE("frame warnings: the cause of a misfit is named by the exponent of the forces") {
+  const io::ImportedPacking good = through_dump(specimen());
+  studies::MeasuredFrame frame = studies::measure_frame(good, given_modulus, wanted());
+  const auto cause = [&](double exponent, bool several = false, bool materials = false) {
+    io::ImportedPacking packing = good;
+    packing.type.assign(packing.assembly.grain_count(), 1);
+    packing.type.back() = several ? 2 : 1;
+    frame.materials_given = materials;
+    frame.packing.law_check->misfit_90 = 1;
+    frame.packing.law_check->force_exponent = Measured{exponent, 0};
+    std::vector<std::string> all = warnings_of(packing, frame);
+    REQUIRE(all.size() == 1);
+    std::erase_if(all.front(), [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
+    return all.front();
+  };
+  const std::string none = cause(3);
+  for (const double at : {1.0, 1.5, 2.0})
+    for (const double side : {-1.0, 1.0}) {
+      CHECK((cause(at + 0.0299 * side) == cause(at) && cause(at) != none));
+      CHECK(cause(at + 0.0301 * side) == none);
+      // Types explain all but springs.
+      CHECK((cause(at, true) == cause(3, true)) == (at != 1));
+      CHECK(cause(at, true, true) == cause(at));
+    }
+  CHECK((cause(1) != cause(1.5) && cause(1.5) != cause(2) && cause(1) != cause(2)));
+}
+
+TEST_CASE("frame warnings: principal stresses and the weight are shown with their directions") {
+  const io::ImportedPacking good = through_dump(specimen());
+  studies::MeasuredFrame frame = studies::measure_frame(good, given_modulus, wanted());
+  // 5, 3 and 1 kPa along (0.8, 0, 0.6), (0, 1, 0) and (-0.6, 0, 0.8)
+  set_stress(frame.packing, 2000, {{{3560, 0, 1920}, {0, 3000, 0}, {1920, 0, 2440}}});
+  std::vector<std::string> all = warnings_of(good, frame);
+  REQUIRE(all.size() == 1);
+  std::erase(all[0], '-');
+  CHECK(one_says(all, "5 kPa along (0.8, 0, 0.6), 3 kPa along (0, 1, 0), 1 kPa along (0.6, 0, 0.8)"));
+  set_stress(frame.packing, 2000, Mat3::identity());
+  for (const double small : {0.99e-4, 1.01e-4}) { // parts of less than 1e-4 are shown as 0
+    frame.packing.forces->weight.emplace().per_volume = {25e3 * small, 0, -25e3};
+    all = warnings_of(good, frame);
+    CHECK(one_says(all, small < 1e-4 ? "25 kN per m3 of solid along (0, 0, -1)"
+                                     : "25 kN per m3 of solid along (0.000101, 0, -1)"));
+  }
+}
+
 TEST_CASE("frame warnings: notes of the reader that invalidate a comparison are passed on") {
   using enum io::Finding;
   for (const io::Finding finding :
@@ -237,14 +287,52 @@ TEST_CASE("frame warnings: directions that no E(gamma, a) has") {
   CHECK_FALSE(studies::measure_frame(plane).warnings.empty());
 }
 
-TEST_CASE("frame warnings: too few iterations, and forces that matter compared with the stiffness") {
-  const auto of = [](const Given& given, const network::ResponseOptions& options) {
-    return warnings(through_csv(specimen()), given, wanted(options)).size();
+TEST_CASE("frame warnings: too few iterations of the network") {
+  const auto of = [](const network::ResponseOptions& options) {
+    return warnings(through_csv(specimen()), given_modulus, wanted(options)).size();
   };
-  CHECK(of(given_modulus, {}) == 0);
-  CHECK(of(given_modulus, {.iteration_limit = 1}) > 0);
-  const Given soft{.grain_shear_modulus = specimen_grain.shear_modulus / 1000}; // for the same forces
-  CHECK(of(soft, {}) > warnings(through_csv(specimen()), soft).size());
+  CHECK((of({}) == 0 && of({.iteration_limit = 1}) > 0));
+}
+
+TEST_CASE("frame warnings: forces matter from 2 % of the shear modulus that they change most") {
+  const io::ImportedPacking packing = through_csv(specimen());
+  const auto softened = [&](double factor) {
+    return studies::measure_frame(packing, {.grain_shear_modulus = specimen_grain.shear_modulus / factor},
+                                  wanted(network::ResponseOptions{}));
+  };
+  const auto most = [](const studies::MeasuredFrame& frame) {
+    const network::Response& response = frame.packing.network->response;
+    double share = 0;
+    for (const int plane : {3, 4, 5})
+      share = std::max(share, std::abs(response.force_terms()->geometric.matrix(plane, plane) /
+                                       response.relaxed().matrix(plane, plane)));
+    return share;
+  };
+  double factor = 1; // at which it is 2 %
+  for (int k = 0; k < 4; ++k)
+    factor *= 0.02 / most(softened(factor));
+  CHECK(most(softened(factor)) == relative(0.02, 1e-4));
+  check_threshold(factor, [&](double f) { return softened(f).warnings.size(); });
+}
+
+TEST_CASE("frame warnings: strains that nothing resists are named by their parts") {
+  const io::ImportedPacking packing = through_csv(specimen());
+  studies::MeasuredFrame frame =
+      studies::measure_frame(packing, given_modulus, wanted(network::ResponseOptions{}));
+  const double scale = frame.packing.network->affine.stiffness.matrix.norm();
+  const auto found = [&](double stiffness, double other) { // of the strain (11, other 33)
+    Eigen::Matrix<double, 6, 1> strain = Eigen::Matrix<double, 6, 1>::Zero();
+    strain[0] = 1, strain[2] = other;
+    strain.normalize();
+    frame.packing.network->relaxed.stiffness.matrix =
+        scale * (Eigen::Matrix<double, 6, 6>::Identity() - (1 - stiffness) * strain * strain.transpose());
+    return warnings_of(packing, frame);
+  };
+  check_threshold(1e-9, [&](double stiffness) { return found(stiffness, 0).size(); });
+  check_threshold(0.4, [&](double other) { return one_says(found(0, other), "(11 and 33)"); });
+  CHECK(one_says(found(0, -0.5), "(11 and -33)"));
+  CHECK(one_says(found(0, -3), "(-11 and 33)") != one_says(found(0, -2.4), "(-11 and 33)"));
+  CHECK(one_says(found(0, 0.3), " 1 of six strains (11)"));
 }
 
 TEST_CASE("frame warnings: strains that nothing resists are named") {

@@ -133,6 +133,11 @@ TEST_CASE("frame: a table with only contacts gives fabric and forces") {
   CHECK(a.fabric->isotropy->p_value < 1e-6);
   CHECK(a.fabric->density->chi_square.p_value > 0.001);
   CHECK(a.fabric->rose.size() == 18);
+  for (const std::size_t contacts : {1U, 2U}) { // as few as have a fabric
+    io::ContactTable few;
+    few.normal.assign(table.normal.begin(), table.normal.begin() + static_cast<std::ptrdiff_t>(contacts));
+    CHECK(measure_frame(few).packing.fabric.has_value() == (contacts == 2));
+  }
   CHECK_FALSE(a.forces);
   for (std::size_t k = 0; k < table.normal.size(); ++k) {
     table.normal_force.push_back(k % 2 == 0 ? 1.0 : 3.0);

@@ -57,16 +57,25 @@ TEST_CASE("overlaps: the contacts of a specimen come back from its grains") {
 }
 
 TEST_CASE("overlaps: pairs reach through periodic faces alone") {
-  packing::Assembly a{.cell = Mat3::diagonal(10, 10, 10),
-                      .position = {{0.2, 5, 5}, {9.7, 5, 5}, {5, 0.2, 5}, {5, 9.7, 5}, {5, 5, 5}},
-                      .radius = {0.5, 0.3, 0.5, 0.3, 0.2},
-                      .contacts = {}};
-  CHECK(studies::overlapping_pairs(a, everywhere).size() == 2);
-  const auto along_x = studies::overlapping_pairs(a, {true, false, false});
-  REQUIRE(along_x.size() == 1);
-  CHECK(norm(along_x.front().branch - Vec3{-0.5, 0, 0}) < 1e-12);
-  CHECK(along_x.front().overlap == relative(0.3, 1e-12));
-  CHECK(studies::overlapping_pairs(a, {false, false, false}).empty());
+  packing::Assembly a{
+      .cell = Mat3::diagonal(10, 10, 10),
+      .position = {{0.2, 5, 5}, {9.7, 5, 5}, {5, 0.2, 5}, {5, 9.7, 5}, {5, 5, 0.2}, {5, 5, 9.7}},
+      .radius = {0.5, 0.3, 0.5, 0.3, 0.5, 0.3},
+      .contacts = {}};
+  for (int flags = 0; flags < 8; ++flags) {
+    const std::array<bool, 3> periodic{(flags & 1) != 0, (flags & 2) != 0, (flags & 4) != 0};
+    std::vector<packing::Contact> found = studies::overlapping_pairs(a, periodic);
+    std::ranges::sort(found, {}, &packing::Contact::i);
+    for (int axis = 0, k = 0; axis < 3; ++axis)
+      if (periodic[static_cast<std::size_t>(axis)]) {
+        REQUIRE(found.size() > static_cast<std::size_t>(k));
+        const packing::Contact& c = found[static_cast<std::size_t>(k++)];
+        CHECK(norm(c.branch - Vec3{axis == 0 ? -0.5 : 0, axis == 1 ? -0.5 : 0, axis == 2 ? -0.5 : 0}) <
+              1e-12);
+        CHECK(c.overlap == relative(0.3, 1e-12));
+      }
+    CHECK(found.size() == static_cast<std::size_t>(std::ranges::count(periodic, true)));
+  }
   CHECK(studies::overlapping_pairs({.cell = a.cell, .position = {}, .radius = {}, .contacts = {}}, everywhere)
             .empty());
 }

@@ -43,6 +43,7 @@ TEST_CASE("the work of a study is that of its parts, and a plan counts what a st
   const double one = memory(1000, 2, 1), waiting = memory(1000, 4, 1) - one,
                running = memory(1000, 2, 2) - one;
   CHECK((waiting > 1000 * 6 * 24.0 && running > 5 * waiting)); // six more packings, places of grains alone
+  CHECK(one == relative(20e6 + waiting + running, 1e-12));
   CHECK(memory(1000, 6, 4) == relative(one + 2 * waiting + 3 * running, 1e-12));
   CHECK(memory(3000, 2, 1) == relative(one + 2 * (waiting + running), 1e-12));
 }
@@ -67,7 +68,13 @@ TEST_CASE(
     CHECK(work(density, 1) > bare);
     CHECK(work(density, 0) == first);
   }
-  CHECK(work(Density::loose, 1) > work(Density::dense, 1));
+  // Steps for 1,000 grains: 600 for the network, 400 or 2,400 of a stage, three times 800 or 2,600 of probes.
+  scene.study.probe_pressures = {pressures[1]};
+  const double steps[] = {work(Density::dense, 2), work(Density::dense, 1), work(Density::loose, 2),
+                          work(Density::loose, 1), work(Density::loose, 0)};
+  const double expected[] = {1000, 3400, 3000, 10800, 24500};
+  for (int k = 0; k < 5; ++k)
+    CHECK(steps[k] == relative(1000 * expected[k], 1e-12));
   CHECK(stage_work(scene, Density::loose, Shape::flat, 0) >
         stage_work(scene, Density::loose, Shape::cone, 0));
 }

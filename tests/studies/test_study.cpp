@@ -62,6 +62,12 @@ void check_state(const CompressedState& s) {
   CHECK((s.sliding_fraction >= 0 && s.sliding_fraction < 1));
   CHECK(s.packing.network->response.report().residual < 1e-8);
   CHECK(s.steps > 0);
+  CHECK((s.largest_inertial_number > 0 && s.largest_inertial_number < 0.01));
+  CHECK(s.unbalanced_force_ratio < 1e-4);
+  // The closed form knows the mean number of contacts only, and not how they differ.
+  CHECK(s.G_closed == relative(uniform_strain.shear_modulus(), 0.2));
+  CHECK(s.K_closed / s.G_closed ==
+        relative(uniform_strain.bulk_modulus() / uniform_strain.shear_modulus(), 0.03));
 }
 
 /// Measured: 1e-4 and 6e-4. Without what forces add 1.5e-3 and 6e-3; in loose specimens soft modes relax

@@ -2,11 +2,13 @@
 #include "studies/trade/trade.hpp"
 
 #include <atomic>
+#include <chrono>
 
 #include "studies/trade/trade_parts.hpp"
 #include "studies/verify/findings.hpp"
 #include <granum/sizes/distribution.hpp>
 
+#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace granum::studies;
@@ -33,9 +35,16 @@ TradeScene small_trade() {
   return trade;
 }
 
+double seconds_of_small_study = 0;
+
 /// Run once: it takes longest.
 const std::vector<TradeSample>& small_study() {
-  static const std::vector<TradeSample> samples = run_trade(small_trade());
+  static const std::vector<TradeSample> samples = [] {
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<TradeSample> out = run_trade(small_trade());
+    seconds_of_small_study = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return out;
+  }();
   return samples;
 }
 
@@ -63,7 +72,8 @@ void check_that_it_is_whole() {
     CHECK(sample.exponent.has_value() != sheared_only);
     CHECK(sample.peak_ratio.has_value() ==
           (sheared_only || sample.varied == Varied::grains || sample.varied == Varied::time_step));
-    CHECK(sample.cpu_seconds > 0);
+    CHECK(
+        (sample.cpu_seconds > 0 && sample.cpu_seconds < seconds_of_small_study)); // one part after the other
     CHECK((sample.steps > 0) == (sample.varied != Varied::probe || sample.value > 0));
   }
 }
@@ -110,6 +120,12 @@ void check_probes_and_walls() {
       sum += sample.shear_modulus.at(2) / 2;
     return sum;
   };
+  // Without walls the mean of both planes is nearly the isotropic modulus.
+  const std::vector<TradeSample> planes = of(Varied::boundary, 100), isotropic = of(Varied::grains, 100);
+  REQUIRE(planes.size() == isotropic.size());
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    for (std::size_t stage = 0; stage < 3; ++stage)
+      CHECK(planes[k].shear_modulus[stage] == relative(isotropic[k].shear_modulus[stage], 0.08));
   // Of 100 grains most stand at a wall, and smooth ones bear no shear; specimens scatter by a few per cent.
   CHECK(mean(Boundary::smooth_walls) < 0.8 * mean(Boundary::periodic));
   CHECK(mean(Boundary::rough_walls) > mean(Boundary::smooth_walls));
@@ -190,6 +206,69 @@ TEST_CASE(
   trade.scene.study.seeds = 4;
   for (const auto& [grains, specimens] : {std::pair{250, 16}, {1000, 4}, {2000, 2}, {16000, 2}})
     CHECK(specimens_of(trade, std::size_t(grains)) == std::size_t(specimens));
+}
+
+TEST_CASE(
+    "studies of a minute, of the default and of everything vary about the defaults, each way by a ladder") {
+  for (const TradeScene& trade : {quick_trade(), default_trade(), full_trade()}) {
+    CHECK_NOTHROW(require_valid(trade));
+    const auto descends = [](const auto& ladder) { return std::ranges::is_sorted(ladder, std::greater{}); };
+    CHECK((descends(trade.compression) && descends(trade.shear) && descends(trade.time_step)));
+    CHECK((std::ranges::is_sorted(trade.grains) && std::ranges::is_sorted(trade.probe)));
+    const auto has = [](const auto& ladder, auto value) { return std::ranges::count(ladder, value) == 1; };
+    CHECK(has(trade.grains, trade.scene.study.grains));
+    CHECK(has(trade.grains, trade.walls.front()));
+    CHECK(has(trade.compression, trade.compression_inertial_number));
+    CHECK(has(trade.shear, trade.shear_inertial_number));
+    CHECK(has(trade.time_step, trade.time_step_fraction));
+    CHECK(trade.scene.study.pressures == std::vector<double>{10e3, 20e3, 50e3, 100e3});
+    // Sizes are doubled, and rates and time steps become less by a factor of up to four.
+    for (std::size_t k = 1; k < trade.grains.size(); ++k)
+      CHECK(trade.grains[k] == 2 * trade.grains[k - 1]);
+    for (const std::vector<double>* ladder : {&trade.compression, &trade.shear, &trade.time_step})
+      for (std::size_t k = 1; k < ladder->size(); ++k) {
+        const double ratio = (*ladder)[k - 1] / (*ladder)[k];
+        CHECK((ratio > 1.2 && ratio < 4.1));
+      }
+  }
+  CHECK((default_trade().scene.study.grains == 500 && default_trade().scene.study.seeds == 4));
+  CHECK(full_trade().grains.back() == 16000);
+}
+
+TEST_CASE("the predicted work of shear tests and probes is that of the measured steps") {
+  const TradeScene trade = default_trade();
+  trade::Part part{.kind = trade::Kind::shear, .settings = {.grains = 300, .time_step = 0.8, .shear = 2e-4}};
+  CHECK(trade::predicted_work(trade, part) == relative(6400 * 300, 0.01)); // strain of 0.004
+  part.settings.shear *= 2;
+  part.settings.time_step /= 2;
+  CHECK(trade::predicted_work(trade, part) == relative(6400 * 300, 0.01));
+  part.kind = trade::Kind::probing;
+  CHECK(trade::predicted_work(trade, part) == relative(1000 * 4 * 300, 1e-12));
+}
+
+TEST_CASE("trade studies are possible within the range of each number") {
+  using Change = void (*)(TradeScene&, double);
+  const std::pair<double, Change> rows[] = {
+      {0.1, [](TradeScene& t, double x) { t.compression_inertial_number = x; }},
+      {0.1, [](TradeScene& t, double x) { t.shear_inertial_number = x; }},
+      {0.1, [](TradeScene& t, double x) { t.compression[0] = x; }},
+      {0.1, [](TradeScene& t, double x) { t.shear[0] = x; }},
+      {1, [](TradeScene& t, double x) { t.shear_strain = x; }},
+      {1, [](TradeScene& t, double x) { t.time_step[0] = x; }},
+      {1, [](TradeScene& t, double x) { t.probe[0] = x; }},
+      {1000, [](TradeScene& t, double x) { t.scene.study.seeds = static_cast<std::size_t>(x); }},
+      {1e6, [](TradeScene& t, double x) { t.walls[0] = static_cast<std::size_t>(x); }}};
+  for (const auto& row : rows)
+    check_threshold(row.first, [&](double x) {
+      TradeScene trade = small_trade();
+      row.second(trade, x);
+      try {
+        require_valid(trade);
+      } catch (const InvalidArgument&) {
+        return 0;
+      }
+      return 1;
+    });
 }
 
 TEST_CASE("impossible trade studies are refused") {

@@ -58,6 +58,9 @@ TEST_CASE("sizes are compared by their means, with a scatter that follows c N^(-
   CHECK_FALSE(small.peak_ratio);
   CHECK(row(rows, 400).shear_modulus->bias == 0);
   CHECK(row(rows, 400).shear_modulus->standard_error == relative(std::sqrt(c_squared / 400 / 2), 1e-10));
+  // Two specimens of one size: e sqrt 2 over sqrt 2.
+  const std::vector<TradeRow> pair = trade_rows({samples[4], samples[5]});
+  CHECK(pair[0].shear_modulus->standard_error == relative(e, 1e-10));
 }
 
 TEST_CASE("settings are compared on the same packings, whose own scatter drops out") {

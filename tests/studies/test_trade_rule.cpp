@@ -105,6 +105,9 @@ TEST_CASE("errors add in squares, biases with their signs") {
   CHECK(expected_error(law, 400, 1, 0) == relative(std::hypot(0.02, 0.0075), 1e-14));
   CHECK(expected_error(law, 400, 4, 0) == relative(std::hypot(0.01, 0.0075), 1e-14));
   CHECK(expected_error(law, 400, 4, 3e-4) == relative(std::hypot(0.01, 0.0015), 1e-12));
+  CHECK(
+      (scatter_of(law, 400) == relative(0.02, 1e-14) && size_bias_of(law, 400) == relative(-0.0075, 1e-14)));
+  CHECK(rate_bias_of(law, 3e-4) == relative(0.006, 1e-14));
   CHECK_THROWS_AS((void)expected_error(law, 0, 1, 0), InvalidArgument);
   CHECK_THROWS_AS((void)expected_error(law, 100, 0, 0), InvalidArgument);
   CHECK_THROWS_AS((void)expected_error(law, 100, 1, -1e-3), InvalidArgument);
@@ -126,6 +129,11 @@ TEST_CASE("a recipe meets the required error without waste") {
   // Rates that do not matter are not made larger than what was measured.
   CHECK(recipe_for(ErrorLaw{.size = {0.4, 0, 0}, .rate = {1e-3, 0}}, 0.05, 1).inertial_number == 1e-2);
   CHECK(recipe_for(ErrorLaw{.size = {1e-3, 0, 0}, .rate = {}}, 0.05, 1).grains == 40);
+  const std::pair<double, std::size_t> rounded[] = {
+      {39, 40}, {41.2, 42}, {87.5, 88}, {1234, 1300}, {35000, 35000}};
+  for (const auto& [needed, grains] : rounded) // c^2/e^2
+    CHECK(recipe_for(ErrorLaw{.size = {0.01 * std::sqrt(needed * (1 - 1e-12)), 0, 0}, .rate = {}}, 0.01, 1)
+              .grains == grains);
   CHECK_THROWS_AS((void)recipe_for(ErrorLaw{}, 0, 1), InvalidArgument);
   CHECK_THROWS_AS((void)recipe_for(ErrorLaw{}, 0.01, 0), InvalidArgument);
 }
