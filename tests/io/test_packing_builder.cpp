@@ -161,7 +161,7 @@ TEST_CASE("periodic cell: nearest and touching images are those of a search over
     CHECK(changed == !same);
     const PeriodicCell images(cell, periodic);
     const auto wide = [&](std::size_t k) { return (periodic[k] ? 3 : 0.5) * number(bits); };
-    const Vec3 from = cell * Vec3(wide(0), wide(1), wide(2));
+    const Vec3 from = cell * Vec3{wide(0), wide(1), wide(2)};
     const double length = (0.5 + 0.5 * number(bits)) *
                           std::min({norm(column(cell, 0)), norm(column(cell, 1)), norm(column(cell, 2))});
     double least = norm(from);
@@ -170,7 +170,7 @@ TEST_CASE("periodic cell: nearest and touching images are those of a search over
     for (int a = -reach(0); a <= reach(0); ++a)
       for (int b = -reach(1); b <= reach(1); ++b)
         for (int c = -reach(2); c <= reach(2); ++c) {
-          const double distance = norm(from + cell * Vec3(a, b, c));
+          const double distance = norm(from + cell * Vec3{1.0 * a, 1.0 * b, 1.0 * c});
           least = std::min(least, distance);
           if (distance <= length)
             near.push_back(distance);
