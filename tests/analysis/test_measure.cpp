@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <granum/analysis/measure.hpp>
 
-#include <tuple>
-
 #include <granum/contact/grains.hpp>
 #include <granum/core/stop.hpp>
 #include <granum/effective/relaxation.hpp>
@@ -10,7 +8,6 @@
 
 #include "analysis/materials.hpp"
 #include "lattices.hpp"
-#include "packing/sample_packings.hpp"
 #include "thresholds.hpp"
 #include "unit.hpp"
 

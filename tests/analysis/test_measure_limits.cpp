@@ -4,13 +4,10 @@
 #include <tuple>
 
 #include <granum/contact/grains.hpp>
-#include <granum/core/stop.hpp>
 #include <granum/effective/relaxation.hpp>
-#include <granum/effective/uniform_field.hpp>
 
 #include "analysis/materials.hpp"
 #include "lattices.hpp"
-#include "packing/sample_packings.hpp"
 #include "thresholds.hpp"
 #include "unit.hpp"
 

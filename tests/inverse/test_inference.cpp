@@ -2,8 +2,6 @@
 #include <granum/elastic/waves.hpp>
 #include <granum/inverse/inference.hpp>
 
-#include <random>
-
 #include <granum/core/stop.hpp>
 #include <granum/core/text.hpp>
 #include <granum/effective/contact_prior.hpp>
@@ -11,8 +9,6 @@
 
 #include "inferences.hpp"
 #include "inverse/contact_model.hpp"
-#include "sample_statistics.hpp"
-#include "thresholds.hpp"
 #include "unit.hpp"
 
 using namespace inferences;

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <granum/elastic/waves.hpp>
 #include <granum/inverse/inference.hpp>
 
 #include <random>
-
-#include <granum/core/stop.hpp>
-#include <granum/core/text.hpp>
-#include <granum/effective/contact_prior.hpp>
-#include <granum/estimate/answer.hpp>
 
 #include "inferences.hpp"
 #include "inverse/contact_model.hpp"
